@@ -1,0 +1,90 @@
+#pragma once
+
+#include "kernel/measurement/machine.h"
+#include "kernel/measurement/test.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+enum class Signer { operatorSigns, laboratory, supplier, customer };
+enum class ReportLanguage { fr, en };
+enum class Paper { a4, letter };
+enum class ReportPart { readings, targetTable, uncertainty, findings, diagnosis, signatures, temperatureCurve };
+enum class ReportExtra { readingMarks, meanRepeatability, repetitions };
+enum class CircleFigures { combined, separate };
+
+struct Laboratory {
+    std::string name;
+    std::string address;
+    std::string accreditation;
+    std::optional<std::string> logo; ///< base64 of a PNG or SVG picture
+    std::optional<std::string> mark; ///< base64, mark of the accreditation body
+
+    bool operator==(const Laboratory &) const = default;
+};
+
+struct Party {
+    std::string name;
+    std::string address;
+
+    bool operator==(const Party &) const = default;
+};
+
+struct Authorisation {
+    std::string name;
+    std::string function;
+
+    bool operator==(const Authorisation &) const = default;
+};
+
+/// What stands on the report besides the tests. Dates YYYY-MM-DD; empty or null = not stated.
+struct ReportHead {
+    std::string title;
+    std::string number;
+    std::string revision;
+    std::string replaces;
+    std::optional<std::string> date;
+    std::optional<std::string> performedFrom;
+    std::optional<std::string> performedTo;
+    std::string place;
+    Laboratory laboratory;
+    Party customer;
+    Party supplier;
+    std::string order;
+    std::string procedure;
+    std::string operatorName;
+    Authorisation authorisedBy;
+    std::vector<Signer> signatures{Signer::operatorSigns, Signer::supplier, Signer::customer};
+    std::vector<ReportLanguage> languages{ReportLanguage::fr};
+    Paper paper = Paper::a4;
+    std::vector<ReportPart> leaveOut;
+    std::vector<ReportExtra> include{ReportExtra::readingMarks};
+    std::vector<std::string> editions; ///< printed side by side, without verdict
+    CircleFigures figures = CircleFigures::combined;
+    std::string adjustments;
+    std::string remarks;
+
+    bool operator==(const ReportHead &) const = default;
+};
+
+using TestPointer = std::shared_ptr<const Test>;
+
+/// One file: one report with machine, instruments and any number of tests. Tests are shared and never changed
+/// in place, so copies are cheap; an edit replaces one pointer. Results are never part of it.
+struct Document {
+    std::string writtenBy;
+    ReportHead report;
+    Machine machine;
+    std::vector<Instrument> instruments;
+    std::vector<TestPointer> tests;
+    std::string extensions = "{}"; ///< JSON object, kept as text
+
+    /// Compares tests by value.
+    friend bool operator==(const Document &a, const Document &b);
+};
+
+} // namespace palmer

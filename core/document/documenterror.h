@@ -1,0 +1,28 @@
+#pragma once
+
+#include "kernel/words/message.h"
+
+#include <exception>
+#include <string>
+
+namespace palmer {
+
+/// The one exception: something outside the program cannot be used as it is. Thrown where a file is read or
+/// written, caught where it was opened, which adds the file's name.
+/// `place`: `tests[0].runs[1].deviations[3]` (counted from 0), `line:column` for syntax, or empty.
+/// `message`: what is wrong and what was expected.
+class Error : public std::exception {
+public:
+    enum class Kind { unreadable, syntax, format, newerVersion, content, tooLarge, unwritable };
+
+    Error(Kind kind, Message message, std::string place = {})
+        : kind(kind), message(std::move(message)), place(std::move(place)) {}
+
+    [[nodiscard]] const char *what() const noexcept override { return message.text.source; }
+
+    Kind kind;
+    Message message;
+    std::string place;
+};
+
+} // namespace palmer

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "kernel/evaluation/surroundings.h"
+#include "kernel/evaluation/testevaluation.h"
+
+namespace palmer {
+
+/// Evaluates a test under its own edition, or under `edition` of the same kind (a view: results, no verdicts).
+/// Pure and total. Statistics → correction to 20 °C → parameters → requirements → limits.
+[[nodiscard]] TestEvaluation evaluateTest(const Test &test, const Surroundings &surroundings,
+                                          const Edition *edition = nullptr);
+
+/// The evaluation of a positioning test; `test.measurement` holds a PositioningMeasurement and `edition` is
+/// one of ISO 230-2 or its kin.
+[[nodiscard]] TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroundings,
+                                                 const Edition &edition);
+
+} // namespace palmer

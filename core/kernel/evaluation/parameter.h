@@ -1,0 +1,62 @@
+#pragma once
+
+#include "kernel/measurement/agreement.h"
+#include "kernel/measurement/axis.h"
+#include "kernel/words/quantity.h"
+#include "kernel/words/text.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace palmer {
+
+/// A symbol as it is printed: "A↑"; the subscript is set lower on paper ("Ps" "max").
+struct Symbol {
+    const char *base = "";
+    const char *subscript = "";
+};
+
+/// always: in every table; onRequest: in JSON always, on the report only where it was asked for.
+enum class Printed { always, onRequest };
+
+/// What a parameter is called. `clause` of the edition; empty where it is not known.
+struct Term {
+    const char *id = "";
+    Symbol symbol;
+    Text name;
+    const char *clause = "";
+    Quantity quantity = Quantity::deviation;
+    Printed printed = Printed::always;
+};
+
+/// What makes a parameter as large as it is: a target (counted from 1), and the approach where one rules.
+struct Ruling {
+    int target = 1;
+    std::optional<Direction> approach;
+
+    bool operator==(const Ruling &) const = default;
+};
+
+enum class Verdict { conforms, notProven, doesNotConform };
+
+/// A parameter of a test. Values, uncertainty and guard band in mm (rotary: degrees), not rounded.
+/// `value` is null where a statistic it needs is missing; a finding says why.
+struct Parameter {
+    Term term;
+    std::string index; ///< axes of a circular result ("XY"); empty for positioning
+    std::optional<double> value;
+    std::array<std::optional<Ruling>, 2> ruling; ///< the larger end first; first target on ties
+    std::optional<double> expandedUncertainty;   ///< U, k = 2, of the deciding method
+    std::optional<Limit> limit;
+    std::optional<double> guardBand;
+    std::optional<Verdict> verdict; ///< null: no limit, or one agreed for another edition
+};
+
+/// "A", "G(b)_XY": the key of results.
+[[nodiscard]] std::string parameterId(const Parameter &parameter);
+
+/// The symbol without typography: "A↑", "Psmax", "G(b)XY".
+[[nodiscard]] std::string plainSymbol(const Parameter &parameter);
+
+} // namespace palmer

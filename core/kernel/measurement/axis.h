@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace palmer {
+
+enum class Motion { linear, rotary };
+
+/// The side a target is approached from: the positive (↑) or the negative (↓) direction of the axis.
+enum class Direction { positive, negative };
+
+/// From … to, in the unit of what it bounds; from < to.
+struct Interval {
+    double from = 0;
+    double to = 0;
+
+    bool operator==(const Interval &) const = default;
+};
+
+/// The numerically controlled axis under test. Lengths in mm, of rotary axes in degrees.
+struct Axis {
+    std::string name;
+    Motion motion = Motion::linear;
+    std::optional<double> travel;   ///< axis travel (not the measurement travel); null: not stated
+    std::optional<Interval> range;  ///< ends of the travel in axis coordinates; null: not stated
+    std::string positionFeedback;   ///< measuring system of the axis
+
+    bool operator==(const Axis &) const = default;
+};
+
+} // namespace palmer

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "kernel/measurement/axis.h"
+#include "kernel/measurement/conditions.h"
+#include "kernel/measurement/uncertaintyinputs.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+/// Sense of contouring; from the first axis towards the second is counterclockwise (ISO 230-4, 3.8).
+enum class Sense { counterclockwise, clockwise };
+
+/// What the angles of an arc are: of the measured point (polar), or of the programmed path (commanded).
+enum class AngleReference { polar, commanded };
+
+enum class SignalSource { external, feedback };
+enum class Centring { leastSquares, instrument };
+enum class ReferenceCircle { minimumZone, leastSquares };
+
+struct Plane {
+    std::string first;
+    std::string second;
+
+    bool operator==(const Plane &) const = default;
+};
+
+struct ReferenceLength {
+    std::optional<bool> calibrated;
+    std::optional<double> expandedUncertainty; ///< µm
+    double coverageFactor = 2;
+
+    bool operator==(const ReferenceLength &) const = default;
+};
+
+/// One measured path in one sense. Angles in degrees from the first axis towards the second, unwrapped;
+/// radial deviations in mm, positive outwards, as many as angles.
+struct Arc {
+    Sense sense = Sense::counterclockwise;
+    AngleReference angleReference = AngleReference::polar;
+    std::vector<double> angles;
+    std::vector<double> radialDeviations;
+    std::optional<Interval> evaluated;    ///< unwrapped degrees; null: all, or the middle 360°
+    std::optional<double> sampleInterval; ///< s
+
+    bool operator==(const Arc &) const = default;
+};
+
+/// A circular test as measured (ISO 230-4); arcs in the order of time.
+struct CircularMeasurement {
+    Plane plane;
+    std::string positionFeedback;
+    double nominalRadius = 0;   ///< mm
+    std::optional<double> feed; ///< mm/min
+    SignalSource source = SignalSource::external;
+    Centring centring = Centring::leastSquares;
+    ReferenceCircle referenceCircle = ReferenceCircle::minimumZone;
+    ReferenceLength referenceLength;
+    std::vector<std::string> requiredResults; ///< quantities as in limits; empty: all
+    std::vector<Arc> arcs;
+    CircularConditions conditions;
+    CircularUncertaintyInputs uncertainty;
+
+    bool operator==(const CircularMeasurement &) const = default;
+};
+
+} // namespace palmer

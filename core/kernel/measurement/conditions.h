@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+enum class WarmUpKind { notStated, procedure, dryRun, setUpOnly };
+
+struct WarmUp {
+    WarmUpKind kind = WarmUpKind::notStated;
+    std::string text;
+
+    bool operator==(const WarmUp &) const = default;
+};
+
+enum class SensorMeasures { machine, instrument, air };
+
+/// Temperatures of a sensor over the time of the test; both of the same length.
+struct TemperatureSeries {
+    std::vector<double> times;        ///< s
+    std::vector<double> temperatures; ///< °C
+
+    bool operator==(const TemperatureSeries &) const = default;
+};
+
+struct Sensor {
+    SensorMeasures measures = SensorMeasures::machine;
+    std::string position;
+    std::optional<double> start; ///< °C; null: not stated, or the first value of the series
+    std::optional<double> end;   ///< °C; null: not stated, or the last value of the series
+    std::optional<TemperatureSeries> series;
+
+    bool operator==(const Sensor &) const = default;
+};
+
+/// Coefficients of thermal expansion α, µm/(m·°C).
+struct Expansion {
+    std::optional<double> machine;
+    std::optional<double> instrument;
+
+    bool operator==(const Expansion &) const = default;
+};
+
+/// Whether the results hold at 20 °C (nominal differential expansion). Asked for, never guessed.
+enum class CorrectionTo20 { notStated, notApplied, appliedByInstrument, appliedHere };
+
+using Point3 = std::array<std::optional<double>, 3>; ///< X, Y, Z in mm; null: not stated
+
+/// What positioning and circular tests state alike.
+struct Conditions {
+    WarmUp warmUp;
+    std::string compensation;
+    std::string otherAxes;
+    std::string load;
+    std::optional<bool> levelled;
+    std::optional<bool> complete;
+    std::optional<bool> unloaded;
+    std::string soak;
+    std::optional<bool> shielded;
+    std::string thermalGuidelines;
+    Point3 toolOffset;
+    Point3 workpieceOffset;
+    std::string instrumentPosition;
+    std::vector<Sensor> sensors;
+    Expansion expansion;
+    CorrectionTo20 correctionTo20 = CorrectionTo20::notStated;
+
+    bool operator==(const Conditions &) const = default;
+};
+
+enum class FeedMode { programmed, rapid };
+
+struct PositioningConditions {
+    Conditions common;
+    std::optional<double> feed; ///< mm/min, rotary °/min
+    FeedMode feedMode = FeedMode::programmed;
+    std::optional<double> dwell;             ///< s
+    std::optional<double> approachDistance;  ///< mm, rotary degrees
+    std::optional<double> airPressure;       ///< hPa
+    std::optional<double> airHumidity;       ///< %
+    std::optional<double> gradientPerHour;   ///< °C/h
+    std::optional<double> referencePosition; ///< mm: where the displacement was set to zero; null = first target
+
+    bool operator==(const PositioningConditions &) const = default;
+};
+
+struct CircularConditions {
+    Conditions common;
+    Point3 centre; ///< of the circle, in machine coordinates
+    std::string startPoint;
+    std::string stopPoint;
+    std::string smoothing;
+    std::optional<bool> recentredBetweenRuns;
+
+    bool operator==(const CircularConditions &) const = default;
+};
+
+/// θ: mean of start and end over all sensors that measure it, °C. Null unless each of them has both.
+[[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what);
+
+/// Temperature at start or end of a sensor: stated, or from its series.
+[[nodiscard]] std::optional<double> startTemperature(const Sensor &sensor);
+[[nodiscard]] std::optional<double> endTemperature(const Sensor &sensor);
+
+} // namespace palmer

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "kernel/measurement/axis.h"
+
+#include <vector>
+
+namespace palmer {
+
+/// A drift test: the deviation at rest over time; times in s, deviations in mm (rotary: degrees), same length.
+struct DriftMeasurement {
+    Axis axis; ///< name and motion only
+    std::vector<double> times;
+    std::vector<double> deviations;
+
+    bool operator==(const DriftMeasurement &) const = default;
+};
+
+} // namespace palmer

@@ -1,0 +1,9 @@
+#include "kernel/measurement/positioning.h"
+
+namespace palmer {
+
+double measurementTravel(const PositioningMeasurement &measurement) {
+    return measurement.targets.empty() ? 0 : measurement.targets.back() - measurement.targets.front();
+}
+
+} // namespace palmer

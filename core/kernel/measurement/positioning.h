@@ -1,0 +1,67 @@
+#pragma once
+
+#include "kernel/measurement/axis.h"
+#include "kernel/measurement/conditions.h"
+#include "kernel/measurement/uncertaintyinputs.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+enum class Cycle { standard, step };
+
+/// How s is computed: from the squares, or from the range (ISO 230-2:1988 only).
+enum class DeviationMethod { calculation, range };
+
+enum class TargetChoiceKind { notStated, free, polygon, fixed };
+
+struct TargetChoice {
+    TargetChoiceKind kind = TargetChoiceKind::notStated;
+    std::optional<double> interval; ///< nominal interval p, mm or degrees
+    std::optional<double> period;   ///< of the periodic error, mm or degrees
+    std::optional<long long> seed;
+
+    bool operator==(const TargetChoice &) const = default;
+};
+
+/// One pass over the targets in one direction. Deviations x_ij = actual − target position in mm (rotary: degrees),
+/// by index of the target; null = no reading.
+struct Run {
+    Direction approach = Direction::positive;
+    std::vector<std::optional<double>> deviations;
+
+    bool operator==(const Run &) const = default;
+};
+
+/// A reading set aside; run and target count from 1. The place itself is null in the run.
+struct ExcludedReading {
+    int run = 1;
+    int target = 1;
+    double value = 0; ///< mm, rotary: degrees
+    std::string reason;
+
+    bool operator==(const ExcludedReading &) const = default;
+};
+
+/// A positioning test as measured (ISO 230-2): the axis, the targets, the runs in the order of time.
+struct PositioningMeasurement {
+    Axis axis;
+    DeviationMethod standardDeviation = DeviationMethod::calculation;
+    Cycle cycle = Cycle::standard;
+    std::optional<Interval> zone; ///< agreed working zone of a long axis
+    std::vector<double> targets;  ///< P_i, strictly ascending, mm or degrees
+    TargetChoice targetChoice;
+    std::vector<Run> runs;
+    std::vector<ExcludedReading> excluded;
+    PositioningConditions conditions;
+    PositioningUncertaintyInputs uncertainty;
+
+    bool operator==(const PositioningMeasurement &) const = default;
+};
+
+/// Measurement travel: last − first target, mm or degrees; 0 without targets.
+[[nodiscard]] double measurementTravel(const PositioningMeasurement &measurement);
+
+} // namespace palmer

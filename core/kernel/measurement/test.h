@@ -1,0 +1,54 @@
+#pragma once
+
+#include "kernel/measurement/agreement.h"
+#include "kernel/measurement/circular.h"
+#include "kernel/measurement/drift.h"
+#include "kernel/measurement/positioning.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace palmer {
+
+/// A result that the instrument's own program stated.
+struct ImportedResult {
+    std::string name;
+    double value = 0;
+    std::string unit;
+
+    bool operator==(const ImportedResult &) const = default;
+};
+
+/// The file a measurement came from.
+struct ImportedFile {
+    std::string fileName;
+    std::string sha256;
+    std::optional<std::string> data; ///< base64, when the user keeps the bytes
+    std::vector<ImportedResult> results;
+
+    bool operator==(const ImportedFile &) const = default;
+};
+
+/// One test of a report: what all kinds have in common, and the measurement. `edition` is the word of the file,
+/// echoed literally; drift tests have none. `extensions` is a JSON object, kept as text.
+struct Test {
+    std::string id;
+    std::string title;
+    std::optional<std::string> date; ///< YYYY-MM-DD
+    std::optional<std::string> time; ///< HH:MM
+    std::vector<std::string> instruments;
+    std::string edition;
+    std::vector<AgreedPoint> agreedPoints;
+    Limits limits;
+    DecisionRule decisionRule;
+    std::vector<ImportedFile> imports;
+    std::string remarks;
+    std::string extensions = "{}";
+    std::variant<PositioningMeasurement, CircularMeasurement, DriftMeasurement> measurement;
+
+    bool operator==(const Test &) const = default;
+};
+
+} // namespace palmer

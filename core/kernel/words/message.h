@@ -1,0 +1,36 @@
+#pragma once
+
+#include "kernel/words/quantity.h"
+#include "kernel/words/text.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace palmer {
+
+/// A number inside a sentence, in the base unit of its quantity. `decimals` of the unit it is shown in;
+/// negative: the shortest form that says the same number.
+struct Number {
+    double value = 0;
+    Quantity quantity = Quantity::number;
+    int decimals = -1;
+
+    bool operator==(const Number &) const = default;
+};
+
+/// A number, a word of the catalogue, or a name that is the same in every language (UTF-8).
+using Argument = std::variant<Number, Text, std::string>;
+
+/// The one carrier of sentences: findings, remarks and errors hold one, Language::sentence makes the text.
+/// `%1` … `%9` in the text stand for the arguments; `%n` for `count`, which also chooses the plural.
+struct Message {
+    Text text;
+    std::vector<Argument> arguments;
+    std::optional<int> count;
+
+    bool operator==(const Message &) const = default;
+};
+
+} // namespace palmer
