@@ -226,8 +226,10 @@ Sentence workedExample(const PositioningCase &test) {
     for (const Run &run : m.runs) {
         const bool positive = run.approach == Direction::positive;
         const std::size_t j = positive ? up++ : down++;
-        if (j >= 5 || run.deviations.size() != 11 ||
-            run.deviations[positive ? 6 : 5] != (positive ? sevenUp : sixDown)[j])
+        if (j >= 5 || run.deviations.size() != 11)
+            return std::nullopt;
+        const auto reading = run.deviations[positive ? 6 : 5];
+        if (!reading || std::abs(*reading - (positive ? sevenUp : sixDown)[j]) > 1e-9)
             return std::nullopt;
     }
     return Message{
