@@ -5,7 +5,7 @@
 namespace palmer {
 
 /// A text that a user may read, as it stands in the source code (English). What is shown is the translation of
-/// it that a Language makes; nothing else reaches a user. Made only by the two macros below, which the
+/// it that a Language makes; nothing else reaches a user. Made only by the macros below, which the
 /// translation tools know: a bare string is no Text.
 /// `comment` tells two equal sources apart whose translations differ (the edition, mostly).
 struct Text {
@@ -25,3 +25,6 @@ struct Text {
     ::palmer::Text { source, "" }
 #define REPORT_TEXT_FOR(context, source, comment)                                                            \
     ::palmer::Text { source, comment }
+/// A text with `%n` for the count of its Message: its translations have a form for one and one for more.
+#define REPORT_TEXT_COUNTED(context, source)                                                                 \
+    ::palmer::Text { source, "" }
