@@ -12,7 +12,8 @@ namespace palmer {
 
 /// A language as a value: texts, numbers, units and dates as French or English readers expect them. Never
 /// installed, never global: two languages live side by side (window and report), and threads may share one.
-/// Copies are cheap. What is in the sources is the English text; the catalogues are embedded.
+/// Copies are cheap. What is in the sources is the English text; the catalogues are embedded, hence no
+/// Language before main().
 class Language {
 public:
     enum class Id { english, french };
