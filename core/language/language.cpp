@@ -50,7 +50,7 @@ constexpr std::array months{
     REPORT_TEXT("report", "October"), REPORT_TEXT("report", "November"), REPORT_TEXT("report", "December"),
 };
 
-bool isCounted(QStringView source) {
+bool isPlural(QStringView source) {
     return source.contains(QLatin1StringView("%n"));
 }
 
@@ -88,7 +88,7 @@ QString Language::text(const Text &text) const {
 }
 
 bool Language::hasTranslation(const Text &text) const {
-    if (m_id == Id::english && !isCounted(QString::fromUtf8(text.source)))
+    if (m_id == Id::english && !isPlural(QString::fromUtf8(text.source)))
         return true;
     return !m_catalogue->translate(catalogueContext, text.source, text.comment, 1).isNull();
 }

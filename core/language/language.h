@@ -32,8 +32,8 @@ public:
 
     /// The translation of a text of the catalogue; the source where there is none.
     [[nodiscard]] QString text(const Text &text) const;
-    /// Whether the text reads in this language. English texts need no translation but the plural of
-    /// those with `%n`.
+    /// Whether the text reads well in this language. Of the English texts only those that are written with
+    /// "(s)" need a translation.
     [[nodiscard]] bool hasTranslation(const Text &text) const;
     /// The sentence of a message, arguments put in. All places are filled at once: a `%2` inside an argument
     /// stays as it is, and so does a place without argument.
