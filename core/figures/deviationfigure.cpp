@@ -15,7 +15,7 @@ namespace {
 constexpr double positionMargin = 0.03;
 constexpr double valueMargin = 0.07;
 constexpr double mostPositionTicks = 6.5;
-constexpr double mostValueTicks = 10;
+constexpr double mostValueTicks = 12;
 
 constexpr double longLinearAxis = 2000; ///< mm
 constexpr double longRotaryAxis = 360;  ///< degrees
@@ -165,15 +165,11 @@ void addRepeatability(CurveFigure &figure, const Source &source, std::string_vie
         lower = std::min(lower, source.lower(i, direction));
         upper = std::max(upper, source.upper(i, direction));
     }
-    const bool last = i + 1 == source.targets();
-    addDimension(figure, *shown,
-                 {{},
-                  {},
-                  lower,
-                  upper,
-                  source.position(i),
-                  source.position(i),
-                  last ? DimensionPlace::gutter : DimensionPlace::leftOfTarget});
+    // Left of the first target stands the axis.
+    const DimensionPlace place = i + 1 == source.targets() ? DimensionPlace::gutter
+                                 : i == 0                  ? DimensionPlace::rightOfTarget
+                                                           : DimensionPlace::leftOfTarget;
+    addDimension(figure, *shown, {{}, {}, lower, upper, source.position(i), source.position(i), place});
 }
 
 void addReversal(CurveFigure &figure, const Source &source) {

@@ -56,7 +56,8 @@ struct ReadingMark {
     bool operator==(const ReadingMark &) const = default;
 };
 
-/// Where a dimension stands: in a row beside the plot, or left or right of its own target.
+/// Where a dimension stands: in a row beside the plot, or left or right of its own target, in the order
+/// given.
 enum class DimensionPlace { gutter, leftOfTarget, rightOfTarget };
 
 /// A parameter shown as a dimension between two values (upper ≥ lower), with leaders from the places that

@@ -1,8 +1,5 @@
 #include "ui/figures/curvechart.h"
 
-#include "ui/figures/bandoverlap.h"
-
-#include <QAreaSeries>
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
@@ -30,10 +27,19 @@ FigureRole edgeRole(CurveRole role) {
     return role == CurveRole::down ? FigureRole::downEdge : FigureRole::upEdge;
 }
 
+QList<QPointF> edge(const std::vector<BandPoint> &band, double BandPoint::*limit) {
+    QList<QPointF> points;
+    points.reserve(static_cast<qsizetype>(band.size()));
+    for (const BandPoint &point : band)
+        points.append({point.x, point.*limit});
+    return points;
+}
+
 /// A chart that shows nothing but its series, in a plot area that was given.
 class BareChart {
 public:
-    BareChart(const QRectF &area, const QRectF &plot, const CurveFigure &figure) {
+    BareChart(const QRectF &area, const QRectF &plot, const CurveFigure &figure)
+        : m_plot(plot) {
         m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
         m_scene.setSceneRect(area);
         m_chart = new QChart;
@@ -49,8 +55,6 @@ public:
             (*axis)->setVisible(false);
             m_chart->addAxis(*axis, alignment);
         }
-        m_chart->setPlotArea(plot); // before the first layout: later the axes would stay behind
-        m_chart->setGeometry(area);
     }
 
     void addLine(const QList<QPointF> &points, const QPen &pen) {
@@ -60,28 +64,11 @@ public:
         add(series);
     }
 
-    void addArea(const std::vector<BandPoint> &band, const QColor &colour) {
-        auto *series = new QAreaSeries;
-        auto *upper = new QLineSeries(series);
-        auto *lower = new QLineSeries(series);
-        upper->replace(edge(band, &BandPoint::upper));
-        lower->replace(edge(band, &BandPoint::lower));
-        series->setUpperSeries(upper);
-        series->setLowerSeries(lower);
-        series->setPen(Qt::NoPen);
-        series->setBrush(colour);
-        add(series);
-    }
-
-    [[nodiscard]] static QList<QPointF> edge(const std::vector<BandPoint> &band, double BandPoint::*limit) {
-        QList<QPointF> points;
-        points.reserve(static_cast<qsizetype>(band.size()));
-        for (const BandPoint &point : band)
-            points.append({point.x, point.*limit});
-        return points;
-    }
-
     void paint(QPainter &painter) {
+        // Once all curves are in: each change of the size has every curve laid out anew. The plot area comes
+        // before the first layout: given later, it would leave the axes behind.
+        m_chart->setPlotArea(m_plot);
+        m_chart->setGeometry(m_scene.sceneRect());
         m_scene.render(&painter, m_scene.sceneRect(), m_scene.sceneRect(), Qt::IgnoreAspectRatio);
     }
 
@@ -92,6 +79,7 @@ private:
         series->attachAxis(m_y);
     }
 
+    QRectF m_plot;
     QGraphicsScene m_scene;
     QChart *m_chart = nullptr;
     QValueAxis *m_x = nullptr;
@@ -100,34 +88,15 @@ private:
 
 } // namespace
 
-void paintChart(QPainter &painter, const QRectF &area, const QRectF &plot, const CurveFigure &figure,
-                const std::vector<double> &gridX, const std::vector<double> &gridY, Medium medium) {
+void paintCurves(QPainter &painter, const QRectF &area, const QRectF &plot, const CurveFigure &figure,
+                 Medium medium) {
     BareChart chart(area, plot, figure);
-    // A band of one target has no area: its whisker is drawn with the marks.
-    for (const Band &band : figure.bands) {
-        if (band.points.size() > 1)
-            chart.addArea(band.points,
-                          bandColor(band.role == CurveRole::up, band.role == CurveRole::down, medium));
-    }
-    for (const Band &up : figure.bands) {
-        for (const Band &down : figure.bands) {
-            if (up.role != CurveRole::up || down.role != CurveRole::down)
-                continue;
-            for (const auto &overlap : bandOverlap(up.points, down.points))
-                chart.addArea(overlap, bandColor(true, true, medium));
-        }
-    }
-    for (const double x : gridX)
-        chart.addLine({{x, figure.y.from}, {x, figure.y.to}}, figurePen(FigureRole::grid, medium));
-    for (const double y : gridY)
-        chart.addLine({{figure.x.from, y}, {figure.x.to, y}},
-                      figurePen(y == 0 ? FigureRole::zeroLine : FigureRole::grid, medium));
     for (const Band &band : figure.bands) {
         if (band.points.size() < 2)
             continue;
         const QPen pen = figurePen(edgeRole(band.role), medium);
-        chart.addLine(BareChart::edge(band.points, &BandPoint::upper), pen);
-        chart.addLine(BareChart::edge(band.points, &BandPoint::lower), pen);
+        chart.addLine(edge(band.points, &BandPoint::upper), pen);
+        chart.addLine(edge(band.points, &BandPoint::lower), pen);
     }
     for (const CurveRole role : {CurveRole::mean, CurveRole::down, CurveRole::up}) {
         for (const Curve &curve : figure.curves) {
@@ -140,6 +109,7 @@ void paintChart(QPainter &painter, const QRectF &area, const QRectF &plot, const
             chart.addLine(points, figurePen(lineRole(role), medium));
         }
     }
+    painter.setBrush(Qt::NoBrush); // Qt Charts draws curves with the brush it finds
     chart.paint(painter);
 }
 

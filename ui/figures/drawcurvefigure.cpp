@@ -1,9 +1,9 @@
 #include "ui/figures/drawcurvefigure.h"
 
+#include "ui/figures/bandoverlap.h"
 #include "ui/figures/curvechart.h"
 #include "ui/figures/drawtext.h"
 
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +20,7 @@ constexpr double gutterWidth = 26 * mm;
 constexpr double gutterStart = 2.4 * mm;
 constexpr double gutterStep = 6.1 * mm;
 constexpr double besideTarget = 3.3 * mm;
+constexpr double besideStep = 3.6 * mm;
 constexpr double leaderGap = 1.3 * mm;       ///< from the ruling place
 constexpr double leaderOvershoot = 0.9 * mm; ///< past the dimension
 constexpr double arrowLength = 0.95 * mm;
@@ -88,22 +89,16 @@ public:
             return {};
         const std::vector<const Tick *> xTicks = thinned(m_figure.x, m_plot.width(), true);
         const std::vector<const Tick *> yTicks = thinned(m_figure.y, m_plot.height(), false);
-        std::vector<double> gridX;
-        std::vector<double> gridY;
-        for (const Tick *tick : yTicks)
-            gridY.push_back(tick->value);
-        if (m_medium != Medium::paper) {
-            for (const Tick *tick : xTicks)
-                gridX.push_back(tick->value);
-        }
+        drawBands();
+        drawGrid(xTicks, yTicks);
+        drawReadings();
         p.save();
-        paintChart(p, m_area, m_plot, m_figure, gridX, gridY, m_medium);
+        paintCurves(p, m_area, m_plot, m_figure, m_medium);
         p.restore();
         drawWhiskers();
-        drawReadings();
+        drawMarkers();
         if (m_dimensions)
             drawDimensions();
-        drawMarkers();
         drawAxes(xTicks, yTicks);
         drawLegend();
         return transform();
@@ -166,8 +161,57 @@ private:
         return kept;
     }
 
+    void drawBand(const std::vector<BandPoint> &band, const QColor &fill) {
+        QPolygonF outline;
+        outline.reserve(static_cast<qsizetype>(2 * band.size()));
+        for (const BandPoint &point : band)
+            outline.append({x(point.x), y(point.upper)});
+        for (auto point = band.rbegin(); point != band.rend(); ++point)
+            outline.append({x(point->x), y(point->lower)});
+        p.setBrush(fill);
+        p.drawPolygon(outline);
+    }
+
+    void drawBands() {
+        p.save();
+        p.setClipRect(m_plot, Qt::IntersectClip);
+        p.setPen(Qt::NoPen);
+        for (const Band &band : m_figure.bands)
+            drawBand(band.points,
+                     bandColor(band.role == CurveRole::up, band.role == CurveRole::down, m_medium));
+        for (const Band &up : m_figure.bands) {
+            for (const Band &down : m_figure.bands) {
+                if (up.role != CurveRole::up || down.role != CurveRole::down)
+                    continue;
+                for (const auto &overlap : bandOverlap(up.points, down.points))
+                    drawBand(overlap, bandColor(true, true, m_medium));
+            }
+        }
+        p.restore();
+    }
+
+    /// Lines along the axes fill whole pixels of a screen.
+    void sharpenLines(bool sharp) {
+        p.setRenderHint(QPainter::Antialiasing, !sharp || m_medium == Medium::paper);
+    }
+
+    void drawGrid(const std::vector<const Tick *> &xTicks, const std::vector<const Tick *> &yTicks) {
+        sharpenLines(true);
+        if (m_medium != Medium::paper) {
+            p.setPen(pen(FigureRole::grid));
+            for (const Tick *tick : xTicks)
+                p.drawLine(QPointF(x(tick->value), m_plot.top()), QPointF(x(tick->value), m_plot.bottom()));
+        }
+        for (const Tick *tick : yTicks) {
+            p.setPen(pen(tick->value == 0 ? FigureRole::zeroLine : FigureRole::grid));
+            p.drawLine(QPointF(m_plot.left(), y(tick->value)), QPointF(m_plot.right(), y(tick->value)));
+        }
+        sharpenLines(false);
+    }
+
     void drawAxes(const std::vector<const Tick *> &xTicks, const std::vector<const Tick *> &yTicks) {
         const QColor text = colour(FigureRole::text);
+        sharpenLines(true);
         QPen axis = pen(FigureRole::axis);
         axis.setCapStyle(Qt::SquareCap);
         p.setPen(axis);
@@ -183,6 +227,7 @@ private:
             const double at = y(tick->value);
             p.drawLine(QPointF(m_plot.left(), at), QPointF(m_plot.left() - tickLength, at));
         }
+        sharpenLines(false);
         const double row = m_plot.bottom() + m_margins.tickLabels;
         for (const Tick *tick : xTicks) {
             const double width = textWidth(tick->label);
@@ -255,16 +300,23 @@ private:
     }
 
     void drawReading(QPointF at, CurveRole role, double size) {
+        const double strength = 0.4 + 1.2 * (size - 0.5); // of the colour: 1 at full size
         if (role == CurveRole::up) {
             p.setPen(Qt::NoPen);
-            p.setBrush(colour(FigureRole::up));
+            p.setBrush(paler(colour(FigureRole::up), strength));
             p.drawEllipse(at, dotRadius * size, dotRadius * size);
         } else {
-            p.setPen(pen(FigureRole::reading));
+            QPen outline = pen(FigureRole::reading);
+            outline.setColor(paler(outline.color(), strength));
+            p.setPen(outline);
             p.setBrush(colour(FigureRole::background));
             const double half = squareWidth * size / 2;
             p.drawRect(QRectF(at - QPointF(half, half), at + QPointF(half, half)));
         }
+    }
+
+    [[nodiscard]] QColor paler(const QColor &strong, double strength) const {
+        return blend(strong, colour(FigureRole::background), strength);
     }
 
     /// Markers as far apart as they can be told apart: of every target, every second, third …
@@ -307,9 +359,7 @@ private:
             const double half = diamondWidth / 2;
             const QPolygonF diamond{at + QPointF(-half, 0), at + QPointF(0, -half), at + QPointF(half, 0),
                                     at + QPointF(0, half)};
-            QPen outline = pen(FigureRole::downMarker);
-            outline.setJoinStyle(Qt::MiterJoin);
-            p.setPen(outline);
+            p.setPen(pen(FigureRole::downMarker));
             p.setBrush(colour(FigureRole::background));
             p.drawPolygon(diamond);
         }
@@ -328,7 +378,7 @@ private:
                 ++slot;
             } else {
                 towards = dimension.place == DimensionPlace::rightOfTarget ? 1 : -1;
-                at = x(dimension.upperPosition) + towards * besideTarget;
+                at = x(dimension.upperPosition) + towards * (besideTarget + placed(dimension) * besideStep);
             }
             p.setPen(pen(FigureRole::leader));
             const double end = at + towards * leaderOvershoot;
@@ -338,6 +388,14 @@ private:
                        QPointF(end, y(dimension.lower)));
             drawDimension(at, y(dimension.upper), y(dimension.lower), dimension.label);
         }
+    }
+
+    /// How many dimensions stand already on the same side of the same target.
+    [[nodiscard]] double placed(const Dimension &dimension) const {
+        return static_cast<double>(
+            std::count_if(m_figure.dimensions.data(), &dimension, [&](const Dimension &earlier) {
+                return earlier.place == dimension.place && earlier.upperPosition == dimension.upperPosition;
+            }));
     }
 
     void drawArrow(QPointF tip, double down) {

@@ -7,7 +7,6 @@
 #include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QRegularExpression>
 #include <QSvgGenerator>
 #include <stdexcept>
 
@@ -19,6 +18,31 @@ constexpr double millimetresPerInch = 25.4;
 
 QRectF pageInPoints(const Figure &figure) {
     return {QPointF(0, 0), paperSize(figure) * pointsPerMillimetre};
+}
+
+/// Takes the time of writing out of a PDF of Qt: it is no property of the figure. Every offset behind it
+/// moves.
+QByteArray withoutDate(const QByteArray &pdf) {
+    const qsizetype from = pdf.indexOf("/CreationDate (");
+    const qsizetype table = pdf.lastIndexOf("\nxref\n");
+    const qsizetype trailer = pdf.indexOf("trailer", table);
+    const qsizetype start = pdf.lastIndexOf("startxref");
+    if (from < 0 || table < from || trailer < 0 || start < 0)
+        throw std::runtime_error("the PDF has no date or no table of its objects");
+    const qsizetype length = pdf.indexOf(")\n", from) + 2 - from;
+    const auto moved = [&](const QByteArray &digits) {
+        const qlonglong offset = digits.toLongLong();
+        return QByteArray::number(offset > from ? offset - length : offset);
+    };
+    QByteArray result = pdf.left(from) + pdf.mid(from + length, table + 1 - from - length);
+    for (const QByteArray &line : pdf.mid(table + 1, trailer - table - 1).split('\n')) {
+        const bool inUse = line.endsWith(" n ");
+        result += inUse ? moved(line.left(10)).rightJustified(10, '0') + line.mid(10) : line;
+        result += '\n';
+    }
+    result.chop(1);
+    return result + pdf.mid(trailer, start - trailer) + "startxref\n" +
+           moved(pdf.mid(start + 10, pdf.indexOf('\n', start + 10) - start - 10).trimmed()) + "\n%%EOF\n";
 }
 
 void begin(QPainter &painter, QPaintDevice *device) {
@@ -34,8 +58,8 @@ QByteArray figureAsSvg(const Figure &figure, const QString &title) {
     const QRectF page = pageInPoints(figure);
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
-    generator.setResolution(72);
-    generator.setSize(page.size().toSize());
+    generator.setResolution(2540); // hundredths of a millimetre: the size is exact
+    generator.setSize((paperSize(figure) * 100).toSize());
     generator.setViewBox(page);
     generator.setTitle(title);
     generator.setDescription(QString());
@@ -62,7 +86,7 @@ QByteArray figureAsPdf(const Figure &figure, const QString &title) {
         painter.scale(1200 / 72.0, 1200 / 72.0);
         drawFigure(painter, pageInPoints(figure), figure, Medium::paper);
     }
-    return buffer.data();
+    return withoutDate(buffer.data());
 }
 
 QByteArray figureAsPng(const Figure &figure, int dotsPerInch) {

@@ -61,14 +61,6 @@ static_assert([] {
     return true;
 }());
 
-QColor over(const QColor &colour, const QColor &ground) {
-    const auto mix = [](int above, int below) {
-        return qRound(bandOpacity * above + (1 - bandOpacity) * below);
-    };
-    return QColor(mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
-                  mix(colour.blue(), ground.blue()));
-}
-
 } // namespace
 
 QColor figureColor(FigureRole role, Medium medium) {
@@ -89,7 +81,8 @@ QPen figurePen(FigureRole role, Medium medium) {
     const double width = medium == Medium::paper ? found.width : std::max(found.width, thinnestOnScreen);
     QPen pen(figureColor(role, medium));
     pen.setWidthF(width * pointsPerMillimetre);
-    pen.setJoinStyle(Qt::RoundJoin);
+    pen.setJoinStyle(role == FigureRole::reading || role == FigureRole::downMarker ? Qt::MiterJoin
+                                                                                   : Qt::RoundJoin);
     // Qt Charts draws a solid curve piece by piece: round ends close its corners.
     pen.setCapStyle(Qt::RoundCap);
     QList<double> pattern; // in widths of the pen, as Qt wants it
@@ -104,12 +97,20 @@ QPen figurePen(FigureRole role, Medium medium) {
     return pen;
 }
 
+QColor blend(const QColor &colour, const QColor &ground, double strength) {
+    const auto mix = [strength](int above, int below) {
+        return qRound(strength * above + (1 - strength) * below);
+    };
+    return QColor(mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
+                  mix(colour.blue(), ground.blue()));
+}
+
 QColor bandColor(bool up, bool down, Medium medium) {
     QColor colour = figureColor(FigureRole::background, medium);
     if (up)
-        colour = over(figureColor(FigureRole::up, medium), colour);
+        colour = blend(figureColor(FigureRole::up, medium), colour, bandOpacity);
     if (down)
-        colour = over(figureColor(FigureRole::down, medium), colour);
+        colour = blend(figureColor(FigureRole::down, medium), colour, bandOpacity);
     return colour;
 }
 

@@ -37,6 +37,9 @@ constexpr double pointsPerMillimetre = 72 / 25.4;
 [[nodiscard]] QPen figurePen(FigureRole role, Medium medium);
 [[nodiscard]] QColor figureColor(FigureRole role, Medium medium);
 
+/// `colour` laid over `ground` with an opacity of `strength`, 0 … 1; opaque.
+[[nodiscard]] QColor blend(const QColor &colour, const QColor &ground, double strength);
+
 /// Fill between the limits of one direction, or where those of both lie over each other. Opaque: archival PDF
 /// and some printers do not know transparency.
 [[nodiscard]] QColor bandColor(bool up, bool down, Medium medium);
