@@ -13,7 +13,15 @@ namespace palmer {
 enum class Signer { operatorSigns, laboratory, supplier, customer };
 enum class ReportLanguage { fr, en };
 enum class Paper { a4, letter };
-enum class ReportPart { readings, targetTable, uncertainty, findings, diagnosis, signatures, temperatureCurve };
+enum class ReportPart {
+    readings,
+    targetTable,
+    uncertainty,
+    findings,
+    diagnosis,
+    signatures,
+    temperatureCurve
+};
 enum class ReportExtra { readingMarks, meanRepeatability, repetitions };
 enum class CircleFigures { combined, separate };
 

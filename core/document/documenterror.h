@@ -16,7 +16,9 @@ public:
     enum class Kind { unreadable, syntax, format, newerVersion, content, tooLarge, unwritable };
 
     Error(Kind kind, Message message, std::string place = {})
-        : kind(kind), message(std::move(message)), place(std::move(place)) {}
+        : kind(kind)
+        , message(std::move(message))
+        , place(std::move(place)) {}
 
     [[nodiscard]] const char *what() const noexcept override { return message.text.source; }
 

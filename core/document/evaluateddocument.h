@@ -22,7 +22,8 @@ struct EvaluatedDocument {
 };
 
 /// Evaluates all tests; those that are the same as in `previous` keep their evaluation.
-/// `edition`: the word of another edition for all tests of its kind (a view, no verdicts); empty: each its own.
+/// `edition`: the word of another edition for all tests of its kind (a view, no verdicts); empty: each its
+/// own.
 [[nodiscard]] EvaluatedDocument evaluate(std::shared_ptr<const Document> document,
                                          const EvaluatedDocument *previous = nullptr,
                                          std::string_view edition = {});

@@ -9,8 +9,8 @@
 namespace palmer {
 
 /// Steady progression of the deviations from approach to approach (ours; ISO 230-2:2006, 3.3 asks to look).
-/// ḡ_j = mean over all targets and directions of x_ij − x̄_i of that direction, mm; slope by least squares over
-/// j; change = slope·(n − 1), mm; t of the slope with n − 2 degrees of freedom.
+/// ḡ_j = mean over all targets and directions of x_ij − x̄_i of that direction, mm; slope by least squares
+/// over j; change = slope·(n − 1), mm; t of the slope with n − 2 degrees of freedom.
 struct DriftStatistic {
     std::vector<double> means; ///< ḡ_j, mm
     double change = 0;         ///< D, mm

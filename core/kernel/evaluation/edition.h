@@ -4,6 +4,7 @@
 #include "kernel/evaluation/parameter.h"
 #include "kernel/evaluation/statistics.h"
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -24,31 +25,45 @@ struct Row {
     Term term;
     unsigned needs;
     Outcome (*value)(std::span<const TargetStatistics>, double c);
+    bool dependsOnTemperature = false; ///< wrong away from 20 °C unless corrected
 };
 
 /// A quantity per target: what the heads of tables and the help call it.
 struct TargetTerm {
     const char *id; ///< "mean+", "mean", "reversal", "s", "R+", "R", …
     Symbol symbol;
-    Text name;
-    const char *clause;
+    Text name = {};
+    const char *clause = "";
 };
 
 /// A point to be agreed between supplier/manufacturer and user.
 struct AgreementPoint {
     const char *point;  ///< word of the file format
     const char *letter; ///< as the standard letters it; empty where no letters are printed
-    Text name;
+    Text name = {};
 };
-
-struct Requirement; // one row of an edition's requirements, see requirement.h
 
 enum class Kind { positioning, circular, drift };
 
-/// A kind of test within an edition and what is asked of it; the first of an edition that applies is taken.
-struct PositioningCase;
+struct PositioningCase; // a test and all that is known of it: positioningcase.h
+
+/// One thing an edition asks of a test. `unmet`: the sentence of the finding, or null when it is met.
+struct Requirement {
+    const char *id; ///< of a missing statement: the key in the file
+    const char *clause = "";
+    Grade grade;
+    std::optional<Message> (*unmet)(const PositioningCase &);
+};
+
+/// Something the report has to state.
+struct Statement {
+    const char *id; ///< the key in the file
+    Text name = {};
+    bool (*stated)(const PositioningCase &); ///< or does not apply to this test
+};
+
+/// The kind of test and what is asked of it; the first of an edition that applies is taken.
 struct Scheme {
-    const char *id;
     bool (*applies)(const PositioningCase &);
     std::span<const Requirement> requirements;
 };
@@ -56,16 +71,18 @@ struct Scheme {
 /// One edition of a standard. Aliases share everything with their family but word and title.
 struct Edition {
     const char *word;   ///< what the file says: "ISO 230-2:2006"
-    const char *family; ///< word of the edition whose rules these are; verdicts hold among aliases
+    const char *family; ///< word of the edition whose rules these are; verdicts hold within it
     Kind kind = Kind::positioning;
-    Text title;        ///< the standard's own title; empty where the designation stands alone
-    double c = 0;      ///< factor of s (ISO 230-2)
+    Text title = {};               ///< the standard's own title; empty where the designation stands alone
+    double c = 0;             ///< factor of s (ISO 230-2)
     bool rangeMethod = false; ///< s by the range method allowed
-    std::span<const Row> rows;
-    std::span<const TargetTerm> targetTerms;
-    std::span<const Scheme> schemes;
-    std::span<const Requirement> requirements; ///< asked of every test
-    std::span<const AgreementPoint> points;
+    std::span<const Row> rows = {};
+    std::span<const TargetTerm> targetTerms = {};
+    std::span<const Scheme> schemes = {};
+    std::span<const Requirement> requirements = {}; ///< asked of every test
+    std::span<const Statement> statements = {};
+    const char *statementsClause = "";
+    std::span<const AgreementPoint> points = {};
     const char *pointsClause = "";
 };
 

@@ -5,10 +5,14 @@
 
 namespace palmer {
 
-/// Evaluates a test under its own edition, or under `edition` of the same kind (a view: results, no verdicts).
+/// The edition a test is evaluated under: `asked` where it is one of the test's kind, else the test's own;
+/// null for drift tests.
+[[nodiscard]] const Edition *editionFor(const Test &test, const Edition *asked);
+
+/// Evaluates a test under its own edition, or under `asked` of the same kind (a view: results, no verdicts).
 /// Pure and total. Statistics → correction to 20 °C → parameters → requirements → limits.
 [[nodiscard]] TestEvaluation evaluateTest(const Test &test, const Surroundings &surroundings,
-                                          const Edition *edition = nullptr);
+                                          const Edition *asked = nullptr);
 
 /// The evaluation of a positioning test; `test.measurement` holds a PositioningMeasurement and `edition` is
 /// one of ISO 230-2 or its kin.

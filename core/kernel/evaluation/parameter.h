@@ -11,10 +11,11 @@
 
 namespace palmer {
 
-/// A symbol as it is printed: "A↑"; the subscript is set lower on paper ("Ps" "max").
+/// A symbol as it is printed: "A↑"; the subscript is set lower on paper ("x̄" "i" "↑").
 struct Symbol {
     const char *base = "";
     const char *subscript = "";
+    const char *arrow = ""; ///< after the subscript
 };
 
 /// always: in every table; onRequest: in JSON always, on the report only where it was asked for.
@@ -24,7 +25,7 @@ enum class Printed { always, onRequest };
 struct Term {
     const char *id = "";
     Symbol symbol;
-    Text name;
+    Text name = {};
     const char *clause = "";
     Quantity quantity = Quantity::deviation;
     Printed printed = Printed::always;

@@ -29,7 +29,8 @@ struct Readings {
 };
 
 /// The readings of a measurement in the order of its runs; `corrections` (one a target, mm) are added.
-[[nodiscard]] Readings readings(const PositioningMeasurement &measurement, std::span<const double> corrections = {});
+[[nodiscard]] Readings readings(const PositioningMeasurement &measurement,
+                                std::span<const double> corrections = {});
 
 /// Statistics of one target in one direction. NaN = undefined: mean and range need n ≥ 1, s needs n ≥ 2.
 /// The NaN stay inside the kernel: parameters and outputs have null.
@@ -45,11 +46,11 @@ struct TargetStatistics {
     DirectionStatistics negative; ///< ↓
 
     [[nodiscard]] double mean() const { return (positive.mean + negative.mean) / 2; } ///< x̄_i
-    [[nodiscard]] double reversal() const { return positive.mean - negative.mean; }   ///< B_i = x̄_i↑ − x̄_i↓
+    [[nodiscard]] double reversal() const { return positive.mean - negative.mean; } ///< B_i = x̄_i↑ − x̄_i↓
 };
 
-/// Statistics of all targets: mean and s by the corrected two-pass algorithm (the rounding error of the mean is
-/// taken out of both, Chan, Golub, LeVeque 1983), or s = W/k(n) by the range method of ISO 230-2:1988, 2.9
+/// Statistics of all targets: mean and s by the corrected two-pass algorithm (the rounding error of the mean
+/// is taken out of both, Chan, Golub, LeVeque 1983), or s = W/k(n) by the range method of ISO 230-2:1988, 2.9
 /// (undefined outside n = 2 … 10). `result` has one element a target. No allocation.
 void statistics(const ReadingsView &readings, DeviationMethod method, std::span<TargetStatistics> result);
 

@@ -7,11 +7,13 @@
 
 namespace palmer {
 
-/// What the evaluation of a test sees of the rest of its file. Owns nothing: valid as long as the document is.
+/// What the evaluation of a test sees of the rest of its file. Owns nothing: valid as long as the document
+/// is.
 struct Surroundings {
     const Machine *machine = nullptr;
     std::vector<const Instrument *> instruments; ///< those the test names
-    bool otherTestOfLongAxis = false; ///< whole travel and zone: the file holds the other one for the same axis
+    bool otherTestOfLongAxis =
+        false; ///< whole travel and zone: the file holds the other one for the same axis
     std::optional<double> environmentalVariation; ///< range of the drift test the inputs name, mm or degrees
 };
 

@@ -23,7 +23,7 @@ struct PositioningResults {
     std::vector<double> corrections; ///< added to each target's deviations (mm); empty: no correction here
     bool notCorrected = false;       ///< away from 20 °C and not corrected: E, A, M say so
     std::optional<DriftStatistic> drift;
-    bool judgedAsZone = false; ///< a zone test of a long axis, judged as a short one
+    bool judgedAsZone = false;       ///< a zone test of a long axis, judged as a short one
     bool stepCycleNotAgreed = false; ///< the title says: not an acceptance result under the edition
 };
 

@@ -17,7 +17,8 @@ struct AgreedPoint {
     bool operator==(const AgreedPoint &) const = default;
 };
 
-/// An agreed limit of a parameter, in mm (rotary: degrees). `edition`: the one it was agreed for; null: the test's.
+/// An agreed limit of a parameter, in mm (rotary: degrees). `edition`: the one it was agreed for; null: the
+/// test's.
 struct Limit {
     std::optional<double> value;
     std::optional<std::string> edition;

@@ -22,9 +22,9 @@ struct Interval {
 struct Axis {
     std::string name;
     Motion motion = Motion::linear;
-    std::optional<double> travel;   ///< axis travel (not the measurement travel); null: not stated
-    std::optional<Interval> range;  ///< ends of the travel in axis coordinates; null: not stated
-    std::string positionFeedback;   ///< measuring system of the axis
+    std::optional<double> travel;  ///< axis travel (not the measurement travel); null: not stated
+    std::optional<Interval> range; ///< ends of the travel in axis coordinates; null: not stated
+    std::string positionFeedback;  ///< measuring system of the axis
 
     bool operator==(const Axis &) const = default;
 };

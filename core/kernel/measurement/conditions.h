@@ -77,12 +77,13 @@ struct PositioningConditions {
     Conditions common;
     std::optional<double> feed; ///< mm/min, rotary °/min
     FeedMode feedMode = FeedMode::programmed;
-    std::optional<double> dwell;             ///< s
-    std::optional<double> approachDistance;  ///< mm, rotary degrees
-    std::optional<double> airPressure;       ///< hPa
-    std::optional<double> airHumidity;       ///< %
-    std::optional<double> gradientPerHour;   ///< °C/h
-    std::optional<double> referencePosition; ///< mm: where the displacement was set to zero; null = first target
+    std::optional<double> dwell;            ///< s
+    std::optional<double> approachDistance; ///< mm, rotary degrees
+    std::optional<double> airPressure;      ///< hPa
+    std::optional<double> airHumidity;      ///< %
+    std::optional<double> gradientPerHour;  ///< °C/h
+    std::optional<double>
+        referencePosition; ///< mm: where the displacement was set to zero; null = first target
 
     bool operator==(const PositioningConditions &) const = default;
 };

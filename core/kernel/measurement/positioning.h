@@ -26,8 +26,8 @@ struct TargetChoice {
     bool operator==(const TargetChoice &) const = default;
 };
 
-/// One pass over the targets in one direction. Deviations x_ij = actual − target position in mm (rotary: degrees),
-/// by index of the target; null = no reading.
+/// One pass over the targets in one direction. Deviations x_ij = actual − target position in mm (rotary:
+/// degrees), by index of the target; null = no reading.
 struct Run {
     Direction approach = Direction::positive;
     std::vector<std::optional<double>> deviations;

@@ -31,8 +31,8 @@ struct ImportedFile {
     bool operator==(const ImportedFile &) const = default;
 };
 
-/// One test of a report: what all kinds have in common, and the measurement. `edition` is the word of the file,
-/// echoed literally; drift tests have none. `extensions` is a JSON object, kept as text.
+/// One test of a report: what all kinds have in common, and the measurement. `edition` is the word of the
+/// file, echoed literally; drift tests have none. `extensions` is a JSON object, kept as text.
 struct Test {
     std::string id;
     std::string title;

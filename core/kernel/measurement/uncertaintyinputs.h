@@ -35,9 +35,9 @@ using ExpandedUncertainties = std::map<std::string, double>;
 struct PositioningUncertaintyInputs {
     UncertaintyMethod method = UncertaintyMethod::none;
     DeviceUncertainty device;
-    std::optional<double> misalignmentRange; ///< R_MIS, mm
-    MachineAndInstrument temperatureRange;   ///< R(θ), °C
-    MachineAndInstrument expansionRange;     ///< R(α), µm/(m·°C)
+    std::optional<double> misalignmentRange;      ///< R_MIS, mm
+    MachineAndInstrument temperatureRange;        ///< R(θ), °C
+    MachineAndInstrument expansionRange;          ///< R(α), µm/(m·°C)
     std::optional<double> environmentalVariation; ///< E_VE, µm or arc seconds
     std::optional<std::string> driftTest;         ///< id of the drift test that gives E_VE
     DriftModel driftModel = DriftModel::independent;

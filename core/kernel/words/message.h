@@ -27,8 +27,8 @@ using Argument = std::variant<Number, Text, std::string>;
 /// `%1` … `%9` in the text stand for the arguments; `%n` for `count`, which also chooses the plural.
 struct Message {
     Text text;
-    std::vector<Argument> arguments;
-    std::optional<int> count;
+    std::vector<Argument> arguments = {};
+    std::optional<int> count = std::nullopt;
 
     bool operator==(const Message &) const = default;
 };

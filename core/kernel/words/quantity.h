@@ -3,7 +3,8 @@
 namespace palmer {
 
 /// What a number is, hence its base unit and the unit it is shown in. In the kernel all lengths and linear
-/// deviations are mm, all angles and angular deviations degrees; units exist only where numbers come in or out.
+/// deviations are mm, all angles and angular deviations degrees; units exist only where numbers come in or
+/// out.
 enum class Quantity {
     number,           ///< without unit
     count,            ///< a whole number

@@ -1,0 +1,37 @@
+#include "kernel/evaluation/conformity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+Verdict decide(std::optional<double> value, double limit, std::optional<double> expandedUncertainty,
+               const DecisionRule &rule) {
+    if (!value)
+        return Verdict::notProven;
+    const double size = std::abs(*value);
+    // 18 against 18 is equal, whatever the rounding errors of doubles made of the readings.
+    const double rounding = 1e-12 * std::max(size, std::abs(limit));
+    if (rule.rule == Rule::simpleAcceptance)
+        return size <= limit + rounding ? Verdict::conforms : Verdict::doesNotConform;
+    const auto guard = guardBand(expandedUncertainty, rule);
+    if (!guard)
+        return Verdict::notProven;
+    if (size <= limit - *guard + rounding)
+        return Verdict::conforms;
+    return size > limit + *guard + rounding ? Verdict::doesNotConform : Verdict::notProven;
+}
+
+std::optional<double> guardBand(std::optional<double> expandedUncertainty, const DecisionRule &rule) {
+    if (rule.rule == Rule::simpleAcceptance || !expandedUncertainty)
+        return std::nullopt;
+    return rule.guardFactor * *expandedUncertainty;
+}
+
+std::optional<Verdict> worst(std::optional<Verdict> a, std::optional<Verdict> b) {
+    if (!a || !b)
+        return a ? a : b;
+    return std::max(*a, *b);
+}
+
+} // namespace palmer

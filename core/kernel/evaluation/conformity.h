@@ -1,0 +1,23 @@
+#pragma once
+
+#include "kernel/evaluation/parameter.h"
+
+#include <optional>
+
+namespace palmer {
+
+/// The verdict on a value against its upper limit, from unrounded numbers; signed results by absolute value.
+/// simple acceptance: value ≤ limit conforms. ISO 14253-1 and "rejection proven": with g = guardFactor·U,
+/// value ≤ limit − g conforms, value > limit + g does not, between (or without U) it is not proven. Without a
+/// value conformity is not proven under any rule. All in the same unit.
+[[nodiscard]] Verdict decide(std::optional<double> value, double limit,
+                             std::optional<double> expandedUncertainty, const DecisionRule &rule);
+
+/// guardFactor·U, null under simple acceptance or without U.
+[[nodiscard]] std::optional<double> guardBand(std::optional<double> expandedUncertainty,
+                                              const DecisionRule &rule);
+
+/// The worse of two verdicts; null is no verdict.
+[[nodiscard]] std::optional<Verdict> worst(std::optional<Verdict> a, std::optional<Verdict> b);
+
+} // namespace palmer

@@ -1,0 +1,47 @@
+#include "kernel/evaluation/edition.h"
+
+#include "kernel/evaluation/iso230_2/editions.h"
+#include "kernel/evaluation/iso230_4/editions.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace palmer {
+
+std::span<const Edition *const> editions() {
+    static const std::vector<const Edition *> all = [] {
+        std::vector<const Edition *> result;
+        for (const auto table : {iso230_2::editions(), iso230_4::editions()}) {
+            for (const Edition &edition : table)
+                result.push_back(&edition);
+        }
+        return result;
+    }();
+    return all;
+}
+
+const Edition *findEdition(std::string_view word) {
+    const auto all = editions();
+    const auto found =
+        std::ranges::find(all, word, [](const Edition *e) { return std::string_view(e->word); });
+    return found == all.end() ? nullptr : *found;
+}
+
+bool isParameter(Kind kind, std::string_view id) {
+    if (kind == Kind::circular)
+        return iso230_4::isQuantity(id);
+    return std::ranges::any_of(editions(), [&](const Edition *edition) {
+        return edition->kind == kind &&
+               std::ranges::any_of(edition->rows, [&](const Row &row) { return row.term.id == id; });
+    });
+}
+
+bool isAgreementPoint(Kind kind, std::string_view point) {
+    return std::ranges::any_of(editions(), [&](const Edition *edition) {
+        return edition->kind == kind && std::ranges::any_of(edition->points, [&](const AgreementPoint &p) {
+                   return p.point == point;
+               });
+    });
+}
+
+} // namespace palmer

@@ -1,0 +1,237 @@
+#include "kernel/evaluation/evaluatetest.h"
+
+#include "kernel/evaluation/conformity.h"
+#include "kernel/evaluation/iso230_2/correction.h"
+#include "kernel/evaluation/iso230_2/sentences.h"
+#include "kernel/evaluation/positioningcase.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+int runsOf(const PositioningMeasurement &measurement, Direction direction) {
+    return static_cast<int>(std::ranges::count(measurement.runs, direction, &Run::approach));
+}
+
+/// What the test offers to parameters: its directions, and s once any direction has more than one run.
+unsigned offered(const PositioningResults &results) {
+    unsigned bits = 0;
+    if (results.upward)
+        bits |= upward;
+    if (results.downward)
+        bits |= downward;
+    if (std::max(results.positiveRuns, results.negativeRuns) > 1)
+        bits |= scatter;
+    return bits;
+}
+
+std::optional<double> expandedUncertainty(const PositioningMeasurement &measurement, std::string_view id) {
+    if (measurement.uncertainty.method != UncertaintyMethod::direct)
+        return std::nullopt;
+    const auto found = measurement.uncertainty.expanded.find(std::string(id));
+    if (found == measurement.uncertainty.expanded.end())
+        return std::nullopt;
+    return found->second / (measurement.axis.motion == Motion::linear ? 1000.0 : 3600.0); // µm, arc seconds
+}
+
+Parameter parameter(const Row &row, const PositioningMeasurement &measurement,
+                    std::span<const TargetStatistics> targets, double c) {
+    Parameter result;
+    result.term = row.term;
+    if (measurement.axis.motion == Motion::rotary)
+        result.term.quantity = Quantity::angularDeviation;
+    const Outcome outcome = row.value(targets, c);
+    if (std::isfinite(outcome.value)) {
+        result.value = outcome.value;
+        result.ruling = outcome.ruling;
+    }
+    result.expandedUncertainty = expandedUncertainty(measurement, row.term.id);
+    return result;
+}
+
+/// Why parameters have no value: the first target whose statistic is missing, and the parameters it takes
+/// away.
+void explainMissingValues(TestEvaluation &evaluation, std::span<const TargetStatistics> targets,
+                          const PositioningResults &results) {
+    std::string symbols;
+    for (const Parameter &p : evaluation.parameters) {
+        if (!p.value)
+            symbols += (symbols.empty() ? "" : ", ") + plainSymbol(p);
+    }
+    if (symbols.empty())
+        return;
+    const auto missing = [&](auto &&statistic) -> std::string {
+        std::string where;
+        for (std::size_t i = 0; i < targets.size() && where.empty(); ++i) {
+            if (results.upward && std::isnan(statistic(targets[i].positive)))
+                where = std::to_string(i + 1) + "↑";
+            else if (results.downward && std::isnan(statistic(targets[i].negative)))
+                where = std::to_string(i + 1) + "↓";
+        }
+        return where;
+    };
+    const std::string noMean = missing([](const DirectionStatistics &d) { return d.mean; });
+    const std::string noScatter = missing([](const DirectionStatistics &d) { return d.s; });
+    Message message;
+    if (targets.empty())
+        message = {REPORT_TEXT("report", "No value for %1: the test has no targets."), {symbols}, {}};
+    else if (!noMean.empty())
+        message = {
+            REPORT_TEXT("report", "No value for %1: target %2 has no reading."), {symbols, noMean}, {}};
+    else
+        message = {REPORT_TEXT("report", "No value for %1: target %2 has no s."), {symbols, noScatter}, {}};
+    evaluation.findings.push_back({Grade::requirement, "noValue", "", std::move(message)});
+}
+
+/// The limit of a parameter where it holds: agreed for the edition in use or one of its aliases.
+bool holds(const Limit &limit, const TestEvaluation &evaluation) {
+    if (evaluation.view)
+        return false;
+    if (!limit.edition)
+        return true;
+    const Edition *agreed = findEdition(*limit.edition);
+    return agreed && std::string_view(agreed->family) == evaluation.edition->family;
+}
+
+void applyLimits(TestEvaluation &evaluation, const Test &test, const PositioningResults &results) {
+    bool proofNeedsUncertainty = false;
+    for (const auto &[id, limit] : test.limits) {
+        if (!limit.value || evaluation.view)
+            continue;
+        const auto found =
+            std::ranges::find_if(evaluation.parameters, [&](const Parameter &p) { return id == p.term.id; });
+        if (found == evaluation.parameters.end()) {
+            evaluation.findings.push_back(
+                {Grade::note,
+                 "limits",
+                 "",
+                 {REPORT_TEXT("report",
+                              "The limit of %1 has no verdict: this test has no such parameter under %2."),
+                  {id, std::string(evaluation.edition->word)},
+                  {}}});
+            continue;
+        }
+        if (!holds(limit, evaluation)) {
+            evaluation.findings.push_back(
+                {Grade::note,
+                 "limits",
+                 "",
+                 {REPORT_TEXT("report", "The limit of %1 has no verdict: it was agreed for %2, the test is "
+                                        "evaluated under %3."),
+                  {plainSymbol(*found), *limit.edition, std::string(evaluation.edition->word)},
+                  {}}});
+            continue;
+        }
+        found->limit = limit;
+        found->guardBand = guardBand(found->expandedUncertainty, test.decisionRule);
+        found->verdict = decide(found->value, *limit.value, found->expandedUncertainty, test.decisionRule);
+        if (test.decisionRule.rule != Rule::simpleAcceptance) {
+            proofNeedsUncertainty |= !found->expandedUncertainty;
+            const auto row = std::ranges::find(evaluation.edition->rows, id,
+                                               [](const Row &r) { return std::string_view(r.term.id); });
+            if (results.notCorrected && row->dependsOnTemperature)
+                found->verdict = Verdict::notProven;
+        }
+        evaluation.verdict = worst(evaluation.verdict, found->verdict);
+    }
+    if (proofNeedsUncertainty)
+        evaluation.findings.push_back(
+            {Grade::requirement,
+             "decisionRule",
+             "",
+             {REPORT_TEXT("report", "The decision rule needs the measurement uncertainty: without it "
+                                    "nothing is proven."),
+              {},
+              {}}});
+}
+
+void findUnmet(std::span<const Requirement> requirements, const PositioningCase &test,
+               std::vector<Finding> &findings) {
+    for (const Requirement &row : requirements) {
+        if (auto message = row.unmet(test))
+            findings.push_back({row.grade, row.id, row.clause, std::move(*message)});
+    }
+}
+
+void findNotStated(const Edition &edition, const PositioningCase &test, std::vector<Finding> &findings) {
+    for (const Statement &row : edition.statements) {
+        if (!row.stated(test))
+            findings.push_back({Grade::requirement,
+                                row.id,
+                                edition.statementsClause,
+                                {REPORT_TEXT("report", "Not stated: %1."), {row.name}, {}}});
+    }
+}
+
+void findNotAgreed(const Edition &edition, const PositioningCase &test, std::vector<Finding> &findings) {
+    for (const AgreementPoint &row : edition.points) {
+        const AgreedPoint *point = test.agreedPoint(row.point);
+        if (!point || point->state == AgreementState::notAgreed)
+            findings.push_back(
+                {Grade::recommendation,
+                 std::string("agreedPoints.") + row.point,
+                 edition.pointsClause,
+                 {REPORT_TEXT("report",
+                              "To be agreed between supplier/manufacturer and user, not agreed: %1."),
+                  {row.name},
+                  {}}});
+    }
+}
+
+} // namespace
+
+TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroundings,
+                                   const Edition &edition) {
+    const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+    TestEvaluation evaluation;
+    evaluation.edition = &edition;
+    evaluation.view = test.edition != edition.word;
+
+    PositioningResults results;
+    results.positiveRuns = runsOf(measurement, Direction::positive);
+    results.negativeRuns = runsOf(measurement, Direction::negative);
+    results.upward = results.positiveRuns > 0;
+    results.downward = results.negativeRuns > 0;
+    if (edition.rangeMethod)
+        results.standardDeviation = measurement.standardDeviation;
+    if (auto corrections = iso230_2::correctionsTo20(measurement))
+        results.corrections = std::move(*corrections);
+    results.notCorrected = iso230_2::awayFrom20(measurement) && !iso230_2::isCorrected(measurement);
+
+    const Readings table = readings(measurement, results.corrections);
+    results.targets.resize(measurement.targets.size());
+    statistics(table.view(), results.standardDeviation, results.targets);
+    results.drift = driftStatistic(table.view(), results.targets);
+
+    const unsigned offers = offered(results);
+    for (const Row &row : edition.rows) {
+        if ((row.needs & ~offers) == 0)
+            evaluation.parameters.push_back(parameter(row, measurement, results.targets, edition.c));
+    }
+
+    const bool uncertaintyStated = std::ranges::all_of(
+        evaluation.parameters, [](const Parameter &p) { return !p.value || p.expandedUncertainty; });
+    const PositioningCase whole{
+        test,          measurement,          surroundings,         edition,          results.targets,
+        results.drift, results.positiveRuns, results.negativeRuns, uncertaintyStated};
+    results.judgedAsZone = whole.zoneTest();
+    results.stepCycleNotAgreed = measurement.cycle == Cycle::step && !whole.agreed("stepCycle");
+
+    const auto scheme =
+        std::ranges::find_if(edition.schemes, [&](const Scheme &s) { return s.applies(whole); });
+    if (scheme != edition.schemes.end())
+        findUnmet(scheme->requirements, whole, evaluation.findings);
+    findUnmet(edition.requirements, whole, evaluation.findings);
+    explainMissingValues(evaluation, results.targets, results);
+    findNotStated(edition, whole, evaluation.findings);
+    findNotAgreed(edition, whole, evaluation.findings);
+    applyLimits(evaluation, test, results);
+
+    evaluation.results = std::move(results);
+    return evaluation;
+}
+
+} // namespace palmer

@@ -1,0 +1,47 @@
+#include "kernel/evaluation/evaluatetest.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+TestEvaluation evaluateDrift(const DriftMeasurement &measurement) {
+    TestEvaluation evaluation;
+    DriftResults results;
+    if (!measurement.deviations.empty()) {
+        const auto [low, high] = std::ranges::minmax(measurement.deviations);
+        results.range = high - low;
+    }
+    evaluation.results = results;
+    return evaluation;
+}
+
+} // namespace
+
+bool TestEvaluation::inAccordance() const {
+    return std::ranges::none_of(findings, [](const Finding &f) { return f.grade == Grade::requirement; });
+}
+
+const Edition *editionFor(const Test &test, const Edition *asked) {
+    if (std::holds_alternative<DriftMeasurement>(test.measurement))
+        return nullptr;
+    const Kind kind =
+        std::holds_alternative<PositioningMeasurement>(test.measurement) ? Kind::positioning : Kind::circular;
+    return asked && asked->kind == kind ? asked : findEdition(test.edition);
+}
+
+TestEvaluation evaluateTest(const Test &test, const Surroundings &surroundings, const Edition *asked) {
+    if (const auto *drift = std::get_if<DriftMeasurement>(&test.measurement))
+        return evaluateDrift(*drift);
+    const Edition *edition = editionFor(test, asked);
+    if (std::holds_alternative<PositioningMeasurement>(test.measurement) && edition)
+        return evaluatePositioning(test, surroundings, *edition);
+    TestEvaluation evaluation;
+    evaluation.edition = edition;
+    evaluation.view = edition && test.edition != edition->word;
+    evaluation.results = CircularResults{};
+    return evaluation;
+}
+
+} // namespace palmer

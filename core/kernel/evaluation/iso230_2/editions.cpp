@@ -1,0 +1,125 @@
+#include "kernel/evaluation/iso230_2/editions.h"
+
+#include "kernel/evaluation/iso230_2/requirements.h"
+#include "kernel/evaluation/iso230_2/rows.h"
+
+#include <vector>
+
+namespace palmer::iso230_2 {
+
+namespace {
+
+constexpr Text title1988 =
+    REPORT_TEXT("report", "Acceptance code for machine tools — Part 2: Determination of accuracy and "
+                          "repeatability of positioning of numerically controlled machine tools");
+constexpr Text title2006 =
+    REPORT_TEXT("report", "Test code for machine tools — Part 2: Determination of accuracy and "
+                          "repeatability of positioning numerically controlled axes");
+
+Edition iso1988(const char *word) {
+    return {.word = word,
+            .family = "ISO 230-2:1988",
+            .title = title1988,
+            .c = 3,
+            .rangeMethod = true,
+            .rows = rows1988(),
+            .targetTerms = targetTerms1988(),
+            .schemes = schemes1988(),
+            .requirements = requirements1988(),
+            .statements = statements(),
+            .statementsClause = "7",
+            .points = points1988(),
+            .pointsClause = "8"};
+}
+
+/// 1997 and its aliases: the arithmetic and names of 2006; clauses are not known.
+Edition iso1997(const char *word, Text title) {
+    return {.word = word,
+            .family = "ISO 230-2:1997",
+            .title = title,
+            .c = 2,
+            .rows = rows2006WithoutClauses(),
+            .targetTerms = targetTerms2006WithoutClauses(),
+            .schemes = schemesWithoutClauses(),
+            .requirements = requirements1997(),
+            .statements = statements(),
+            .points = points1997()};
+}
+
+Edition iso2006() {
+    return {.word = "ISO 230-2:2006",
+            .family = "ISO 230-2:2006",
+            .title = title2006,
+            .c = 2,
+            .rows = rows2006(),
+            .targetTerms = targetTerms2006(),
+            .schemes = schemes2006(),
+            .requirements = requirements2006(),
+            .statements = statements(),
+            .points = points1997()};
+}
+
+Edition aliasOf2006(const char *word) {
+    return {.word = word,
+            .family = "ISO 230-2:2006",
+            .title = {},
+            .c = 2,
+            .rows = rows2006WithoutClauses(),
+            .targetTerms = targetTerms2006WithoutClauses(),
+            .schemes = schemesWithoutClauses(),
+            .requirements = requirements2014(),
+            .statements = statements(),
+            .points = points1997()};
+}
+
+Edition iso2014(const char *word, Text title, std::span<const Row> rows,
+                std::span<const TargetTerm> targetTerms) {
+    return {.word = word,
+            .family = "ISO 230-2:2014",
+            .title = title,
+            .c = 2,
+            .rows = rows,
+            .targetTerms = targetTerms,
+            .schemes = schemesWithoutClauses(),
+            .requirements = requirements2014(),
+            .statements = statements(),
+            .points = points1997()};
+}
+
+Edition aliasOf2014(const char *word) {
+    return iso2014(word, {}, rows2014WithoutClauses(), targetTerms2014WithoutClauses());
+}
+
+/// Bands and s as in its own texts: six sigma, so c = 3.
+Edition vdi3441() {
+    return {.word = "VDI/DGQ 3441:1977",
+            .family = "VDI/DGQ 3441:1977",
+            .title = {},
+            .c = 3,
+            .rows = rowsVdi3441(),
+            .targetTerms = targetTerms2006WithoutClauses(),
+            .requirements = requirementsVdi3441(),
+            .statements = statements(),
+            .points = points1997()};
+}
+
+} // namespace
+
+std::span<const Edition> editions() {
+    static const std::vector<Edition> table{
+        iso1988("ISO 230-2:1988"),
+        iso1997("ISO 230-2:1997", title2006),
+        iso2006(),
+        iso2014("ISO 230-2:2014", title2006, rows2014(), targetTerms2014()),
+        vdi3441(),
+        iso1997("GB/T 17421.2-2000", {}),
+        aliasOf2006("GB/T 17421.2-2016"),
+        aliasOf2014("GB/T 17421.2-2023"),
+        aliasOf2006("JIS B 6190-2:2008"),
+        aliasOf2014("JIS B 6190-2:2016"),
+        aliasOf2014("GOST ISO 230-2-2016"),
+    };
+    return table;
+}
+
+} // namespace palmer::iso230_2

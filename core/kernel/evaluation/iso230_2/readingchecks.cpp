@@ -1,0 +1,243 @@
+#include "kernel/evaluation/iso230_2/checks.h"
+#include "kernel/evaluation/iso230_2/parameters.h"
+#include "kernel/evaluation/iso230_2/sentences.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer::iso230_2 {
+
+namespace {
+
+constexpr int fullTest = 5; ///< approaches each way
+
+/// Places without a reading, those set aside not counted: they have a finding of their own.
+NameList gaps(const PositioningCase &test) {
+    const PositioningMeasurement &m = test.measurement;
+    NameList result;
+    for (std::size_t run = 0; run < m.runs.size(); ++run) {
+        const auto &deviations = m.runs[run].deviations;
+        if (std::ranges::all_of(deviations, [](const auto &x) { return x.has_value(); }))
+            continue;
+        for (std::size_t target = 0; target < deviations.size(); ++target) {
+            const auto setAside = [&](const ExcludedReading &e) {
+                return e.run == static_cast<int>(run) + 1 && e.target == static_cast<int>(target) + 1;
+            };
+            if (!deviations[target] && std::ranges::none_of(m.excluded, setAside))
+                result.add(readingName(m, run, target));
+        }
+    }
+    return result;
+}
+
+/// Somewhere fewer readings are left than a full test asks for, though there were enough runs.
+bool tooFewLeft(const PositioningCase &test) {
+    if (test.wholeTravelOfLongAxis())
+        return false;
+    const auto few = [&](const TargetStatistics &target) {
+        return (test.positiveRuns >= fullTest && target.positive.n < fullTest) ||
+               (test.negativeRuns >= fullTest && target.negative.n < fullTest);
+    };
+    return std::ranges::any_of(test.statistics, few);
+}
+
+int eachWay(const PositioningCase &test) {
+    return std::min(test.positiveRuns, test.negativeRuns);
+}
+
+std::vector<Argument> approaches(const PositioningCase &test) {
+    return {count(static_cast<std::size_t>(test.positiveRuns)),
+            count(static_cast<std::size_t>(test.negativeRuns))};
+}
+
+Message gapMessage(const NameList &list) {
+    return {
+        REPORT_TEXT("report", "No reading at %1 (%n in all): the statistics use the readings that exist."),
+        {list.text()},
+        list.count()};
+}
+
+} // namespace
+
+Sentence fiveApproaches(const PositioningCase &test) {
+    if (eachWay(test) >= fullTest)
+        return std::nullopt;
+    return Message{
+        REPORT_TEXT("report", "Approaches in the positive direction: %1, in the negative: %2; 5 each way are "
+                              "required."),
+        approaches(test)};
+}
+
+Sentence fiveApproachesInPractice(const PositioningCase &test) {
+    if (eachWay(test) >= fullTest)
+        return std::nullopt;
+    return Message{
+        REPORT_TEXT("report",
+                    "Approaches in the positive direction: %1, in the negative: %2; practice asks for 5 each "
+                    "way (not verified against the text of the edition)."),
+        approaches(test)};
+}
+
+Sentence oneApproach(const PositioningCase &test) {
+    if (eachWay(test) >= 1)
+        return std::nullopt;
+    return Message{
+        REPORT_TEXT("report",
+                    "Approaches in the positive direction: %1, in the negative: %2; at least 1 each way is "
+                    "required."),
+        approaches(test)};
+}
+
+Sentence oneApproachInPractice(const PositioningCase &test) {
+    if (eachWay(test) >= 1)
+        return std::nullopt;
+    return Message{
+        REPORT_TEXT(
+            "report",
+            "Approaches in the positive direction: %1, in the negative: %2; practice asks for at least "
+            "1 each way (not verified against the text of the edition)."),
+        approaches(test)};
+}
+
+Sentence fewReadings(const PositioningCase &test) {
+    const NameList list = gaps(test);
+    if (list.empty() || !tooFewLeft(test))
+        return std::nullopt;
+    return gapMessage(list);
+}
+
+Sentence missingReadings(const PositioningCase &test) {
+    const NameList list = gaps(test);
+    if (list.empty() || tooFewLeft(test))
+        return std::nullopt;
+    return gapMessage(list);
+}
+
+Sentence unequalRuns(const PositioningCase &test) {
+    if (test.positiveRuns == test.negativeRuns || eachWay(test) == 0)
+        return std::nullopt;
+    return Message{
+        REPORT_TEXT("report",
+                    "Runs in the positive direction: %1, in the negative: %2; each direction is evaluated "
+                    "with its own."),
+        approaches(test)};
+}
+
+Sentence excludedReadings(const PositioningCase &test) {
+    const PositioningMeasurement &m = test.measurement;
+    if (m.excluded.empty())
+        return std::nullopt;
+    NameList list;
+    for (const ExcludedReading &reading : m.excluded) {
+        const auto run = static_cast<std::size_t>(reading.run - 1);
+        if (run < m.runs.size())
+            list.add(readingName(m, run, static_cast<std::size_t>(reading.target - 1)));
+    }
+    return Message{
+        REPORT_TEXT("report", "Readings set aside (%n): %1. The standard knows no rejection of readings."),
+        {list.text()},
+        list.count()};
+}
+
+Sentence excludedWithoutReason(const PositioningCase &test) {
+    const auto without =
+        std::ranges::count_if(test.measurement.excluded, [](const auto &e) { return e.reason.empty(); });
+    if (without == 0)
+        return std::nullopt;
+    return Message{
+        REPORT_TEXT("report", "Readings set aside without a reason: %n."), {}, static_cast<int>(without)};
+}
+
+Sentence rangeMethodElsewhere(const PositioningCase &test) {
+    if (test.measurement.standardDeviation != DeviationMethod::range || test.edition.rangeMethod)
+        return std::nullopt;
+    return Message{
+        REPORT_TEXT("report", "The range method for s belongs to ISO 230-2:1988 only: s is calculated here."),
+        {}};
+}
+
+Sentence rangeMethodRuns(const PositioningCase &test) {
+    if (test.measurement.standardDeviation != DeviationMethod::range || !test.edition.rangeMethod)
+        return std::nullopt;
+    const auto outside = [](const DirectionStatistics &d) { return d.n > 0 && !rangeFactor(d.n); };
+    for (std::size_t i = 0; i < test.statistics.size(); ++i) {
+        const TargetStatistics &target = test.statistics[i];
+        for (const Direction direction : {Direction::positive, Direction::negative}) {
+            const auto &d = direction == Direction::positive ? target.positive : target.negative;
+            if (outside(d))
+                return Message{
+                    REPORT_TEXT("report",
+                                "The range method is defined for 2 to 10 readings; target %1 has %2."),
+                    {std::to_string(i + 1) + arrow(direction), count(static_cast<std::size_t>(d.n))}};
+        }
+    }
+    return std::nullopt;
+}
+
+Sentence drift(const PositioningCase &test) {
+    if (!test.drift || !test.drift->significant())
+        return std::nullopt;
+    struct Beside {
+        const char *symbol;
+        Outcome outcome;
+    };
+    const std::array candidates{Beside{"R", repeatabilityOfAxis(test.statistics, test.edition.c)},
+                                Beside{"R↑", repeatabilityUp(test.statistics, test.edition.c)},
+                                Beside{"R↓", repeatabilityDown(test.statistics, test.edition.c)}};
+    const auto beside =
+        std::ranges::find_if(candidates, [](const Beside &b) { return !std::isnan(b.outcome.value); });
+    const Number change = deviation(test, test.drift->change, 2);
+    const Number t{std::abs(test.drift->t), Quantity::number, 1};
+    const Number critical{test.drift->critical, Quantity::number, 2};
+    if (beside == candidates.end())
+        return Message{
+            REPORT_TEXT("report",
+                        "The deviations at the same target progress steadily from approach to approach: "
+                        "D = %1 from the first to the last (t = %2, above %3). The thermal "
+                        "conditions may be unstable."),
+            {change, t, critical}};
+    return Message{
+        REPORT_TEXT("report",
+                    "The deviations at the same target progress steadily from approach to approach: "
+                    "D = %1 from the first to the last, beside %4 = %5 (t = %2, above %3). The "
+                    "thermal conditions may be unstable."),
+        {change, t, critical, beside->symbol, deviation(test, beside->outcome.value, 2)}};
+}
+
+Sentence stepCycle(const PositioningCase &test) {
+    if (test.measurement.cycle != Cycle::step || test.agreed("stepCycle"))
+        return std::nullopt;
+    return Message{
+        REPORT_TEXT("report",
+                    "Step cycle without a written agreement: not an acceptance result under this standard."),
+        {}};
+}
+
+Sentence workedExample(const PositioningCase &test) {
+    // Readings of targets 6↓ and 7↑, which the readable copy lost: nobody measures just these again.
+    constexpr std::array sixDown{-0.0061, -0.0057, -0.0045, -0.0036, -0.0031};
+    constexpr std::array sevenUp{-0.0065, -0.0056, -0.0048, -0.0039, -0.0035};
+    const PositioningMeasurement &m = test.measurement;
+    if (m.targets.size() != 11 || m.runs.size() != 10)
+        return std::nullopt;
+    std::size_t up = 0;
+    std::size_t down = 0;
+    for (const Run &run : m.runs) {
+        const bool positive = run.approach == Direction::positive;
+        const std::size_t j = positive ? up++ : down++;
+        if (j >= 5 || run.deviations.size() != 11)
+            return std::nullopt;
+        const auto reading = run.deviations[positive ? 6 : 5];
+        if (!reading || std::abs(*reading - (positive ? sevenUp : sixDown)[j]) > 1e-9)
+            return std::nullopt;
+    }
+    return Message{
+        REPORT_TEXT("report",
+                    "Worked example of ISO 230-2:1988 (table 2): the position of the first target and "
+                    "ten readings are stand-ins with the published mean and s. Compare the mean "
+                    "reversal value, R, A and the values per target, never the single readings."),
+        {}};
+}
+
+} // namespace palmer::iso230_2

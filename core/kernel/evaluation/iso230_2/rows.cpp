@@ -1,0 +1,168 @@
+#include "kernel/evaluation/iso230_2/rows.h"
+
+#include "kernel/evaluation/iso230_2/parameters.h"
+
+#include <array>
+
+namespace palmer::iso230_2 {
+
+namespace {
+
+constexpr unsigned up = upward | scatter;
+constexpr unsigned down = downward | scatter;
+constexpr unsigned both = bothWays | scatter;
+constexpr auto deviation = Quantity::deviation;
+constexpr auto always = Printed::always;
+constexpr auto onRequest = Printed::onRequest;
+constexpr bool at20 = true;
+
+// clang-format off
+constexpr std::array table1988{
+    Row{{"A", {"A"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A"), "2.13", deviation, always}, both, accuracy, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A↑, A↓"), "2.13", deviation, always}, up, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A↑, A↓"), "2.13", deviation, always}, down, accuracyDown, at20},
+    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.12", deviation, always}, both, repeatabilityOfAxis},
+    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, always}, up, repeatabilityUp},
+    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, always}, down, repeatabilityDown},
+    Row{{"Bmean", {"B̄"}, REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), "6.3", deviation, always}, bothWays, meanReversal},
+    Row{{"r", {"r̄"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, both, meanRepeatability},
+    Row{{"r+", {"r̄↑"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, up, meanRepeatabilityUp},
+    Row{{"r-", {"r̄↓"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, down, meanRepeatabilityDown},
+};
+
+constexpr std::array table2006{
+    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional accuracy of positioning of an axis"), "2.24", deviation, always}, both, accuracy, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", deviation, always}, up, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", deviation, always}, down, accuracyDown, at20},
+    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positional deviation of an axis"), "2.21", deviation, always}, bothWays, systematic, at20},
+    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", deviation, always}, upward, systematicUp, at20},
+    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", deviation, always}, downward, systematicDown, at20},
+    Row{{"M", {"M"}, REPORT_TEXT("report", "range of the mean bi-directional positional deviation of an axis"), "2.22", deviation, always}, bothWays, meanRange, at20},
+    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.19", deviation, always}, both, repeatabilityOfAxis},
+    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", deviation, always}, up, repeatabilityUp},
+    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", deviation, always}, down, repeatabilityDown},
+    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal value of an axis"), "2.13", deviation, always}, bothWays, reversal},
+    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal value of an axis"), "2.14", deviation, always}, bothWays, meanReversal},
+};
+
+constexpr std::array table2014{
+    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional positioning accuracy of an axis"), "3.27", deviation, always}, both, accuracy, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", deviation, always}, up, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", deviation, always}, down, accuracyDown, at20},
+    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positioning error of an axis"), "3.24", deviation, always}, bothWays, systematic, at20},
+    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "3.23", deviation, always}, upward, systematicUp, at20},
+    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "3.23", deviation, always}, downward, systematicDown, at20},
+    Row{{"M", {"M"}, REPORT_TEXT("report", "mean bi-directional positioning error of an axis"), "3.25", deviation, always}, bothWays, meanRange, at20},
+    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional positioning repeatability of an axis"), "3.22", deviation, always}, both, repeatabilityOfAxis},
+    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", deviation, always}, up, repeatabilityUp},
+    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", deviation, always}, down, repeatabilityDown},
+    Row{{"UPR", {"UPR"}, REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), "", deviation, always}, both, smallerRepeatability},
+    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal error of an axis"), "3.16", deviation, always}, bothWays, reversal},
+    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal error of an axis"), "3.17", deviation, always}, bothWays, meanReversal},
+};
+
+constexpr std::array tableVdi3441{
+    Row{{"P", {"P"}, REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), "", deviation, always}, both, vdiUncertainty, at20},
+    Row{{"Pa", {"Pa"}, REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), "", deviation, always}, bothWays, meanRange, at20},
+    Row{{"Psmax", {"Ps", "max"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), largest"), "", deviation, always}, both, vdiScatter},
+    Row{{"Psmean", {"P̄s"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), "", deviation, always}, both, vdiMeanScatter},
+    Row{{"Umax", {"U", "max"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), "", deviation, always}, bothWays, reversal},
+    Row{{"Umean", {"Ū"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), "", deviation, always}, bothWays, vdiMeanReversal},
+};
+
+constexpr std::array targets1988{
+    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6"},
+    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6"},
+    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), ""},
+    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT_FOR("report", "reversal value at a position", "1988"), "2.7"},
+    TargetTerm{"range+", {"W", "i", "↑"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8"},
+    TargetTerm{"range-", {"W", "i", "↓"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8"},
+    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9"},
+    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9"},
+    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10"},
+    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10"},
+    TargetTerm{"R", {"R", "i"}, REPORT_TEXT_FOR("report", "bi-directional repeatability of positioning at a position", "1988"), "2.11"},
+};
+
+constexpr std::array targets2006{
+    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), "2.10"},
+    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), "2.10"},
+    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), "2.11"},
+    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT("report", "reversal value at a position"), "2.12"},
+    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), "2.15"},
+    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), "2.15"},
+    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning at a position"), "2.16"},
+    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning at a position"), "2.16"},
+    TargetTerm{"R", {"R", "i"}, REPORT_TEXT("report", "bi-directional repeatability of positioning at a position"), "2.17"},
+};
+
+constexpr std::array targets2014{
+    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT("report", "mean unidirectional positioning deviation at a position"), "3.13"},
+    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT("report", "mean unidirectional positioning deviation at a position"), "3.13"},
+    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positioning deviation at a position"), "3.14"},
+    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT("report", "reversal error at a position"), "3.15"},
+    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator for unidirectional axis positioning repeatability at a position"), "3.18"},
+    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator for unidirectional axis positioning repeatability at a position"), "3.18"},
+    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT("report", "unidirectional positioning repeatability at a position"), "3.19"},
+    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT("report", "unidirectional positioning repeatability at a position"), "3.19"},
+    TargetTerm{"R", {"R", "i"}, REPORT_TEXT("report", "bi-directional positioning repeatability at a position"), "3.20"},
+};
+// clang-format on
+
+template <std::size_t n>
+constexpr std::array<Row, n> withoutClauses(std::array<Row, n> table) {
+    for (Row &row : table)
+        row.term.clause = "";
+    return table;
+}
+
+template <std::size_t n>
+constexpr std::array<TargetTerm, n> withoutClauses(std::array<TargetTerm, n> table) {
+    for (TargetTerm &term : table)
+        term.clause = "";
+    return table;
+}
+
+constexpr auto table2006WithoutClauses = withoutClauses(table2006);
+constexpr auto table2014WithoutClauses = withoutClauses(table2014);
+constexpr auto targetsWithoutClauses2006 = withoutClauses(targets2006);
+constexpr auto targetsWithoutClauses2014 = withoutClauses(targets2014);
+
+} // namespace
+
+std::span<const Row> rows1988() {
+    return table1988;
+}
+std::span<const Row> rows2006() {
+    return table2006;
+}
+std::span<const Row> rows2006WithoutClauses() {
+    return table2006WithoutClauses;
+}
+std::span<const Row> rows2014() {
+    return table2014;
+}
+std::span<const Row> rows2014WithoutClauses() {
+    return table2014WithoutClauses;
+}
+std::span<const Row> rowsVdi3441() {
+    return tableVdi3441;
+}
+
+std::span<const TargetTerm> targetTerms1988() {
+    return targets1988;
+}
+std::span<const TargetTerm> targetTerms2006() {
+    return targets2006;
+}
+std::span<const TargetTerm> targetTerms2006WithoutClauses() {
+    return targetsWithoutClauses2006;
+}
+std::span<const TargetTerm> targetTerms2014() {
+    return targets2014;
+}
+std::span<const TargetTerm> targetTerms2014WithoutClauses() {
+    return targetsWithoutClauses2014;
+}
+
+} // namespace palmer::iso230_2

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "kernel/evaluation/edition.h"
+
+#include <span>
+
+/// The parameters of the editions of ISO 230-2 and their kin: one table an edition, in the order of print.
+namespace palmer::iso230_2 {
+
+[[nodiscard]] std::span<const Row> rows1988();
+[[nodiscard]] std::span<const Row> rows2006();
+[[nodiscard]] std::span<const Row> rows2006WithoutClauses(); ///< 1997 and the aliases of 1997 and 2006
+[[nodiscard]] std::span<const Row> rows2014();
+[[nodiscard]] std::span<const Row> rows2014WithoutClauses(); ///< aliases of 2014
+[[nodiscard]] std::span<const Row> rowsVdi3441();
+
+[[nodiscard]] std::span<const TargetTerm> targetTerms1988();
+[[nodiscard]] std::span<const TargetTerm> targetTerms2006();
+[[nodiscard]] std::span<const TargetTerm> targetTerms2006WithoutClauses();
+[[nodiscard]] std::span<const TargetTerm> targetTerms2014();
+[[nodiscard]] std::span<const TargetTerm> targetTerms2014WithoutClauses();
+
+} // namespace palmer::iso230_2

@@ -1,0 +1,23 @@
+#include "kernel/evaluation/iso230_2/sentences.h"
+
+namespace palmer::iso230_2 {
+
+std::string readingName(const PositioningMeasurement &measurement, std::size_t run, std::size_t target) {
+    const Direction approach = measurement.runs[run].approach;
+    int j = 0;
+    for (std::size_t k = 0; k <= run; ++k)
+        j += measurement.runs[k].approach == approach;
+    return std::to_string(target + 1) + arrow(approach) + " (j = " + std::to_string(j) + ")";
+}
+
+void NameList::add(const std::string &name) {
+    constexpr int readable = 12;
+    ++m_count;
+    if (m_count > readable + 1)
+        return;
+    if (m_count > 1)
+        m_text += ", ";
+    m_text += m_count > readable ? "…" : name;
+}
+
+} // namespace palmer::iso230_2

@@ -1,0 +1,48 @@
+#include "kernel/evaluation/iso230_4/editions.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace palmer::iso230_4 {
+
+namespace {
+
+constexpr Text title =
+    REPORT_TEXT("report", "Test code for machine tools — Part 4: Circular tests for numerically controlled "
+                          "machine tools");
+
+constexpr std::array<std::string_view, 9> quantities{"G", "G(b)", "F",  "Fmax", "Fmin",
+                                                     "D", "H",    "Gf", "G(b)f"};
+
+constexpr std::array points{
+    AgreementPoint{"warmUp", "a", REPORT_TEXT("report", "warm-up")},
+    AgreementPoint{"testParameters", "b", REPORT_TEXT("report", "test parameters")},
+    AgreementPoint{"results", "c", REPORT_TEXT("report", "which of the results are required")},
+};
+
+Edition edition(const char *word, const char *pointsClause) {
+    return {.word = word,
+            .family = word,
+            .kind = Kind::circular,
+            .title = title,
+            .points = points,
+            .pointsClause = pointsClause};
+}
+
+} // namespace
+
+std::span<const Edition> editions() {
+    static const std::vector<Edition> table{
+        edition("ISO 230-4:1996", ""),
+        edition("ISO 230-4:2005", "7"),
+        edition("ISO 230-4:2022", ""),
+    };
+    return table;
+}
+
+bool isQuantity(std::string_view id) {
+    return std::ranges::find(quantities, id) != quantities.end();
+}
+
+} // namespace palmer::iso230_4

@@ -1,0 +1,17 @@
+#include "kernel/evaluation/parameter.h"
+
+namespace palmer {
+
+std::string parameterId(const Parameter &parameter) {
+    std::string id = parameter.term.id;
+    if (!parameter.index.empty())
+        id += "_" + parameter.index;
+    return id;
+}
+
+std::string plainSymbol(const Parameter &parameter) {
+    const Symbol &symbol = parameter.term.symbol;
+    return std::string(symbol.base) + symbol.subscript + symbol.arrow + parameter.index;
+}
+
+} // namespace palmer

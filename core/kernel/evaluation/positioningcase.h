@@ -1,0 +1,43 @@
+#pragma once
+
+#include "kernel/evaluation/drift.h"
+#include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/surroundings.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace palmer {
+
+/// A positioning test and all that its requirements look at. Owns nothing.
+struct PositioningCase {
+    const Test &test;
+    const PositioningMeasurement &measurement;
+    const Surroundings &surroundings;
+    const Edition &edition;
+    std::span<const TargetStatistics> statistics;
+    const std::optional<DriftStatistic> &drift;
+    int positiveRuns = 0;
+    int negativeRuns = 0;
+    bool uncertaintyStated = false; ///< every parameter with a value has its U
+
+    [[nodiscard]] const PositioningConditions &conditions() const { return measurement.conditions; }
+    [[nodiscard]] bool linear() const { return measurement.axis.motion == Motion::linear; }
+
+    /// Axis travel; where it is not stated, the measurement travel. mm, rotary: degrees.
+    [[nodiscard]] double travel() const;
+    /// The axis is longer than a short one: above 2 000 mm, 360°.
+    [[nodiscard]] bool longAxis() const;
+    /// All targets lie in the agreed zone of a long axis: judged as a short one.
+    [[nodiscard]] bool zoneTest() const;
+    /// What the number of targets is asked for: the zone of a zone test, else the travel.
+    [[nodiscard]] double judgedTravel() const;
+    /// A test of a long axis over its whole travel.
+    [[nodiscard]] bool wholeTravelOfLongAxis() const { return longAxis() && !zoneTest(); }
+
+    [[nodiscard]] const AgreedPoint *agreedPoint(std::string_view point) const;
+    [[nodiscard]] bool agreed(std::string_view point) const;
+};
+
+} // namespace palmer

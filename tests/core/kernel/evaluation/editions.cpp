@@ -1,0 +1,117 @@
+#include "kernel/evaluation/edition.h"
+
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+
+using namespace palmer;
+
+class Editions : public QObject {
+    Q_OBJECT
+
+private slots:
+    void wordsAreThoseOfTheFile();
+    void everyRowHasSymbolNameAndFunction();
+    void clausesAreThoseOfTheTable_data();
+    void clausesAreThoseOfTheTable();
+    void aliasesBelongToTheirFamily();
+    void parametersAreKnownById();
+};
+
+void Editions::wordsAreThoseOfTheFile() {
+    QStringList words;
+    for (const Edition *edition : editions()) {
+        words << QString::fromUtf8(edition->word);
+        QCOMPARE(findEdition(edition->word), edition);
+    }
+    const QStringList expected{QStringLiteral("ISO 230-2:1988"),      QStringLiteral("ISO 230-2:1997"),
+                               QStringLiteral("ISO 230-2:2006"),      QStringLiteral("ISO 230-2:2014"),
+                               QStringLiteral("VDI/DGQ 3441:1977"),   QStringLiteral("GB/T 17421.2-2000"),
+                               QStringLiteral("GB/T 17421.2-2016"),   QStringLiteral("GB/T 17421.2-2023"),
+                               QStringLiteral("JIS B 6190-2:2008"),   QStringLiteral("JIS B 6190-2:2016"),
+                               QStringLiteral("GOST ISO 230-2-2016"), QStringLiteral("ISO 230-4:1996"),
+                               QStringLiteral("ISO 230-4:2005"),      QStringLiteral("ISO 230-4:2022")};
+    QCOMPARE(words, expected);
+    QVERIFY(!findEdition("ISO 230-2:2015"));
+}
+
+void Editions::everyRowHasSymbolNameAndFunction() {
+    for (const Edition *edition : editions()) {
+        QSet<QString> ids;
+        for (const Row &row : edition->rows) {
+            QVERIFY(*row.term.symbol.base && !row.term.name.empty() && row.value && row.needs);
+            QVERIFY2(!ids.contains(QString::fromUtf8(row.term.id)), row.term.id);
+            ids << QString::fromUtf8(row.term.id);
+        }
+        for (const TargetTerm &term : edition->targetTerms)
+            QVERIFY(*term.symbol.base && !term.name.empty());
+    }
+}
+
+void Editions::clausesAreThoseOfTheTable_data() {
+    QTest::addColumn<QString>("edition");
+    QTest::addColumn<QString>("clauses"); // of A A+ E E+ M R R+ B Bmean r, as far as the edition has them
+    QTest::newRow("1988") << QStringLiteral("ISO 230-2:1988")
+                          << QStringLiteral("A 2.13;A+ 2.13;R 2.12;R+ 2.12;Bmean 6.3;r 7");
+    QTest::newRow("2006") << QStringLiteral("ISO 230-2:2006")
+                          << QStringLiteral(
+                                 "A 2.24;A+ 2.23;E 2.21;E+ 2.20;M 2.22;R 2.19;R+ 2.18;B 2.13;Bmean 2.14");
+    QTest::newRow("2014")
+        << QStringLiteral("ISO 230-2:2014")
+        << QStringLiteral("A 3.27;A+ 3.26;E 3.24;E+ 3.23;M 3.25;R 3.22;R+ 3.21;UPR ;B 3.16;Bmean 3.17");
+    for (const char *without :
+         {"ISO 230-2:1997", "VDI/DGQ 3441:1977", "GB/T 17421.2-2016", "GOST ISO 230-2-2016"})
+        QTest::newRow(without) << QString::fromUtf8(without) << QString();
+}
+
+void Editions::clausesAreThoseOfTheTable() {
+    QFETCH(QString, edition);
+    QFETCH(QString, clauses);
+    const Edition *found = findEdition(edition.toStdString());
+    QVERIFY(found);
+    QStringList rows;
+    for (const Row &row : found->rows) {
+        const QString id = QString::fromUtf8(row.term.id);
+        if (clauses.isEmpty())
+            QCOMPARE(row.term.clause, "");
+        else if (!id.endsWith(u'-') && !(id.startsWith(u'r') && id.size() > 1))
+            rows << id + u' ' + QString::fromUtf8(row.term.clause);
+    }
+    QCOMPARE(rows.join(u';'), clauses);
+    const QRegularExpression known(QStringLiteral("^(|2\\.\\d+|3\\.\\d+|4\\.[12]|4\\.3\\.[1-4]|7|8)$"));
+    for (const Requirement &row : found->requirements)
+        QVERIFY2(known.match(QString::fromUtf8(row.clause)).hasMatch(), row.clause);
+}
+
+void Editions::aliasesBelongToTheirFamily() {
+    for (const auto &[alias, family] : {std::pair{"GB/T 17421.2-2016", "ISO 230-2:2006"},
+                                        {"GB/T 17421.2-2000", "ISO 230-2:1997"},
+                                        {"GB/T 17421.2-2023", "ISO 230-2:2014"},
+                                        {"JIS B 6190-2:2016", "ISO 230-2:2014"},
+                                        {"GOST ISO 230-2-2016", "ISO 230-2:2014"},
+                                        {"JIS B 6190-2:2008", "ISO 230-2:2006"}}) {
+        const Edition *a = findEdition(alias);
+        const Edition *f = findEdition(family);
+        QCOMPARE(a->family, f->word);
+        QCOMPARE(a->c, f->c);
+        QCOMPARE(a->rows.size(), f->rows.size());
+        for (std::size_t k = 0; k < a->rows.size(); ++k)
+            QVERIFY(a->rows[k].value == f->rows[k].value);
+    }
+}
+
+void Editions::parametersAreKnownById() {
+    for (const char *id : {"A", "A+", "E-", "M", "Bmean", "r", "UPR", "P", "Psmean"})
+        QVERIFY2(isParameter(Kind::positioning, id), id);
+    for (const char *id : {"G", "G(b)", "F", "Fmax", "Fmin", "D", "H", "Gf", "G(b)f"})
+        QVERIFY2(isParameter(Kind::circular, id), id);
+    QVERIFY(!isParameter(Kind::positioning, "G"));
+    QVERIFY(!isParameter(Kind::circular, "A"));
+    QVERIFY(isAgreementPoint(Kind::positioning, "measuringReference"));
+    QVERIFY(isAgreementPoint(Kind::positioning, "stepCycle"));
+    QVERIFY(isAgreementPoint(Kind::circular, "testParameters"));
+    QVERIFY(!isAgreementPoint(Kind::circular, "dwell"));
+}
+
+QTEST_GUILESS_MAIN(Editions)
+#include "editions.moc"
