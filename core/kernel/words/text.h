@@ -20,6 +20,13 @@ struct Text {
 
 } // namespace palmer
 
+/// A text whose words change with the count of its Message, "%n reading(s)": the catalogues, the English one
+/// too, have a form for one and one for more.
+#define REPORT_TEXT_COUNTED(context, source)                                                                 \
+    ::palmer::Text {                                                                                         \
+        source, ""                                                                                           \
+    }
+
 /// The first argument is always "report", the catalogue all these texts stand in.
 #define REPORT_TEXT(context, source)                                                                         \
     ::palmer::Text {                                                                                         \
