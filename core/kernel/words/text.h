@@ -5,7 +5,7 @@
 namespace palmer {
 
 /// A text that a user may read, as it stands in the source code (English). What is shown is the translation
-/// of it that a Language makes; nothing else reaches a user. Made only by the two macros below, which the
+/// of it that a Language makes; nothing else reaches a user. Made only by the macros below, which the
 /// translation tools know: a bare string is no Text.
 /// `comment` tells two equal sources apart whose translations differ (the edition, mostly).
 struct Text {
