@@ -162,42 +162,52 @@ bool certify(const Ring &ring, double tolerance) {
     return thinnestStrip(contacts).width > ring.bound(tolerance);
 }
 
-/// Up to 4 points that touch a circle; the same point may be offered twice.
+/// Up to 8 points that may touch the circles.
 struct Contacts {
-    std::array<Sample, 4> samples;
+    std::array<Sample, 8> samples;
     std::size_t size = 0;
 
     void add(const Sample &s) { samples[size++] = s; }
     [[nodiscard]] std::span<const Sample> view() const { return {samples.data(), size}; }
 };
 
-/// The least ring about all points offered, outer and inner contacts being taken from their own.
-std::optional<Ring> leastRing(const Contacts &outer, const Contacts &inner) {
+/// Keeps in `best` the thinner of two rings about all points of the set.
+void keepThinner(std::optional<Ring> &best, std::optional<Ring> ring, std::span<const Sample> outer,
+                 std::span<const Sample> inner) {
+    if (!ring)
+        return;
+    for (const Sample &s : outer)
+        ring->include(s.point);
+    for (const Sample &s : inner)
+        ring->include(s.point);
+    if (!best || ring->width() < best->width())
+        best = ring;
+}
+
+/// The least ring about outer and inner points: first as they are paired, outer with outer and inner with
+/// inner; if none of these rings is a minimum, some point belongs to the other circle, and all pairings are
+/// tried.
+std::optional<Ring> leastRing(const Contacts &outer, const Contacts &inner, double tolerance) {
     std::optional<Ring> best;
-    double width = infinity;
-    std::array<std::optional<Bisector>, 6> inside;
-    std::size_t insides = 0;
-    for (std::size_t i = 0; i < inner.size; ++i)
-        for (std::size_t j = i + 1; j < inner.size; ++j)
-            inside[insides++].emplace(inner.samples[i], inner.samples[j]);
     for (std::size_t i = 0; i < outer.size; ++i) {
         for (std::size_t j = i + 1; j < outer.size; ++j) {
             const Bisector outside(outer.samples[i], outer.samples[j]);
-            for (std::size_t k = 0; k < insides; ++k) {
-                std::optional<Ring> ring = intersect(outside, *inside[k]);
-                if (!ring)
-                    continue;
-                for (const Sample &s : outer.view())
-                    ring->include(s.point);
-                for (const Sample &s : inner.view())
-                    ring->include(s.point);
-                if (ring->width() < width) {
-                    width = ring->width();
-                    best = ring;
-                }
-            }
+            for (std::size_t k = 0; k < inner.size; ++k)
+                for (std::size_t l = k + 1; l < inner.size; ++l)
+                    keepThinner(best, intersect(outside, {inner.samples[k], inner.samples[l]}), outer.view(),
+                                inner.view());
         }
     }
+    if (best && isMinimum(*best, tolerance))
+        return best;
+    std::vector<Sample> all(outer.view().begin(), outer.view().end());
+    all.insert(all.end(), inner.view().begin(), inner.view().end());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = i + 1; j < all.size(); ++j)
+            for (std::size_t k = i + 1; k < all.size(); ++k)
+                for (std::size_t l = k + 1; l < all.size(); ++l)
+                    if (k != j && l != j)
+                        keepThinner(best, intersect({all[i], all[j]}, {all[k], all[l]}), all, {});
     return best;
 }
 
@@ -427,7 +437,7 @@ private:
 };
 
 /// The first contacts: the farthest and the nearest point of each quarter, seen from the mean.
-std::optional<Ring> firstRing(Search &search) {
+std::optional<Ring> firstRing(Search &search, double tolerance) {
     const Point centre = search.algebraicCentre();
     if (!search.finite() || !std::isfinite(centre.x) || !std::isfinite(centre.y))
         return std::nullopt;
@@ -456,12 +466,12 @@ std::optional<Ring> firstRing(Search &search) {
             inner.add(nearest[q]);
         }
     }
-    return leastRing(outer, inner);
+    return leastRing(outer, inner, tolerance);
 }
 
 /// The exchange; nothing if it comes to no end.
 std::optional<Ring> exchange(Search &search, const MinimumZoneOptions &options) {
-    std::optional<Ring> ring = firstRing(search);
+    std::optional<Ring> ring = firstRing(search, options.tolerance);
     for (int step = 0; ring && search.finite() && step < options.maxExchanges; ++step) {
         const Violators violators = search.violators(*ring);
         if (!violators.any())
@@ -476,7 +486,7 @@ std::optional<Ring> exchange(Search &search, const MinimumZoneOptions &options) 
             outer.add(*violators.farthest);
         if (violators.nearest)
             inner.add(*violators.nearest);
-        ring = leastRing(outer, inner);
+        ring = leastRing(outer, inner, options.tolerance);
     }
     return std::nullopt;
 }
@@ -602,7 +612,7 @@ MinimumZone minimumZone(PointsView points, const MinimumZoneOptions &options) {
             zone.status = Status::tooFewPoints;
         } else {
             if (exchanged)
-                seed.assign({ring.outer[0], ring.outer[1], ring.inner[0], ring.inner[1]});
+                seed.insert(seed.end(), {ring.outer[0], ring.outer[1], ring.inner[0], ring.inner[1]});
             zone.status = CoreSearch(search, options).run(seed, ring, zone.certified);
         }
     }
