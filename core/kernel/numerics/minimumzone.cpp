@@ -67,21 +67,26 @@ struct Bisector {
         , of{a, b} {}
 };
 
+/// Not finite if the bisectors are parallel, or one of them that of the same point twice.
+Point intersection(const Bisector &a, const Bisector &b) {
+    const double inverse = 1 / cross(a.n, b.n);
+    return {(a.k * b.n.y - b.k * a.n.y) * inverse, (a.n.x * b.k - b.n.x * a.k) * inverse};
+}
+
+Ring ringOf(const Bisector &a, const Bisector &b, Point centre, double least, double greatest) {
+    const bool outside = squaredDistance(a.of[0].point, centre) >= squaredDistance(b.of[0].point, centre);
+    return {centre, least, greatest, outside ? a.of : b.of, outside ? b.of : a.of};
+}
+
 /// The ring about the intersection of two bisectors, as wide as needed to hold the four points.
 std::optional<Ring> intersect(const Bisector &a, const Bisector &b) {
-    const double determinant = cross(a.n, b.n);
-    Ring ring;
-    ring.centre = {(a.k * b.n.y - b.k * a.n.y) / determinant, (a.n.x * b.k - b.n.x * a.k) / determinant};
-    const double da = squaredDistance(a.of[0].point, ring.centre);
-    const double db = squaredDistance(b.of[0].point, ring.centre);
-    if (!std::isfinite(da + db)) // parallel bisectors, or the bisector of one point twice
+    const Point centre = intersection(a, b);
+    const double d = squaredDistance(a.of[0].point, centre);
+    if (!std::isfinite(d))
         return std::nullopt;
-    const bool aOutside = da >= db;
-    ring.outer = aOutside ? a.of : b.of;
-    ring.inner = aOutside ? b.of : a.of;
-    ring.least = std::min(da, db);
-    ring.greatest = std::max(da, db);
+    Ring ring = ringOf(a, b, centre, d, d);
     ring.include(a.of[1].point);
+    ring.include(b.of[0].point);
     ring.include(b.of[1].point);
     return ring;
 }
@@ -168,46 +173,55 @@ struct Contacts {
     std::size_t size = 0;
 
     void add(const Sample &s) { samples[size++] = s; }
-    [[nodiscard]] std::span<const Sample> view() const { return {samples.data(), size}; }
 };
 
-/// Keeps in `best` the thinner of two rings about all points of the set.
-void keepThinner(std::optional<Ring> &best, std::optional<Ring> ring, std::span<const Sample> outer,
-                 std::span<const Sample> inner) {
-    if (!ring)
-        return;
-    for (const Sample &s : outer)
-        ring->include(s.point);
-    for (const Sample &s : inner)
-        ring->include(s.point);
-    if (!best || ring->width() < best->width())
-        best = ring;
+/// Keeps in `best` the ring of two bisectors about all points of the set, if it is thinner.
+void keepThinner(std::optional<Ring> &best, const Bisector &a, const Bisector &b,
+                 std::span<const Point> points) {
+    const Point centre = intersection(a, b);
+    double least = infinity;
+    double greatest = 0;
+    for (const Point p : points) {
+        const double d = squaredDistance(p, centre);
+        least = std::min(least, d);
+        greatest = std::max(greatest, d);
+    }
+    // A NaN, of parallel bisectors, is never less.
+    if (std::sqrt(greatest) - std::sqrt(least) < (best ? best->width() : infinity))
+        best = ringOf(a, b, centre, least, greatest);
 }
 
 /// The least ring about outer and inner points: first as they are paired, outer with outer and inner with
 /// inner; if none of these rings is a minimum, some point belongs to the other circle, and all pairings are
 /// tried.
 std::optional<Ring> leastRing(const Contacts &outer, const Contacts &inner, double tolerance) {
+    std::array<Sample, 16> all;
+    std::array<Point, 16> coordinates;
+    std::size_t size = 0;
+    for (const Contacts *contacts : {&outer, &inner}) {
+        for (std::size_t i = 0; i < contacts->size; ++i, ++size) {
+            all[size] = contacts->samples[i];
+            coordinates[size] = all[size].point;
+        }
+    }
+    const std::span<const Point> points(coordinates.data(), size);
     std::optional<Ring> best;
     for (std::size_t i = 0; i < outer.size; ++i) {
         for (std::size_t j = i + 1; j < outer.size; ++j) {
             const Bisector outside(outer.samples[i], outer.samples[j]);
             for (std::size_t k = 0; k < inner.size; ++k)
                 for (std::size_t l = k + 1; l < inner.size; ++l)
-                    keepThinner(best, intersect(outside, {inner.samples[k], inner.samples[l]}), outer.view(),
-                                inner.view());
+                    keepThinner(best, outside, {inner.samples[k], inner.samples[l]}, points);
         }
     }
     if (best && isMinimum(*best, tolerance))
         return best;
-    std::vector<Sample> all(outer.view().begin(), outer.view().end());
-    all.insert(all.end(), inner.view().begin(), inner.view().end());
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t j = i + 1; j < all.size(); ++j)
-            for (std::size_t k = i + 1; k < all.size(); ++k)
-                for (std::size_t l = k + 1; l < all.size(); ++l)
+    for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = i + 1; j < size; ++j)
+            for (std::size_t k = i + 1; k < size; ++k)
+                for (std::size_t l = k + 1; l < size; ++l)
                     if (k != j && l != j)
-                        keepThinner(best, intersect({all[i], all[j]}, {all[k], all[l]}), all, {});
+                        keepThinner(best, {all[i], all[j]}, {all[k], all[l]}, points);
     return best;
 }
 
@@ -354,7 +368,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t smallest = 256;
+    static constexpr std::size_t smallest = 256; // fewer points are all looked at
+    static constexpr std::size_t sampleFactor = 4;
     static constexpr std::size_t blockSize = 128;
 
     [[nodiscard]] Sample sample(std::size_t i) const {
