@@ -4,8 +4,8 @@
 
 namespace palmer {
 
-/// A text that a user may read, as it stands in the source code (English). What is shown is the translation
-/// of it that a Language makes; nothing else reaches a user. Made only by the two macros below, which the
+/// A text that a user may read, as it stands in the source code (English). What is shown is the translation of
+/// it that a Language makes; nothing else reaches a user. Made only by the macros below, which the
 /// translation tools know: a bare string is no Text.
 /// `comment` tells two equal sources apart whose translations differ (the edition, mostly).
 struct Text {
@@ -22,10 +22,9 @@ struct Text {
 
 /// The first argument is always "report", the catalogue all these texts stand in.
 #define REPORT_TEXT(context, source)                                                                         \
-    ::palmer::Text {                                                                                         \
-        source, ""                                                                                           \
-    }
+    ::palmer::Text { source, "" }
 #define REPORT_TEXT_FOR(context, source, comment)                                                            \
-    ::palmer::Text {                                                                                         \
-        source, comment                                                                                      \
-    }
+    ::palmer::Text { source, comment }
+/// A text with `%n` for the count of its Message: its translations have a form for one and one for more.
+#define REPORT_TEXT_COUNTED(context, source)                                                                 \
+    ::palmer::Text { source, "" }

@@ -1,0 +1,215 @@
+#include "language/language.h"
+
+#include "language/rounding.h"
+
+#include <QDate>
+#include <QFile>
+#include <QTranslator>
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace palmer {
+namespace {
+
+constexpr char catalogueContext[] = "report";
+constexpr QChar noBreakSpace(u'\u00A0');
+constexpr QChar narrowNoBreakSpace(u'\u202F');
+constexpr QChar minus(u'\u2212');
+constexpr QChar dash(u'\u2013');
+constexpr qsizetype groupSize = 3;
+
+QLatin1StringView nameOf(Language::Id id) {
+    return id == Language::Id::french ? QLatin1StringView("fr") : QLatin1StringView("en");
+}
+
+/// One catalogue per language, read once and never changed: every Language and every thread reads the same.
+std::shared_ptr<const QTranslator> catalogue(Language::Id id) {
+    const auto load = [](Language::Id language) {
+        const QString path =
+            QLatin1StringView(":/translations/report_") + nameOf(language) + QLatin1StringView(".qm");
+        if (!QFile::exists(path))
+            qFatal("The catalogue %s is missing from the program.", qPrintable(path));
+        auto translator = std::make_shared<QTranslator>();
+        // A catalogue without texts (English, as long as nothing is counted) is no success to Qt.
+        std::ignore = translator->load(path);
+        return std::shared_ptr<const QTranslator>(std::move(translator));
+    };
+    if (id == Language::Id::french) {
+        static const auto french = load(Language::Id::french);
+        return french;
+    }
+    static const auto english = load(Language::Id::english);
+    return english;
+}
+
+constexpr std::array months{
+    REPORT_TEXT("report", "January"), REPORT_TEXT("report", "February"), REPORT_TEXT("report", "March"),
+    REPORT_TEXT("report", "April"),   REPORT_TEXT("report", "May"),      REPORT_TEXT("report", "June"),
+    REPORT_TEXT("report", "July"),    REPORT_TEXT("report", "August"),   REPORT_TEXT("report", "September"),
+    REPORT_TEXT("report", "October"), REPORT_TEXT("report", "November"), REPORT_TEXT("report", "December"),
+};
+
+bool isCounted(QStringView source) {
+    return source.contains(QLatin1StringView("%n"));
+}
+
+} // namespace
+
+Language::Language(Id id)
+    : Language(id, catalogue(id)) {}
+
+Language::Language(Id id, std::shared_ptr<const QTranslator> catalogue)
+    : m_id(id)
+    , m_catalogue(std::move(catalogue)) {}
+
+std::optional<Language> Language::fromName(QStringView name) {
+    for (const Id id : {Id::english, Id::french})
+        if (name == nameOf(id))
+            return Language(id);
+    return std::nullopt;
+}
+
+Language Language::fromLocale(QStringView localeName) {
+    const auto end =
+        std::find_if(localeName.begin(), localeName.end(), [](QChar c) { return !c.isLetter(); });
+    const QStringView language = localeName.first(end - localeName.begin());
+    return Language(language.compare(nameOf(Id::french), Qt::CaseInsensitive) == 0 ? Id::french
+                                                                                   : Id::english);
+}
+
+QString Language::code() const {
+    return nameOf(m_id);
+}
+
+QString Language::text(const Text &text) const {
+    const QString translated = m_catalogue->translate(catalogueContext, text.source, text.comment);
+    return translated.isNull() ? QString::fromUtf8(text.source) : translated;
+}
+
+bool Language::hasTranslation(const Text &text) const {
+    if (m_id == Id::english && !isCounted(QString::fromUtf8(text.source)))
+        return true;
+    return !m_catalogue->translate(catalogueContext, text.source, text.comment, 1).isNull();
+}
+
+QString Language::sentence(const Message &message) const {
+    const Text &text = message.text;
+    QString pattern =
+        m_catalogue->translate(catalogueContext, text.source, text.comment, message.count.value_or(-1));
+    if (pattern.isNull())
+        pattern = QString::fromUtf8(text.source);
+    QString result;
+    result.reserve(pattern.size() * 2);
+    for (qsizetype i = 0; i < pattern.size(); ++i) {
+        const QChar place = pattern[i] == u'%' && i + 1 < pattern.size() ? pattern[i + 1] : QChar();
+        const auto index = static_cast<std::size_t>(place.unicode() - u'1');
+        if (place >= u'1' && place <= u'9' && index < message.arguments.size())
+            result += argument(message.arguments[index]), ++i;
+        else if (place == u'n' && message.count)
+            result += number(*message.count, Quantity::count, 0), ++i;
+        else
+            result += pattern[i];
+    }
+    return result;
+}
+
+QString Language::argument(const Argument &argument) const {
+    if (const auto *number = std::get_if<Number>(&argument))
+        return quantity(number->value, number->quantity, number->decimals);
+    if (const auto *word = std::get_if<Text>(&argument))
+        return text(*word);
+    return QString::fromStdString(std::get<std::string>(argument));
+}
+
+QString Language::number(double value, Quantity quantity, int decimals) const {
+    return shown(Decimal(value, quantity).rounded(decimals));
+}
+
+QString Language::uncertainty(double value, Quantity quantity, int decimals) const {
+    return shown(Decimal(value, quantity).roundedUncertainty(decimals));
+}
+
+QString Language::shown(const std::string &decimal) const {
+    const QString plain = QString::fromStdString(decimal);
+    if (plain == QLatin1StringView("nan"))
+        return dash;
+    const qsizetype first = plain.startsWith(u'-') ? 1 : 0;
+    const auto notDigit =
+        std::find_if(plain.begin() + first, plain.end(), [](QChar c) { return !c.isDigit(); });
+    const qsizetype whole = notDigit - plain.begin();
+    QString result;
+    for (qsizetype i = 0; i < plain.size(); ++i) {
+        if (i > first && i < whole && (whole - i) % groupSize == 0)
+            result += narrowNoBreakSpace;
+        const QChar c = plain[i];
+        if (c == u'-')
+            result += minus;
+        else if (c == u'.' && m_id == Id::french)
+            result += u',';
+        else
+            result += c;
+    }
+    return result.replace(QStringLiteral("inf"), QStringLiteral("\u221E"));
+}
+
+QString Language::quantity(double value, Quantity quantity, int decimals) const {
+    const QString digits = number(value, quantity, decimals);
+    const QString sign = unit(quantity);
+    if (sign.isEmpty() || digits == dash)
+        return digits;
+    // Degrees and seconds of arc are superscripts and stand at the number in both languages (SI
+    // brochure 5.4.3).
+    const bool superscript = sign == u"°" || sign == u"″";
+    return superscript ? digits + sign : digits + noBreakSpace + sign;
+}
+
+QString Language::unit(Quantity quantity) const {
+    switch (quantity) {
+    case Quantity::number:
+    case Quantity::count:
+        return {};
+    case Quantity::position:
+        return QStringLiteral("mm");
+    case Quantity::angle:
+        return QStringLiteral("°");
+    case Quantity::deviation:
+    case Quantity::micrometres:
+        return QStringLiteral("µm");
+    case Quantity::angularDeviation:
+    case Quantity::arcSeconds:
+        return QStringLiteral("″");
+    case Quantity::temperature:
+        return QStringLiteral("°C");
+    case Quantity::gradient:
+        return QStringLiteral("°C/h");
+    case Quantity::expansion:
+        return QStringLiteral("µm/(m·°C)");
+    case Quantity::feed:
+        return QStringLiteral("mm/min");
+    case Quantity::angularFeed:
+        return QStringLiteral("°/min");
+    case Quantity::time:
+        return QStringLiteral("s");
+    case Quantity::pressure:
+        return QStringLiteral("hPa");
+    case Quantity::percent:
+        return QStringLiteral("%");
+    }
+    return {};
+}
+
+QString Language::date(const std::string &iso) const {
+    if (iso.empty())
+        return dash;
+    const QString written = QString::fromStdString(iso);
+    const QDate date = QDate::fromString(written, Qt::ISODate);
+    if (!date.isValid())
+        return written;
+    const bool ordinal = m_id == Id::french && date.day() == 1;
+    const QString day = ordinal ? QStringLiteral("1er") : QString::number(date.day());
+    return day + noBreakSpace + text(months[static_cast<std::size_t>(date.month() - 1)]) + u' ' +
+           QString::number(date.year());
+}
+
+} // namespace palmer

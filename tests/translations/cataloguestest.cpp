@@ -1,0 +1,221 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include <QDir>
+#include <QFile>
+#include <QMap>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+
+namespace {
+
+struct Entry {
+    QString source;
+    QString comment;
+    bool counted = false;
+    QStringList translations; // the plural forms, or one
+
+    QString key() const { return source + u'\u0004' + comment + u'\u0004' + (counted ? "n" : ""); }
+};
+
+QList<Entry> entriesOf(const QString &path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("%s cannot be read", qPrintable(path));
+    QList<Entry> entries;
+    QXmlStreamReader xml(&file);
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement)
+            continue;
+        if (xml.name() == u"message")
+            entries.append(Entry{{}, {}, xml.attributes().value("numerus") == u"yes", {}});
+        else if (xml.name() == u"source")
+            entries.last().source = xml.readElementText();
+        else if (xml.name() == u"comment")
+            entries.last().comment = xml.readElementText();
+        else if (xml.name() == u"numerusform" || (xml.name() == u"translation" && !entries.last().counted))
+            entries.last().translations += xml.readElementText();
+    }
+    if (xml.hasError())
+        qFatal("%s: %s", qPrintable(path), qPrintable(xml.errorString()));
+    return entries;
+}
+
+QSet<QString> keysOf(const QString &path) {
+    QSet<QString> keys;
+    for (const Entry &entry : entriesOf(path))
+        keys += entry.key();
+    return keys;
+}
+
+QStringList placesOf(const QString &text) {
+    static const QRegularExpression place("%[1-9n]");
+    QStringList places;
+    for (auto match = place.globalMatch(text); match.hasNext();)
+        places += match.next().captured();
+    places.removeDuplicates();
+    places.sort();
+    return places;
+}
+
+QString catalogue(const char *name) {
+    return QString(CATALOGUES) + u'/' + name;
+}
+
+/// Words that are the same in both languages.
+const QSet<QString> sameInBoth{"Date",       "Machine",     "Signature", "Signatures", "Verdict",
+                               "Instrument", "Instruments", "Position",  "minimum",    "maximum"};
+
+/// What is wrong with the typography of a French text; empty where nothing is.
+QString fault(const QString &text) {
+    static const QList<std::pair<QRegularExpression, QString>> rules{
+        {QRegularExpression("(?<!\u202F)[;!?]"), "U+202F is missing before ; ! or ?"},
+        {QRegularExpression("[ \u202F]:|(?<!\u00A0):(?=[\\s\u00A0]|$)"), "U+00A0 is missing before a colon"},
+        {QRegularExpression("'"), "a straight apostrophe"},
+        {QRegularExpression("\""), "straight quotation marks"},
+        {QRegularExpression("«(?![\u00A0\u202F])|(?<![\u00A0\u202F])»"), "no-break space is missing in « »"},
+        {QRegularExpression("  |^ | $"), "a space too many"},
+        {QRegularExpression("\\.\\.\\."), "three points instead of …"},
+        {QRegularExpression("[0-9] ?(µm|mm|°C|%(?![1-9n]))"), "a unit without its no-break space"},
+    };
+    for (const auto &[rule, meaning] : rules)
+        if (rule.match(text).hasMatch())
+            return meaning;
+    return {};
+}
+
+} // namespace
+
+class CataloguesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void areComplete_data();
+    void areComplete();
+    void holdTheTextsOfTheSources_data();
+    void holdTheTextsOfTheSources();
+    void translateEveryText_data();
+    void translateEveryText();
+    void knowFrenchTypography_data();
+    void knowFrenchTypography();
+    void areFrench();
+};
+
+void CataloguesTest::areComplete_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("French") << "report_fr.ts";
+    QTest::newRow("English plurals") << "report_en.ts";
+}
+
+void CataloguesTest::areComplete() {
+    QFETCH(QString, name);
+    QFile file(catalogue(qPrintable(name)));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QString written = QString::fromUtf8(file.readAll());
+    const auto found = QRegularExpression("type=\"(unfinished|vanished|obsolete)\"").match(written);
+    QVERIFY2(!found.hasMatch(),
+             qPrintable(found.captured() + " near " + written.mid(found.capturedStart() - 200, 200)));
+    QVERIFY2(!written.contains("<location"), "places in the sources make every change of code a change here");
+}
+
+void CataloguesTest::holdTheTextsOfTheSources_data() {
+    areComplete_data();
+}
+
+void CataloguesTest::holdTheTextsOfTheSources() {
+    QFETCH(QString, name);
+    const bool plurals = name == u"report_en.ts";
+    QTemporaryDir folder;
+    const QString copy = folder.filePath(name);
+    QVERIFY(QFile::copy(catalogue(qPrintable(name)), copy));
+    QStringList arguments = QString(OPTIONS).split(u'|');
+    if (plurals)
+        arguments += "-pluralonly";
+    arguments += {SOURCES, "-ts", copy, "-target-language", plurals ? "en" : "fr"};
+    QProcess lupdate;
+    lupdate.start(LUPDATE, arguments);
+    QVERIFY2(lupdate.waitForFinished(120'000), qPrintable(lupdate.errorString()));
+    QVERIFY2(lupdate.exitStatus() == QProcess::NormalExit && lupdate.exitCode() == 0,
+             lupdate.readAllStandardError());
+
+    const QSet<QString> committed = keysOf(catalogue(qPrintable(name))), sources = keysOf(copy);
+    QVERIFY2(plurals || !sources.isEmpty(), "lupdate found no text at all");
+    const QStringList added = (sources - committed).values(), gone = (committed - sources).values();
+    QVERIFY2(added.isEmpty(), qPrintable("not in the catalogue: " + added.join(" | ")));
+    QVERIFY2(gone.isEmpty(), qPrintable("no longer in the sources: " + gone.join(" | ")));
+}
+
+void CataloguesTest::translateEveryText_data() {
+    areComplete_data();
+}
+
+void CataloguesTest::translateEveryText() {
+    QFETCH(QString, name);
+    QSet<QString> seen;
+    for (const Entry &entry : entriesOf(catalogue(qPrintable(name)))) {
+        const QByteArray place = entry.source.toUtf8();
+        QVERIFY2(!seen.contains(entry.source + u'\u0004' + entry.comment), place);
+        seen += entry.source + u'\u0004' + entry.comment;
+        QVERIFY2(entry.counted == entry.source.contains("%n"), place + ": %n belongs to REPORT_TEXT_COUNTED");
+        QCOMPARE(entry.translations.size(), entry.counted ? 2 : 1);
+        for (qsizetype form = 0; form < entry.translations.size(); ++form) {
+            QStringList expected = placesOf(entry.source), found = placesOf(entry.translations[form]);
+            if (form == 0 && entry.counted) { // one may be said in words
+                expected.removeAll("%n");
+                found.removeAll("%n");
+            }
+            QVERIFY2(!entry.translations[form].trimmed().isEmpty(), place);
+            QVERIFY2(found == expected, place + " -> " + entry.translations[form].toUtf8());
+        }
+    }
+}
+
+void CataloguesTest::knowFrenchTypography_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("right");
+    QTest::newRow("colon") << "écart\u00A0: %1" << true;
+    QTest::newRow("designation") << "ISO 230-2:2006, 500:1" << true;
+    QTest::newRow("semicolon, question, exclamation") << "un\u202F; deux\u202F? trois\u202F!" << true;
+    QTest::newRow("quotes and apostrophe") << "l’axe «\u00A0X\u00A0»" << true;
+    QTest::newRow("unit") << "0,1\u00A0µm" << true;
+    QTest::newRow("plain space before a colon") << "écart : %1" << false;
+    QTest::newRow("narrow space before a colon") << "écart\u202F: %1" << false;
+    QTest::newRow("no space before a colon") << "écart: %1" << false;
+    QTest::newRow("no space before a last colon") << "écart:" << false;
+    QTest::newRow("plain space before a semicolon") << "un ; deux" << false;
+    QTest::newRow("no space before a question mark") << "un?" << false;
+    QTest::newRow("straight apostrophe") << "l'axe" << false;
+    QTest::newRow("straight quotes") << "\"X\"" << false;
+    QTest::newRow("plain space in quotes") << "« X »" << false;
+    QTest::newRow("plain space before a unit") << "0,1 µm" << false;
+}
+
+void CataloguesTest::knowFrenchTypography() {
+    QFETCH(QString, text);
+    QTEST(fault(text).isEmpty(), "right");
+}
+
+void CataloguesTest::areFrench() {
+    static const QRegularExpression word("[[:alpha:]]*[[:lower:]][[:alpha:]]*",
+                                         QRegularExpression::UseUnicodePropertiesOption);
+    const auto hasWord = [](const QString &text) {
+        for (auto match = word.globalMatch(text); match.hasNext();)
+            if (match.next().capturedLength() > 2)
+                return true;
+        return false;
+    };
+    for (const Entry &entry : entriesOf(catalogue("report_fr.ts")))
+        for (const QString &translation : entry.translations) {
+            const QByteArray found = translation.toUtf8();
+            QVERIFY2(fault(translation).isEmpty(), found + ": " + fault(translation).toUtf8());
+            const bool same =
+                translation == entry.source && hasWord(translation) && !sameInBoth.contains(translation);
+            QVERIFY2(!same, found + " is the English text");
+        }
+}
+
+QTEST_GUILESS_MAIN(CataloguesTest)
+#include "cataloguestest.moc"
