@@ -1134,13 +1134,13 @@
     </message>
     <message>
         <source>In accordance with %1.</source>
-        <translation>Essai conforme aux prescriptions de %1.</translation>
+        <translation>Essai conforme à l’édition %1.</translation>
     </message>
     <message numerus="yes">
         <source>NOT in accordance with %1: %n requirement(s) not met.</source>
         <translation>
-            <numerusform>Essai NON conforme aux prescriptions de %1&#xa0;: %n exigence non satisfaite.</numerusform>
-            <numerusform>Essai NON conforme aux prescriptions de %1&#xa0;: %n exigences non satisfaites.</numerusform>
+            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigence non satisfaite.</numerusform>
+            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigences non satisfaites.</numerusform>
         </translation>
     </message>
     <message>
