@@ -22,7 +22,7 @@ const QString schemaPath = QStringLiteral(PALMER_SOURCE_DIR "/resources/schema/p
 // What the reader refuses and a schema cannot express (as the schema itself says).
 const std::set<std::string> beyondSchema{
     "expected a date that exists, written YYYY-MM-DD",
-    "found %1 values; expected %2",
+    "number of values found: %1; expected: %2",
     "expected targets that ascend strictly",
     "expected “from” to be less than “to”",
     "expected one of the %1 runs, counted from 1",

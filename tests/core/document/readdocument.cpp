@@ -263,7 +263,7 @@ private slots:
         row("number instead of true", positioningFile(noReadings + R"(, "conditions": {"levelled": 1})"),
             content, "tests[0].conditions.levelled", "expected true, false or null");
         row("two coordinates", positioningFile(noReadings + R"(, "conditions": {"toolOffset": [0, 0]})"),
-            content, "tests[0].conditions.toolOffset", "found %1 values; expected %2");
+            content, "tests[0].conditions.toolOffset", "number of values found: %1; expected: %2");
         row("extensions that are a list", head + R"(, "extensions": []})", content, "extensions",
             "expected an object, in braces");
         row("a number that is not finite", positioningFile(R"("targets": [0, 1e999], "runs": [])"), content,
@@ -275,21 +275,22 @@ private slots:
         row("targets that do not ascend", positioningFile(R"("targets": [0, 2, 2], "runs": [])"), content,
             "tests[0].targets[2]", "expected targets that ascend strictly");
         row("too few deviations", positioningFile(R"("targets": [0, 1], "runs": [{"deviations": [0]}])"),
-            content, "tests[0].runs[0].deviations", "found %1 values; expected %2");
+            content, "tests[0].runs[0].deviations", "number of values found: %1; expected: %2");
         row("too many deviations", positioningFile(R"("targets": [0], "runs": [{"deviations": [0, 0]}])"),
-            content, "tests[0].runs[0].deviations", "found %1 values; expected %2");
+            content, "tests[0].runs[0].deviations", "number of values found: %1; expected: %2");
         row("arc of unequal lists", circularFile(R"("arcs": [{"angles": [0, 1], "radialDeviations": [0]}])"),
-            content, "tests[0].arcs[0].radialDeviations", "found %1 values; expected %2");
+            content, "tests[0].arcs[0].radialDeviations", "number of values found: %1; expected: %2");
         row("null in an arc", circularFile(R"("arcs": [{"angles": [0], "radialDeviations": [null]}])"),
             content, "tests[0].arcs[0].radialDeviations[0]", "expected a number");
         row("drift of unequal lists",
             head + R"(, "tests": [{"kind": "drift", "times": [0], "deviations": []}]})", content,
-            "tests[0].deviations", "found %1 values; expected %2");
+            "tests[0].deviations", "number of values found: %1; expected: %2");
         row("series of unequal lists",
             positioningFile(
                 noReadings +
                 R"(, "conditions": {"sensors": [{"series": {"times": [0], "temperatures": []}}]})"),
-            content, "tests[0].conditions.sensors[0].series.temperatures", "found %1 values; expected %2");
+            content, "tests[0].conditions.sensors[0].series.temperatures",
+            "number of values found: %1; expected: %2");
         row("excluded run that does not exist",
             positioningFile(twoTargets + R"(, "excluded": [{"run": 3, "target": 2, "value": 0}])"), content,
             "tests[0].excluded[0].run", "expected one of the %1 runs, counted from 1");
