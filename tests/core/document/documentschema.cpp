@@ -258,6 +258,10 @@ private slots:
                                          .toObject()
                                          .value(QStringLiteral("enum"))
                                          .toArray();
+            const QJsonArray parameters =
+                schema.words(isCircular ? "circularParameter" : "positioningParameter");
+            for (const Row &row : edition->rows)
+                QVERIFY2(parameters.contains(QString::fromUtf8(row.term.id)), row.term.id);
             for (const AgreementPoint &point : edition->points)
                 QVERIFY2(words.contains(QString::fromUtf8(point.point)), point.point);
             for (const QJsonValue &word : words)
