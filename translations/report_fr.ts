@@ -711,10 +711,6 @@
         <translation>un texte ne peut pas contenir ce caractère&#x202f;; attendu&#xa0;: de l’UTF-8 sans saut de ligne ni caractère de commande</translation>
     </message>
     <message>
-        <source>unknown escape; expected one of JSON, such as \n or \u00e9</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the file ends here; expected %1</source>
         <translation>le fichier s’arrête ici&#x202f;; attendu&#xa0;: %1</translation>
     </message>
@@ -733,10 +729,6 @@
     <message>
         <source>this key is unknown; what others want to add goes into “extensions”</source>
         <translation>cette clé est inconnue&#x202f;; ce que d’autres veulent ajouter se place dans «&#xa0;extensions&#xa0;»</translation>
-    </message>
-    <message>
-        <source>found %1 values; expected %2</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected “from” to be less than “to”</source>
@@ -881,10 +873,6 @@
     <message>
         <source>the file was written by a newer version of Palmer (format %1); this one reads up to format %2: install a newer Palmer</source>
         <translation>le fichier a été écrit par une version plus récente de Palmer (format %1)&#x202f;; celle-ci lit jusqu’au format %2&#xa0;: installez une version plus récente de Palmer</translation>
-    </message>
-    <message>
-        <source>the file could not be saved (%1); what was there before is unchanged: save it under another name or in another folder</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>this is a folder; expected the name of a file to save to</source>
@@ -1306,6 +1294,22 @@
     <message>
         <source>unknown command %1; palmer-cli --help lists them</source>
         <translation>commande inconnue %1&#x202f;; palmer-cli --help les énumère</translation>
+    </message>
+    <message>
+        <source>unknown escape in a text; expected one that JSON knows</source>
+        <translation>séquence d’échappement inconnue dans un texte&#x202f;; attendu&#xa0;: une séquence que JSON connaît</translation>
+    </message>
+    <message>
+        <source>number of values found: %1; expected: %2</source>
+        <translation>nombre de valeurs trouvées&#xa0;: %1&#x202f;; attendu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>the file could not be saved, for want of permission or space; what was there before is unchanged: save it under another name or in another folder</source>
+        <translation>le fichier n’a pas pu être enregistré, faute de droits ou de place&#x202f;; l’ancien fichier est inchangé&#xa0;: enregistrez sous un autre nom ou dans un autre dossier</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; check its permissions and the medium it is on</source>
+        <translation>le fichier ne peut pas être lu&#x202f;; vérifiez ses droits d’accès et le support sur lequel il se trouve</translation>
     </message>
 </context>
 </TS>
