@@ -489,7 +489,9 @@ private:
             p.drawLine(box.topLeft(), box.topRight());
             p.drawLine(box.bottomLeft(), box.bottomRight());
         }
-        p.setPen(pen(up ? FigureRole::up : FigureRole::down));
+        QPen line = pen(up ? FigureRole::up : FigureRole::down);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
         p.drawLine(middle - half, middle + half);
         drawMarker(middle, up ? CurveRole::up : CurveRole::down);
     }
