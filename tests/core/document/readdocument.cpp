@@ -23,7 +23,7 @@ QByteArray circularFile(const QByteArray &members) {
 
 const QByteArray noReadings = R"("targets": [], "runs": [])";
 const QByteArray twoTargets =
-    R"("targets": [0, 1], "runs": [{"deviations": [0.001, null]}, {"deviations": [0.1, 0.2]}])";
+    R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [0.001, null]}, {"approach": "positive", "deviations": [0.1, 0.2]}])";
 
 } // namespace
 
@@ -205,7 +205,7 @@ private slots:
         row("typing error in an obligatory key", positioningFile(R"("targest": [], "runs": [])"), content,
             "tests[0].targest", unknownKey);
         row("unknown key in a run",
-            positioningFile(R"("targets": [], "runs": [{"deviations": [], "deviation": []}])"), content,
+            positioningFile(R"("targets": [], "runs": [{"approach": "positive", "deviations": [], "deviation": []}])"), content,
             "tests[0].runs[0].deviation", unknownKey);
         row("key of the other kind", circularFile(R"("arcs": [], "cycle": "step")"), content,
             "tests[0].cycle", unknownKey);
@@ -224,7 +224,7 @@ private slots:
             content, "tests[0]", "the key “%1” is missing");
         row("missing targets", positioningFile(R"("runs": [])"), content, "tests[0]",
             "the key “%1” is missing");
-        row("missing deviations", positioningFile(R"("targets": [], "runs": [{}])"), content,
+        row("missing deviations", positioningFile(R"("targets": [], "runs": [{"approach": "positive"}])"), content,
             "tests[0].runs[0]", "the key “%1” is missing");
 
         row("unknown word", positioningFile(noReadings + R"(, "cycle": "steps")"), content, "tests[0].cycle",
@@ -242,7 +242,7 @@ private slots:
 
         row("text instead of a reading",
             positioningFile(
-                R"("targets": [0, 1], "runs": [{"deviations": [0, 0]}, {"deviations": [0, "0,1"]}])"),
+                R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [0, 0]}, {"approach": "positive", "deviations": [0, "0,1"]}])"),
             content, "tests[0].runs[1].deviations[1]", "expected a number or null");
         row("null target", positioningFile(R"("targets": [null], "runs": [])"), content,
             "tests[0].targets[0]", "expected a number");
@@ -274,13 +274,13 @@ private slots:
 
         row("targets that do not ascend", positioningFile(R"("targets": [0, 2, 2], "runs": [])"), content,
             "tests[0].targets[2]", "expected targets that ascend strictly");
-        row("too few deviations", positioningFile(R"("targets": [0, 1], "runs": [{"deviations": [0]}])"),
+        row("too few deviations", positioningFile(R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [0]}])"),
             content, "tests[0].runs[0].deviations", "found %1 values; expected %2");
-        row("too many deviations", positioningFile(R"("targets": [0], "runs": [{"deviations": [0, 0]}])"),
+        row("too many deviations", positioningFile(R"("targets": [0], "runs": [{"approach": "positive", "deviations": [0, 0]}])"),
             content, "tests[0].runs[0].deviations", "found %1 values; expected %2");
-        row("arc of unequal lists", circularFile(R"("arcs": [{"angles": [0, 1], "radialDeviations": [0]}])"),
+        row("arc of unequal lists", circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0, 1], "radialDeviations": [0]}])"),
             content, "tests[0].arcs[0].radialDeviations", "found %1 values; expected %2");
-        row("null in an arc", circularFile(R"("arcs": [{"angles": [0], "radialDeviations": [null]}])"),
+        row("null in an arc", circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0], "radialDeviations": [null]}])"),
             content, "tests[0].arcs[0].radialDeviations[0]", "expected a number");
         row("drift of unequal lists",
             head + R"(, "tests": [{"kind": "drift", "times": [0], "deviations": []}]})", content,
@@ -318,9 +318,8 @@ private slots:
         row("negative guard factor",
             positioningFile(noReadings + R"(, "decisionRule": {"guardFactor": -0.5})"), content,
             "tests[0].decisionRule.guardFactor", "expected a number that is not negative");
-        row("negative uncertainty",
-            positioningFile(noReadings + R"(, "uncertainty": {"expanded": {"A": -1}})"), content,
-            "tests[0].uncertainty.expanded.A", "expected a number that is not negative");
+        row("missing approach", positioningFile(R"("targets": [], "runs": [{"deviations": []}])"), content,
+            "tests[0].runs[0]", "the key “approach” is missing");
         row("a day that does not exist", positioningFile(noReadings + R"(, "date": "2023-02-29")"), content,
             "tests[0].date", "expected a date that exists, written YYYY-MM-DD");
         row("a date in French", positioningFile(noReadings + R"(, "date": "28/02/2023")"), content,
