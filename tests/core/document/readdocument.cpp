@@ -176,9 +176,9 @@ private slots:
         row("broken UTF-8 outside a text", "{\xFF}", syntax, "1:2",
             "this is no character of UTF-8; expected a test file in UTF-8");
         row("unknown escape", "{\"a\": \"\\x\"}", syntax, "1:8",
-            "unknown escape; expected one of JSON, such as \\n or \\u00e9");
+            "unknown escape in a text; expected one that JSON knows");
         row("half a surrogate pair", "{\"a\": \"\\ud83d\"}", syntax, "1:8",
-            "unknown escape; expected one of JSON, such as \\n or \\u00e9");
+            "unknown escape in a text; expected one that JSON knows");
 
         row("a list instead of an object", "[]", syntax, "1:1", "found “%1”; expected %2");
         row("another format", R"({"format": "other", "version": 1})", Error::Kind::format, "",
@@ -263,7 +263,7 @@ private slots:
         row("number instead of true", positioningFile(noReadings + R"(, "conditions": {"levelled": 1})"),
             content, "tests[0].conditions.levelled", "expected true, false or null");
         row("two coordinates", positioningFile(noReadings + R"(, "conditions": {"toolOffset": [0, 0]})"),
-            content, "tests[0].conditions.toolOffset", "found %1 values; expected %2");
+            content, "tests[0].conditions.toolOffset", "number of values found: %1; expected: %2");
         row("extensions that are a list", head + R"(, "extensions": []})", content, "extensions",
             "expected an object, in braces");
         row("a number that is not finite", positioningFile(R"("targets": [0, 1e999], "runs": [])"), content,
@@ -275,21 +275,22 @@ private slots:
         row("targets that do not ascend", positioningFile(R"("targets": [0, 2, 2], "runs": [])"), content,
             "tests[0].targets[2]", "expected targets that ascend strictly");
         row("too few deviations", positioningFile(R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [0]}])"),
-            content, "tests[0].runs[0].deviations", "found %1 values; expected %2");
+            content, "tests[0].runs[0].deviations", "number of values found: %1; expected: %2");
         row("too many deviations", positioningFile(R"("targets": [0], "runs": [{"approach": "positive", "deviations": [0, 0]}])"),
-            content, "tests[0].runs[0].deviations", "found %1 values; expected %2");
+            content, "tests[0].runs[0].deviations", "number of values found: %1; expected: %2");
         row("arc of unequal lists", circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0, 1], "radialDeviations": [0]}])"),
-            content, "tests[0].arcs[0].radialDeviations", "found %1 values; expected %2");
+            content, "tests[0].arcs[0].radialDeviations", "number of values found: %1; expected: %2");
         row("null in an arc", circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0], "radialDeviations": [null]}])"),
             content, "tests[0].arcs[0].radialDeviations[0]", "expected a number");
         row("drift of unequal lists",
             head + R"(, "tests": [{"kind": "drift", "times": [0], "deviations": []}]})", content,
-            "tests[0].deviations", "found %1 values; expected %2");
+            "tests[0].deviations", "number of values found: %1; expected: %2");
         row("series of unequal lists",
             positioningFile(
                 noReadings +
                 R"(, "conditions": {"sensors": [{"series": {"times": [0], "temperatures": []}}]})"),
-            content, "tests[0].conditions.sensors[0].series.temperatures", "found %1 values; expected %2");
+            content, "tests[0].conditions.sensors[0].series.temperatures",
+            "number of values found: %1; expected: %2");
         row("excluded run that does not exist",
             positioningFile(twoTargets + R"(, "excluded": [{"run": 3, "target": 2, "value": 0}])"), content,
             "tests[0].excluded[0].run", "expected one of the %1 runs, counted from 1");
