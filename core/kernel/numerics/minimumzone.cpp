@@ -105,17 +105,21 @@ bool alternate(const Ring &ring) {
            between(a, b, difference(ring.inner[1].point, ring.centre));
 }
 
-/// Whether the four points touch the circles from the inside and are a local minimum.
+/// Whether the ring is a local minimum: four different points that touch the circles, and alternate.
 bool isMinimum(const Ring &ring, double tolerance) {
-    const double outer = ring.outerRadius() * (1 - 4 * tolerance);
-    const double inner = ring.innerRadius() * (1 + 4 * tolerance);
-    return std::all_of(
-               ring.outer.begin(), ring.outer.end(),
-               [&](const Sample &s) { return squaredDistance(s.point, ring.centre) >= outer * outer; }) &&
-           std::all_of(
-               ring.inner.begin(), ring.inner.end(),
-               [&](const Sample &s) { return squaredDistance(s.point, ring.centre) <= inner * inner; }) &&
-           alternate(ring);
+    const double outerRadius = ring.outerRadius() * (1 - 4 * tolerance);
+    const double innerRadius = ring.innerRadius() * (1 + 4 * tolerance);
+    for (const Sample &outer : ring.outer) {
+        if (squaredDistance(outer.point, ring.centre) < outerRadius * outerRadius)
+            return false;
+        for (const Sample &inner : ring.inner)
+            if (outer.point == inner.point)
+                return false;
+    }
+    for (const Sample &inner : ring.inner)
+        if (squaredDistance(inner.point, ring.centre) > innerRadius * innerRadius)
+            return false;
+    return alternate(ring);
 }
 
 /// A strip between parallel lines, n·P from `least` to `greatest`, |n| = 1.
@@ -186,8 +190,9 @@ void keepThinner(std::optional<Ring> &best, const Bisector &a, const Bisector &b
         least = std::min(least, d);
         greatest = std::max(greatest, d);
     }
-    // A NaN, of parallel bisectors, is never less.
-    if (std::sqrt(greatest) - std::sqrt(least) < (best ? best->width() : infinity))
+    // Parallel bisectors have no width, or a negative one: no distance was compared.
+    const double width = std::sqrt(greatest) - std::sqrt(least);
+    if (width >= 0 && width < (best ? best->width() : infinity))
         best = ringOf(a, b, centre, least, greatest);
 }
 
@@ -351,8 +356,8 @@ public:
         double greatest = -infinity;
         double sum = 0;
         for (std::size_t i = 0; i < m_points.size(); ++i) {
-            const double height =
-                normal.x * (m_points.x[i] - m_origin.x) + normal.y * (m_points.y[i] - m_origin.y);
+            const Point p = sample(i).point;
+            const double height = normal.x * p.x + normal.y * p.y;
             if (height < least) {
                 least = height;
                 found[0] = sample(i);
@@ -361,7 +366,7 @@ public:
                 greatest = height;
                 found[1] = sample(i);
             }
-            sum += height;
+            sum += p.x * p.x + p.y * p.y;
         }
         m_finite = m_finite && std::isfinite(sum);
         return found;

@@ -40,7 +40,8 @@ long double variance(const Points &points, const std::vector<std::size_t> &group
     for (const std::size_t size : groups) {
         const long double w = 1.0L / static_cast<long double>(size * groups.size());
         for (std::size_t i = begin; i < begin + size; ++i) {
-            const long double r = std::hypot(points.x[i] - cx, points.y[i] - cy);
+            const long double r =
+                std::hypot(points.x[i] - cx, points.y[i] - cy) - 150; // near R: no cancellation
             mean += w * r;
             square += w * r * r;
         }
