@@ -247,23 +247,20 @@ public:
         : m_points(points)
         , m_tolerance(tolerance) {
         const std::size_t n = points.size();
-        const std::size_t size =
-            n <= smallest
-                ? n
-                : std::max(smallest, 4 * static_cast<std::size_t>(std::sqrt(static_cast<double>(n))));
-        const double step = static_cast<double>(n) / static_cast<double>(size);
-        m_complete = size == n;
+        m_complete = n <= smallest;
+        const std::size_t stride =
+            m_complete ? 1 : static_cast<std::size_t>(std::sqrt(static_cast<double>(n))) / sampleFactor;
+        const std::size_t size = (n + stride - 1) / stride;
         m_index.reserve(size);
-        for (std::size_t k = 0; k < size; ++k)
-            m_index.push_back(m_complete ? k : static_cast<std::size_t>(static_cast<double>(k) * step));
+        m_x.reserve(size);
+        m_y.reserve(size);
         Point sum;
-        for (const std::size_t i : m_index) {
+        for (std::size_t i = 0; i < n; i += stride) {
+            m_index.push_back(i);
             sum.x += points.x[i];
             sum.y += points.y[i];
         }
         m_origin = {sum.x / static_cast<double>(size), sum.y / static_cast<double>(size)};
-        m_x.reserve(size);
-        m_y.reserve(size);
         for (const std::size_t i : m_index) {
             m_x.push_back(points.x[i] - m_origin.x);
             m_y.push_back(points.y[i] - m_origin.y);
@@ -373,8 +370,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t smallest = 256; // fewer points are all looked at
-    static constexpr std::size_t sampleFactor = 4;
+    static constexpr std::size_t smallest = 256;   // up to so many all points are the working set
+    static constexpr std::size_t sampleFactor = 3; // beyond, it begins with about sampleFactor·√n
     static constexpr std::size_t blockSize = 128;
 
     [[nodiscard]] Sample sample(std::size_t i) const {
