@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace palmer {
@@ -107,8 +108,8 @@ bool alternate(const Ring &ring) {
 
 /// Whether the ring is a local minimum: four different points that touch the circles, and alternate.
 bool isMinimum(const Ring &ring, double tolerance) {
-    const double outerRadius = ring.outerRadius() * (1 - 4 * tolerance);
-    const double innerRadius = ring.innerRadius() * (1 + 4 * tolerance);
+    const double outerRadius = ring.outerRadius() * (1 - 2 * tolerance);
+    const double innerRadius = ring.innerRadius() * (1 + 2 * tolerance);
     for (const Sample &outer : ring.outer) {
         if (squaredDistance(outer.point, ring.centre) < outerRadius * outerRadius)
             return false;
@@ -122,7 +123,7 @@ bool isMinimum(const Ring &ring, double tolerance) {
     return alternate(ring);
 }
 
-/// A strip between parallel lines, n·P from `least` to `greatest`, |n| = 1.
+/// A strip between parallel lines; |normal| = 1.
 struct Strip {
     Point normal;
     double width = infinity;
@@ -154,17 +155,20 @@ Strip thinnestStrip(std::span<const Sample> samples) {
 }
 
 /// The three ways to pair four points.
-constexpr int pairings[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+using Pairing = std::array<std::size_t, 4>;
+constexpr std::array<Pairing, 3> pairings{{{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}}};
+
+std::optional<Ring> intersect(const std::array<Sample, 4> &four, const Pairing &p) {
+    return intersect({four[p[0]], four[p[1]]}, {four[p[2]], four[p[3]]});
+}
 
 /// The O(1) certificate, see the header: proven from the four contacts alone.
 bool certify(const Ring &ring, double tolerance) {
     if (!isMinimum(ring, tolerance))
         return false;
     const std::array<Sample, 4> contacts{ring.outer[0], ring.outer[1], ring.inner[0], ring.inner[1]};
-    for (const auto &p : {pairings[1], pairings[2]}) {
-        const std::optional<Ring> other =
-            intersect({contacts[static_cast<std::size_t>(p[0])], contacts[static_cast<std::size_t>(p[1])]},
-                      {contacts[static_cast<std::size_t>(p[2])], contacts[static_cast<std::size_t>(p[3])]});
+    for (const Pairing &pairing : {pairings[1], pairings[2]}) {
+        const std::optional<Ring> other = intersect(contacts, pairing);
         if (other && other->bound(tolerance) < ring.width())
             return false;
     }
@@ -345,28 +349,38 @@ public:
                 farthest};
     }
 
-    /// The outermost points of all in the two senses of a direction.
-    [[nodiscard]] std::array<Sample, 2> outermost(Point normal) {
+    /// The outermost points of all in the two senses of a direction, their distance in it, and how far the
+    /// points reach from the origin.
+    struct Span {
+        Sample lowest;
+        Sample highest;
+        double width;
+        double extent;
+    };
+    [[nodiscard]] Span span(Point normal) {
         ++m_scans;
-        std::array<Sample, 2> found{sample(0), sample(0)};
+        Span span{sample(0), sample(0), 0, 0};
         double least = infinity;
         double greatest = -infinity;
-        double sum = 0;
+        double reach = 0;
         for (std::size_t i = 0; i < m_points.size(); ++i) {
             const Point p = sample(i).point;
             const double height = normal.x * p.x + normal.y * p.y;
+            const double square = p.x * p.x + p.y * p.y;
+            m_finite = m_finite && std::isfinite(square);
+            reach = std::max(reach, square);
             if (height < least) {
                 least = height;
-                found[0] = sample(i);
+                span.lowest = sample(i);
             }
             if (height > greatest) {
                 greatest = height;
-                found[1] = sample(i);
+                span.highest = sample(i);
             }
-            sum += p.x * p.x + p.y * p.y;
         }
-        m_finite = m_finite && std::isfinite(sum);
-        return found;
+        span.width = greatest - least;
+        span.extent = std::sqrt(reach);
+        return span;
     }
 
 private:
@@ -523,10 +537,10 @@ public:
             const Ring *least = leastRing();
             const Strip strip = thinnestStrip(m_core);
             if (!least || strip.width <= least->bound(tolerance())) {
-                bool grown = false;
-                for (const Sample &s : m_search.outermost(strip.normal))
-                    grown = add(s) || grown;
-                if (!grown)
+                // No ring of the core is thinner than this strip; is there a point outside the strip?
+                const Search::Span all = m_search.span(strip.normal);
+                const bool outside = all.width > strip.width + 2 * tolerance() * all.extent;
+                if (!outside || (int{add(all.lowest)} + int{add(all.highest)}) == 0)
                     return Status::straight;
                 continue;
             }
@@ -581,16 +595,13 @@ private:
         for (std::size_t i = 0; i < m_core.size(); ++i)
             for (std::size_t j = i + 1; j < m_core.size(); ++j)
                 for (std::size_t k = j + 1; k < m_core.size(); ++k)
-                    for (const auto &p : pairings)
-                        pair({s, m_core[i], m_core[j], m_core[k]}, p);
+                    for (const Pairing &pairing : pairings)
+                        offer(intersect({s, m_core[i], m_core[j], m_core[k]}, pairing));
         m_core.push_back(s);
         return true;
     }
 
-    void pair(const std::array<Sample, 4> &four, const int (&p)[4]) {
-        std::optional<Ring> ring =
-            intersect({four[static_cast<std::size_t>(p[0])], four[static_cast<std::size_t>(p[1])]},
-                      {four[static_cast<std::size_t>(p[2])], four[static_cast<std::size_t>(p[3])]});
+    void offer(std::optional<Ring> ring) {
         if (!ring)
             return;
         for (const Sample &s : m_core)
