@@ -2,6 +2,8 @@
 
 #include "kernel/numerics/radiusextremes.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -16,7 +18,10 @@ namespace {
 using Status = LeastSquaresCircle::Status;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Σ w_i·term(x_i, y_i) of K terms, summed in blocks so that rounding does not grow with n.
+/// Two points side by side in a register.
+using Pair = Eigen::Array<double, 2, 1>;
+
+/// Σ w_i·term(x_i, y_i) of K terms, two points at a time, in blocks so that rounding does not grow with n.
 template <std::size_t K, class Term>
 std::array<double, K> weightedMean(PointsView points, std::span<const std::size_t> groups, Term term) {
     constexpr std::size_t block = 512;
@@ -26,14 +31,24 @@ std::array<double, K> weightedMean(PointsView points, std::span<const std::size_
     for (const std::size_t size : groups) {
         std::array<double, K> group{};
         for (const std::size_t end = begin + size; begin < end;) {
-            std::array<double, K> part{};
-            for (const std::size_t stop = std::min(begin + block, end); begin < stop; ++begin) {
-                const std::array<double, K> value = term(points.x[begin], points.y[begin]);
+            std::array<Pair, K> part;
+            part.fill(Pair::Zero());
+            const std::size_t stop = std::min(begin + block, end);
+            for (; begin + 2 <= stop; begin += 2) {
+                const std::array<Pair, K> value = term(Pair(Eigen::Map<const Pair>(&points.x[begin])),
+                                                       Pair(Eigen::Map<const Pair>(&points.y[begin])));
                 for (std::size_t k = 0; k < K; ++k)
                     part[k] += value[k];
             }
+            if (begin < stop) { // an odd one out
+                const std::array<Pair, K> value =
+                    term(Pair::Constant(points.x[begin]).eval(), Pair::Constant(points.y[begin]).eval());
+                for (std::size_t k = 0; k < K; ++k)
+                    part[k][0] += value[k][0];
+                ++begin;
+            }
             for (std::size_t k = 0; k < K; ++k)
-                group[k] += part[k];
+                group[k] += part[k].sum();
         }
         for (std::size_t k = 0; k < K && size > 0; ++k)
             mean[k] += group[k] / (static_cast<double>(size) * static_cast<double>(counting));
@@ -61,9 +76,9 @@ bool collinear(PointsView points, std::span<const std::size_t> groups, Point mea
     const double angle = std::atan2(2 * s.xy, s.xx - s.yy) / 2;
     const Point normal{-std::sin(angle), std::cos(angle)};
     const double length = std::sqrt(s.xx + s.yy);
-    const auto [square] = weightedMean<1>(points, groups, [&](double x, double y) {
-        const double d = normal.x * (x - mean.x) + normal.y * (y - mean.y);
-        return std::array{d * d};
+    const auto [square] = weightedMean<1>(points, groups, [&](const Pair &x, const Pair &y) {
+        const Pair d = normal.x * (x - mean.x) + normal.y * (y - mean.y);
+        return std::array<Pair, 1>{d * d};
     });
     return std::sqrt(square) <= 4 * epsilon * (length + std::abs(mean.x) + std::abs(mean.y));
 }
@@ -77,14 +92,15 @@ struct Linearised {
 };
 
 Linearised linearise(PointsView points, std::span<const std::size_t> groups, Point mean, Point c, double R) {
-    const auto m = weightedMean<9>(points, groups, [&](double x, double y) {
-        const double dx = (x - mean.x) - c.x;
-        const double dy = (y - mean.y) - c.y;
-        const double r = std::sqrt(dx * dx + dy * dy);
-        const double ux = r > 0 ? dx / r : 0;
-        const double uy = r > 0 ? dy / r : 0;
-        const double f = r - R;
-        return std::array{ux, uy, ux * ux, ux * uy, uy * uy, f, f * ux, f * uy, f * f};
+    const auto m = weightedMean<9>(points, groups, [&](const Pair &x, const Pair &y) {
+        const Pair dx = (x - mean.x) - c.x;
+        const Pair dy = (y - mean.y) - c.y;
+        const Pair r = (dx * dx + dy * dy).sqrt();
+        const Pair inverse = 1 / r.max(std::numeric_limits<double>::min()); // a point at c pulls nowhere
+        const Pair ux = dx * inverse;
+        const Pair uy = dy * inverse;
+        const Pair f = r - R;
+        return std::array<Pair, 9>{ux, uy, ux * ux, ux * uy, uy * uy, f, f * ux, f * uy, f * f};
     });
     return {m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]};
 }
@@ -106,15 +122,15 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
     if (points.size() == 0)
         return refused(Status::tooFewPoints);
 
-    const auto [meanX, meanY] = weightedMean<2>(points, groups, [](double x, double y) {
-        return std::array{x, y};
+    const auto [meanX, meanY] = weightedMean<2>(points, groups, [](const Pair &x, const Pair &y) {
+        return std::array<Pair, 2>{x, y};
     });
     const Point mean{meanX, meanY};
-    const auto moments = weightedMean<5>(points, groups, [&](double x, double y) {
-        const double u = x - mean.x;
-        const double v = y - mean.y;
-        const double z = u * u + v * v;
-        return std::array{u * u, u * v, v * v, u * z, v * z};
+    const auto moments = weightedMean<5>(points, groups, [&](const Pair &x, const Pair &y) {
+        const Pair u = x - mean.x;
+        const Pair v = y - mean.y;
+        const Pair z = u * u + v * v;
+        return std::array<Pair, 5>{u * u, u * v, v * v, u * z, v * z};
     });
     const Scatter s{moments[0], moments[1], moments[2], moments[3], moments[4]};
     if (!std::isfinite(s.xx + s.yy + s.xz + s.yz))

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace palmer {
@@ -105,20 +106,24 @@ bool alternate(const Ring &ring) {
            between(a, b, difference(ring.inner[1].point, ring.centre));
 }
 
-/// Whether the four points touch the circles from the inside and are a local minimum.
+/// Whether the ring is a local minimum: four different points that touch the circles, and alternate.
 bool isMinimum(const Ring &ring, double tolerance) {
-    const double outer = ring.outerRadius() * (1 - 4 * tolerance);
-    const double inner = ring.innerRadius() * (1 + 4 * tolerance);
-    return std::all_of(
-               ring.outer.begin(), ring.outer.end(),
-               [&](const Sample &s) { return squaredDistance(s.point, ring.centre) >= outer * outer; }) &&
-           std::all_of(
-               ring.inner.begin(), ring.inner.end(),
-               [&](const Sample &s) { return squaredDistance(s.point, ring.centre) <= inner * inner; }) &&
-           alternate(ring);
+    const double outerRadius = ring.outerRadius() * (1 - 2 * tolerance);
+    const double innerRadius = ring.innerRadius() * (1 + 2 * tolerance);
+    for (const Sample &outer : ring.outer) {
+        if (squaredDistance(outer.point, ring.centre) < outerRadius * outerRadius)
+            return false;
+        for (const Sample &inner : ring.inner)
+            if (outer.point == inner.point)
+                return false;
+    }
+    for (const Sample &inner : ring.inner)
+        if (squaredDistance(inner.point, ring.centre) > innerRadius * innerRadius)
+            return false;
+    return alternate(ring);
 }
 
-/// A strip between parallel lines, n·P from `least` to `greatest`, |n| = 1.
+/// A strip between parallel lines; |normal| = 1.
 struct Strip {
     Point normal;
     double width = infinity;
@@ -150,17 +155,20 @@ Strip thinnestStrip(std::span<const Sample> samples) {
 }
 
 /// The three ways to pair four points.
-constexpr int pairings[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+using Pairing = std::array<std::size_t, 4>;
+constexpr std::array<Pairing, 3> pairings{{{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}}};
+
+std::optional<Ring> intersect(const std::array<Sample, 4> &four, const Pairing &p) {
+    return intersect({four[p[0]], four[p[1]]}, {four[p[2]], four[p[3]]});
+}
 
 /// The O(1) certificate, see the header: proven from the four contacts alone.
 bool certify(const Ring &ring, double tolerance) {
     if (!isMinimum(ring, tolerance))
         return false;
     const std::array<Sample, 4> contacts{ring.outer[0], ring.outer[1], ring.inner[0], ring.inner[1]};
-    for (const auto &p : {pairings[1], pairings[2]}) {
-        const std::optional<Ring> other =
-            intersect({contacts[static_cast<std::size_t>(p[0])], contacts[static_cast<std::size_t>(p[1])]},
-                      {contacts[static_cast<std::size_t>(p[2])], contacts[static_cast<std::size_t>(p[3])]});
+    for (const Pairing &pairing : {pairings[1], pairings[2]}) {
+        const std::optional<Ring> other = intersect(contacts, pairing);
         if (other && other->bound(tolerance) < ring.width())
             return false;
     }
@@ -186,8 +194,9 @@ void keepThinner(std::optional<Ring> &best, const Bisector &a, const Bisector &b
         least = std::min(least, d);
         greatest = std::max(greatest, d);
     }
-    // A NaN, of parallel bisectors, is never less.
-    if (std::sqrt(greatest) - std::sqrt(least) < (best ? best->width() : infinity))
+    // Parallel bisectors have no width, or a negative one: no distance was compared.
+    const double width = std::sqrt(greatest) - std::sqrt(least);
+    if (width >= 0 && width < (best ? best->width() : infinity))
         best = ringOf(a, b, centre, least, greatest);
 }
 
@@ -242,23 +251,20 @@ public:
         : m_points(points)
         , m_tolerance(tolerance) {
         const std::size_t n = points.size();
-        const std::size_t size =
-            n <= smallest
-                ? n
-                : std::max(smallest, 4 * static_cast<std::size_t>(std::sqrt(static_cast<double>(n))));
-        const double step = static_cast<double>(n) / static_cast<double>(size);
-        m_complete = size == n;
+        m_complete = n <= smallest;
+        const std::size_t stride =
+            m_complete ? 1 : static_cast<std::size_t>(std::sqrt(static_cast<double>(n))) / sampleFactor;
+        const std::size_t size = (n + stride - 1) / stride;
         m_index.reserve(size);
-        for (std::size_t k = 0; k < size; ++k)
-            m_index.push_back(m_complete ? k : static_cast<std::size_t>(static_cast<double>(k) * step));
+        m_x.reserve(size);
+        m_y.reserve(size);
         Point sum;
-        for (const std::size_t i : m_index) {
+        for (std::size_t i = 0; i < n; i += stride) {
+            m_index.push_back(i);
             sum.x += points.x[i];
             sum.y += points.y[i];
         }
         m_origin = {sum.x / static_cast<double>(size), sum.y / static_cast<double>(size)};
-        m_x.reserve(size);
-        m_y.reserve(size);
         for (const std::size_t i : m_index) {
             m_x.push_back(points.x[i] - m_origin.x);
             m_y.push_back(points.y[i] - m_origin.y);
@@ -343,33 +349,43 @@ public:
                 farthest};
     }
 
-    /// The outermost points of all in the two senses of a direction.
-    [[nodiscard]] std::array<Sample, 2> outermost(Point normal) {
+    /// The outermost points of all in the two senses of a direction, their distance in it, and how far the
+    /// points reach from the origin.
+    struct Span {
+        Sample lowest;
+        Sample highest;
+        double width;
+        double extent;
+    };
+    [[nodiscard]] Span span(Point normal) {
         ++m_scans;
-        std::array<Sample, 2> found{sample(0), sample(0)};
+        Span span{sample(0), sample(0), 0, 0};
         double least = infinity;
         double greatest = -infinity;
-        double sum = 0;
+        double reach = 0;
         for (std::size_t i = 0; i < m_points.size(); ++i) {
-            const double height =
-                normal.x * (m_points.x[i] - m_origin.x) + normal.y * (m_points.y[i] - m_origin.y);
+            const Point p = sample(i).point;
+            const double height = normal.x * p.x + normal.y * p.y;
+            const double square = p.x * p.x + p.y * p.y;
+            m_finite = m_finite && std::isfinite(square);
+            reach = std::max(reach, square);
             if (height < least) {
                 least = height;
-                found[0] = sample(i);
+                span.lowest = sample(i);
             }
             if (height > greatest) {
                 greatest = height;
-                found[1] = sample(i);
+                span.highest = sample(i);
             }
-            sum += height;
         }
-        m_finite = m_finite && std::isfinite(sum);
-        return found;
+        span.width = greatest - least;
+        span.extent = std::sqrt(reach);
+        return span;
     }
 
 private:
-    static constexpr std::size_t smallest = 256; // fewer points are all looked at
-    static constexpr std::size_t sampleFactor = 4;
+    static constexpr std::size_t smallest = 256;   // up to so many all points are the working set
+    static constexpr std::size_t sampleFactor = 3; // beyond, it begins with about sampleFactor·√n
     static constexpr std::size_t blockSize = 128;
 
     [[nodiscard]] Sample sample(std::size_t i) const {
@@ -521,10 +537,10 @@ public:
             const Ring *least = leastRing();
             const Strip strip = thinnestStrip(m_core);
             if (!least || strip.width <= least->bound(tolerance())) {
-                bool grown = false;
-                for (const Sample &s : m_search.outermost(strip.normal))
-                    grown = add(s) || grown;
-                if (!grown)
+                // No ring of the core is thinner than this strip; is there a point outside the strip?
+                const Search::Span all = m_search.span(strip.normal);
+                const bool outside = all.width > strip.width + 2 * tolerance() * all.extent;
+                if (!outside || (int{add(all.lowest)} + int{add(all.highest)}) == 0)
                     return Status::straight;
                 continue;
             }
@@ -579,16 +595,13 @@ private:
         for (std::size_t i = 0; i < m_core.size(); ++i)
             for (std::size_t j = i + 1; j < m_core.size(); ++j)
                 for (std::size_t k = j + 1; k < m_core.size(); ++k)
-                    for (const auto &p : pairings)
-                        pair({s, m_core[i], m_core[j], m_core[k]}, p);
+                    for (const Pairing &pairing : pairings)
+                        offer(intersect({s, m_core[i], m_core[j], m_core[k]}, pairing));
         m_core.push_back(s);
         return true;
     }
 
-    void pair(const std::array<Sample, 4> &four, const int (&p)[4]) {
-        std::optional<Ring> ring =
-            intersect({four[static_cast<std::size_t>(p[0])], four[static_cast<std::size_t>(p[1])]},
-                      {four[static_cast<std::size_t>(p[2])], four[static_cast<std::size_t>(p[3])]});
+    void offer(std::optional<Ring> ring) {
         if (!ring)
             return;
         for (const Sample &s : m_core)

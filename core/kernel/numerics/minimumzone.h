@@ -36,7 +36,7 @@ struct MinimumZoneOptions {
 /// least ring holds all points.
 ///
 /// Validity: any number and order of points, duplicates and ties included, arcs, coordinates far off the
-/// origin. Time: O(n), two to four looks at the data; memory 1/60 of the data.
+/// origin. Time: O(n), two to four looks at the data; memory: about a hundredth of the data.
 struct MinimumZone {
     enum class Status {
         found,
