@@ -29,7 +29,15 @@ Normal normalEquations(std::span<const CommandedArc> arcs, const std::vector<std
         const std::size_t n = arcs[k].distances.size();
         if (n == 0)
             continue;
-        double rr = 0, rx = 0, ry = 0, r = 0, xx = 0, xy = 0, yy = 0, x = 0, y = 0;
+        double rr = 0;
+        double rx = 0;
+        double ry = 0;
+        double r = 0;
+        double xx = 0;
+        double xy = 0;
+        double yy = 0;
+        double x = 0;
+        double y = 0;
         for (std::size_t i = 0; i < n; ++i) {
             const Point u = directions[k][i];
             const double dx = radii[k] * u.x - e.x;

@@ -200,6 +200,18 @@ void keepThinner(std::optional<Ring> &best, const Bisector &a, const Bisector &b
         best = ringOf(a, b, centre, least, greatest);
 }
 
+/// The least ring about some points, whichever of them are outside.
+std::optional<Ring> leastRingOfAll(std::span<const Sample> all, std::span<const Point> points) {
+    std::optional<Ring> best;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = i + 1; j < all.size(); ++j)
+            for (std::size_t k = i + 1; k < all.size(); ++k)
+                for (std::size_t l = k + 1; l < all.size(); ++l)
+                    if (k != j && l != j)
+                        keepThinner(best, {all[i], all[j]}, {all[k], all[l]}, points);
+    return best;
+}
+
 /// The least ring about outer and inner points: first as they are paired, outer with outer and inner with
 /// inner; if none of these rings is a minimum, some point belongs to the other circle, and all pairings are
 /// tried.
@@ -225,13 +237,7 @@ std::optional<Ring> leastRing(const Contacts &outer, const Contacts &inner, doub
     }
     if (best && isMinimum(*best, tolerance))
         return best;
-    for (std::size_t i = 0; i < size; ++i)
-        for (std::size_t j = i + 1; j < size; ++j)
-            for (std::size_t k = i + 1; k < size; ++k)
-                for (std::size_t l = k + 1; l < size; ++l)
-                    if (k != j && l != j)
-                        keepThinner(best, {all[i], all[j]}, {all[k], all[l]}, points);
-    return best;
+    return leastRingOfAll({all.data(), size}, points);
 }
 
 /// The points outside a ring: the farthest, the nearest.
@@ -334,8 +340,8 @@ public:
 
     /// The extremes of all points about a centre.
     struct Extremes {
-        double least;
-        double greatest;
+        double least = 0;
+        double greatest = 0;
         Sample nearest;
         Sample farthest;
     };

@@ -66,6 +66,8 @@ private slots:
     void exactArcs();
     void movesAndTurnsWithThePoints();
     void millionPointsKeepThePrecision();
+    void slantingLinesAreCollinear();
+    void noisyLinesEndWithAStatus();
     void badInput_data();
     void badInput();
 };
@@ -237,6 +239,52 @@ void LeastSquaresCircleTest::millionPointsKeepThePrecision() {
     QVERIFY(std::abs(circle.centre.x - 1000) <= 2e-13);
     QVERIFY(std::abs(circle.centre.y + 1000) <= 2e-13);
     QVERIFY(std::abs(circle.radius - 150) <= 2e-13);
+}
+
+void LeastSquaresCircleTest::slantingLinesAreCollinear() {
+    // In binary the points of a slanting line are off it by the rounding of their coordinates. They shall
+    // not be taken for points of a circle, however large the coordinates are and however short the line.
+    std::mt19937_64 random(15);
+    std::uniform_real_distribution<double> any(0, 1);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Point start{std::pow(10, 9 * any(random) - 3), std::pow(10, 9 * any(random) - 3)};
+        const Point u = direction(360 * any(random));
+        const double length = std::pow(10, 6 * any(random) - 3);
+        Points points;
+        for (int i = 0; i < 3 + trial % 50; ++i) {
+            const double s = length * any(random);
+            points.x.push_back(start.x + s * u.x);
+            points.y.push_back(start.y + s * u.y);
+        }
+        const LeastSquaresCircle circle = leastSquaresCircle(points.view());
+        QCOMPARE(circle.status, Status::collinear);
+    }
+}
+
+void LeastSquaresCircleTest::noisyLinesEndWithAStatus() {
+    // Noise about a straight line: some circle of a large radius fits, or the radius grows without end.
+    std::mt19937_64 random(16);
+    std::normal_distribution<double> noise(0, 0.01);
+    int collinear = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const int n = 5 + trial % 40;
+        Points points;
+        for (int i = 0; i < n; ++i) {
+            points.x.push_back(i);
+            points.y.push_back(n * noise(random));
+        }
+        const LeastSquaresCircle circle = leastSquaresCircle(points.view());
+        QVERIFY(circle.valid() || circle.status == Status::collinear);
+        if (circle.valid()) {
+            QVERIFY(circle.radius > 0 && circle.radius < 1e8 * n);
+            QVERIFY(std::isfinite(circle.centre.x) && std::isfinite(circle.centre.y));
+            QVERIFY(circle.innerRadius <= circle.radius && circle.radius <= circle.outerRadius);
+        } else {
+            ++collinear;
+            QCOMPARE(circle.radius, 0.0);
+        }
+    }
+    QVERIFY(collinear > 0 && collinear < 200);
 }
 
 void LeastSquaresCircleTest::badInput_data() {
