@@ -1,0 +1,351 @@
+#include "figures/deviationfigure.h"
+
+#include "figures/ticks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace palmer {
+
+namespace {
+
+/// Space left of the first and right of the last target, above and below the values, as parts of the range.
+constexpr double positionMargin = 0.03;
+constexpr double valueMargin = 0.07;
+constexpr double mostPositionTicks = 6.5;
+constexpr double mostValueTicks = 12;
+
+constexpr double longLinearAxis = 2000; ///< mm
+constexpr double longRotaryAxis = 360;  ///< degrees
+
+struct Source {
+    const PositioningMeasurement &measurement;
+    const PositioningResults &results;
+    const TestEvaluation &evaluation;
+    bool rotary;
+    double scale; ///< mm → µm, degrees → arc seconds
+    double c;
+    bool limits; ///< ± c·s is drawn
+
+    [[nodiscard]] std::size_t targets() const {
+        return std::min(measurement.targets.size(), results.targets.size());
+    }
+    [[nodiscard]] double position(std::size_t i) const { return measurement.targets[i]; }
+    [[nodiscard]] double position(const Ruling &ruling) const { return position(index(ruling)); }
+    [[nodiscard]] static std::size_t index(const Ruling &ruling) {
+        return static_cast<std::size_t>(ruling.target - 1);
+    }
+    [[nodiscard]] bool bothWays() const { return results.upward && results.downward; }
+
+    [[nodiscard]] const DirectionStatistics &statistics(std::size_t i, Direction direction) const {
+        return direction == Direction::positive ? results.targets[i].positive : results.targets[i].negative;
+    }
+    [[nodiscard]] double mean(std::size_t i, Direction direction) const {
+        return statistics(i, direction).mean * scale;
+    }
+    [[nodiscard]] double upper(std::size_t i, Direction direction) const {
+        return mean(i, direction) + c * statistics(i, direction).s * scale;
+    }
+    [[nodiscard]] double lower(std::size_t i, Direction direction) const {
+        return mean(i, direction) - c * statistics(i, direction).s * scale;
+    }
+    [[nodiscard]] std::vector<Direction> directions() const {
+        std::vector<Direction> directions;
+        if (results.upward)
+            directions.push_back(Direction::positive);
+        if (results.downward)
+            directions.push_back(Direction::negative);
+        return directions;
+    }
+};
+
+CurveRole roleOf(Direction direction) {
+    return direction == Direction::positive ? CurveRole::up : CurveRole::down;
+}
+
+bool wholeTravelOfLongAxis(const PositioningMeasurement &measurement, const PositioningResults &results) {
+    if (results.judgedAsZone)
+        return false;
+    const double travel = measurement.axis.travel.value_or(measurementTravel(measurement));
+    return travel > (measurement.axis.motion == Motion::rotary ? longRotaryAxis : longLinearAxis);
+}
+
+void addCurves(CurveFigure &figure, const Source &source, CurveRole role, auto &&mean) {
+    bool open = false;
+    for (std::size_t i = 0; i < source.targets(); ++i) {
+        const double y = mean(i);
+        if (!std::isfinite(y)) {
+            open = false;
+            continue;
+        }
+        if (!open)
+            figure.curves.push_back({role, {}});
+        open = true;
+        figure.curves.back().points.push_back({source.position(i), y, static_cast<int>(i) + 1});
+    }
+}
+
+void addBands(CurveFigure &figure, const Source &source, Direction direction) {
+    bool open = false;
+    for (std::size_t i = 0; i < source.targets(); ++i) {
+        const BandPoint point{source.position(i), source.lower(i, direction), source.upper(i, direction)};
+        if (!std::isfinite(point.lower) || !std::isfinite(point.upper)) {
+            open = false;
+            continue;
+        }
+        if (!open)
+            figure.bands.push_back({roleOf(direction), {}});
+        open = true;
+        figure.bands.back().points.push_back(point);
+    }
+}
+
+void addReadings(CurveFigure &figure, const Source &source) {
+    int ups = 0;
+    int downs = 0;
+    for (const Run &run : source.measurement.runs) {
+        const int number = run.approach == Direction::positive ? ++ups : ++downs;
+        for (std::size_t i = 0; i < std::min(source.targets(), run.deviations.size()); ++i) {
+            if (!run.deviations[i])
+                continue;
+            const double correction =
+                i < source.results.corrections.size() ? source.results.corrections[i] : 0.0;
+            figure.readings.push_back({roleOf(run.approach), source.position(i),
+                                       (*run.deviations[i] + correction) * source.scale,
+                                       static_cast<int>(i) + 1, number});
+        }
+    }
+}
+
+/// The parameter, if the edition has it and it has a value.
+const Parameter *parameter(const Source &source, std::string_view id) {
+    for (const Parameter &candidate : source.evaluation.parameters) {
+        if (candidate.term.id == id && candidate.value && candidate.ruling[0])
+            return &candidate;
+    }
+    return nullptr;
+}
+
+/// A value of zero has no length to show.
+void addDimension(CurveFigure &figure, const Parameter &shown, Dimension dimension) {
+    if (!(dimension.upper > dimension.lower))
+        return;
+    dimension.label = QString::fromUtf8(shown.term.symbol.base);
+    dimension.id = QString::fromUtf8(shown.term.id);
+    figure.dimensions.push_back(std::move(dimension));
+}
+
+/// From the ruling place of the largest value to that of the smallest: A, E, M.
+void addSpan(CurveFigure &figure, const Source &source, std::string_view id, auto &&largest,
+             auto &&smallest) {
+    const Parameter *shown = parameter(source, id);
+    if (!shown || !shown->ruling[1])
+        return;
+    addDimension(figure, *shown,
+                 {{},
+                  {},
+                  smallest(*shown->ruling[1]),
+                  largest(*shown->ruling[0]),
+                  source.position(*shown->ruling[1]),
+                  source.position(*shown->ruling[0]),
+                  DimensionPlace::gutter});
+}
+
+/// R_i is the height of the limits of both directions taken together.
+void addRepeatability(CurveFigure &figure, const Source &source, std::string_view id) {
+    const Parameter *shown = parameter(source, id);
+    if (!shown)
+        return;
+    const std::size_t i = Source::index(*shown->ruling[0]);
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = -lower;
+    for (const Direction direction : source.directions()) {
+        lower = std::min(lower, source.lower(i, direction));
+        upper = std::max(upper, source.upper(i, direction));
+    }
+    // Left of the first target stands the axis.
+    const DimensionPlace place = i + 1 == source.targets() ? DimensionPlace::gutter
+                                 : i == 0                  ? DimensionPlace::rightOfTarget
+                                                           : DimensionPlace::leftOfTarget;
+    addDimension(figure, *shown, {{}, {}, lower, upper, source.position(i), source.position(i), place});
+}
+
+void addReversal(CurveFigure &figure, const Source &source) {
+    const Parameter *shown = parameter(source, "B");
+    if (!shown)
+        return;
+    const std::size_t i = Source::index(*shown->ruling[0]);
+    const auto [lower, upper] =
+        std::minmax(source.mean(i, Direction::positive), source.mean(i, Direction::negative));
+    addDimension(
+        figure, *shown,
+        {{}, {}, lower, upper, source.position(i), source.position(i), DimensionPlace::rightOfTarget});
+}
+
+/// R, M, E, A from the plot outwards, and B.
+void addDimensions(CurveFigure &figure, const Source &source) {
+    if (source.targets() == 0 || (!source.results.upward && !source.results.downward))
+        return;
+    const Direction only = source.results.upward ? Direction::positive : Direction::negative;
+    const bool both = source.bothWays();
+    const auto id = [&](const char *bidirectional, const char *up, const char *down) {
+        return both ? bidirectional : only == Direction::positive ? up : down;
+    };
+    const auto mean = [&](const Ruling &ruling) {
+        return source.mean(Source::index(ruling), ruling.approach.value_or(only));
+    };
+    if (source.limits)
+        addRepeatability(figure, source, id("R", "R+", "R-"));
+    if (both) {
+        const auto meanOfBoth = [&](const Ruling &ruling) {
+            return source.results.targets[Source::index(ruling)].mean() * source.scale;
+        };
+        addSpan(figure, source, "M", meanOfBoth, meanOfBoth);
+    }
+    addSpan(figure, source, id("E", "E+", "E-"), mean, mean);
+    if (source.limits) {
+        addSpan(
+            figure, source, id("A", "A+", "A-"),
+            [&](const Ruling &ruling) {
+                return source.upper(Source::index(ruling), ruling.approach.value_or(only));
+            },
+            [&](const Ruling &ruling) {
+                return source.lower(Source::index(ruling), ruling.approach.value_or(only));
+            });
+    }
+    if (both)
+        addReversal(figure, source);
+}
+
+void addLegend(CurveFigure &figure, const Source &source, const Language &language) {
+    const auto shown = [&](CurveRole role) {
+        return std::any_of(figure.bands.begin(), figure.bands.end(),
+                           [role](const Band &band) { return band.role == role; });
+    };
+    for (const Direction direction : source.directions()) {
+        const bool up = direction == Direction::positive;
+        const QString arrow = up ? QStringLiteral("↑") : QStringLiteral("↓");
+        QString text = QStringLiteral("x̄") + arrow;
+        const bool band = shown(roleOf(direction));
+        if (band) {
+            text += QStringLiteral(" ±\u202f") + language.number(source.c, Quantity::number, -1) +
+                    QStringLiteral("s") + arrow;
+        }
+        figure.legend.push_back({up ? LegendSample::up : LegendSample::down, text, band});
+    }
+    if (source.bothWays()) {
+        figure.legend.push_back({LegendSample::mean,
+                                 QStringLiteral("x̄ ") + language.text(REPORT_TEXT("report", "bidirectional")),
+                                 false});
+    }
+    if (!figure.readings.empty()) {
+        figure.legend.push_back(
+            {LegendSample::readings, language.text(REPORT_TEXT("report", "readings")), false});
+    }
+}
+
+Interval rangeOfPositions(const CurveFigure &figure, bool rotary) {
+    const double alone = rotary ? 5 : 10; // a single target stands in the middle of this much
+    const double first = figure.positions.empty() ? 0 : figure.positions.front();
+    const double last = figure.positions.empty() ? 0 : figure.positions.back();
+    const double length = last - first;
+    const double margin = length > 0 ? length * positionMargin / (1 - 2 * positionMargin) : alone;
+    return {first - margin, last + margin};
+}
+
+Interval rangeOfValues(const CurveFigure &figure) {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    const auto include = [&](double value) {
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+    };
+    for (const Band &band : figure.bands) {
+        for (const BandPoint &point : band.points) {
+            include(point.lower);
+            include(point.upper);
+        }
+    }
+    for (const Curve &curve : figure.curves) {
+        for (const FigurePoint &point : curve.points)
+            include(point.y);
+    }
+    for (const ReadingMark &reading : figure.readings)
+        include(reading.y);
+    if (!(lowest <= highest))
+        return {-1, 1}; // nothing measured yet
+    const double span = highest - lowest;
+    if (span <= 1e-9 * std::max({1.0, std::abs(lowest), std::abs(highest)}))
+        return {lowest - 1, highest + 1}; // all equal: no scale but a unit
+    const double margin = span * valueMargin / (1 - 2 * valueMargin);
+    return {lowest - margin, highest + margin};
+}
+
+Text deviationTerm(const Edition *edition) {
+    if (edition && std::string_view(edition->family) == "ISO 230-2:2014")
+        return REPORT_TEXT("report", "Positioning deviation");
+    return REPORT_TEXT("report", "Positional deviation");
+}
+
+} // namespace
+
+CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, const Language &language,
+                            const DeviationFigureOptions &options) {
+    const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+    const auto &results = std::get<PositioningResults>(evaluation.results);
+    const bool rotary = measurement.axis.motion == Motion::rotary;
+    const double c = evaluation.edition ? evaluation.edition->c : 0;
+    const Source source{measurement,
+                        results,
+                        evaluation,
+                        rotary,
+                        rotary ? 3600.0 : 1000.0,
+                        c,
+                        c > 0 && !wholeTravelOfLongAxis(measurement, results)};
+
+    CurveFigure figure;
+    figure.title = language.sentence({REPORT_TEXT("report", "Positional deviations of the %1 axis"),
+                                      {measurement.axis.name},
+                                      std::nullopt});
+    figure.positions.assign(measurement.targets.begin(),
+                            measurement.targets.begin() + static_cast<std::ptrdiff_t>(source.targets()));
+    for (const Direction direction : source.directions()) {
+        if (source.limits)
+            addBands(figure, source, direction);
+        addCurves(figure, source, roleOf(direction),
+                  [&](std::size_t i) { return source.mean(i, direction); });
+    }
+    if (source.bothWays()) {
+        addCurves(figure, source, CurveRole::mean,
+                  [&](std::size_t i) { return results.targets[i].mean() * source.scale; });
+    }
+    if (options.readingMarks && std::max(results.positiveRuns, results.negativeRuns) > 1)
+        addReadings(figure, source);
+    if (options.dimensions)
+        addDimensions(figure, source);
+    addLegend(figure, source, language);
+
+    figure.x.quantity = language.text(REPORT_TEXT("report", "Target position"));
+    figure.x.symbol = QStringLiteral("P");
+    figure.x.subscript = QStringLiteral("i");
+    figure.x.unit = language.unit(rotary ? Quantity::angle : Quantity::position);
+    figure.x.angle = rotary;
+    figure.y.quantity = language.text(deviationTerm(evaluation.edition));
+    figure.y.symbol = QStringLiteral("x");
+    figure.y.subscript = QStringLiteral("ij");
+    figure.y.unit = language.unit(rotary ? Quantity::angularDeviation : Quantity::deviation);
+    const Interval positions = rangeOfPositions(figure, rotary);
+    const Interval values = rangeOfValues(figure);
+    return withRanges(std::move(figure), positions, values, language);
+}
+
+CurveFigure withRanges(CurveFigure figure, const Interval &x, const Interval &y, const Language &language) {
+    setRange(figure.x, x.from, x.to, mostPositionTicks,
+             figure.x.angle ? TickSteps::angles : TickSteps::lengths, language);
+    setRange(figure.y, y.from, y.to, mostValueTicks, TickSteps::values, language);
+    return figure;
+}
+
+} // namespace palmer

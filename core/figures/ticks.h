@@ -1,0 +1,20 @@
+#pragma once
+
+#include "figures/figure.h"
+#include "language/language.h"
+
+namespace palmer {
+
+/// Which steps are round: 1-2-5 for values, 1-2-2.5-5 for lengths along an axis, for angles in degrees
+/// 1-2-5-10-15-30-45-60-90-180 and 360 · 1-2-5.
+enum class TickSteps { values, lengths, angles };
+
+/// The smallest round step that divides `span` into no more than `most` parts. span > 0, most ≥ 1.
+[[nodiscard]] double roundStep(double span, double most, TickSteps steps);
+
+/// Sets range, step and ticks of an axis; from < to. Labels have the decimals the step needs; −0 never
+/// appears.
+void setRange(FigureAxis &axis, double from, double to, double mostParts, TickSteps steps,
+              const Language &language);
+
+} // namespace palmer

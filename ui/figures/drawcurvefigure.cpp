@@ -1,0 +1,513 @@
+#include "ui/figures/drawcurvefigure.h"
+
+#include "ui/figures/bandoverlap.h"
+#include "ui/figures/curvechart.h"
+#include "ui/figures/drawtext.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double mm = pointsPerMillimetre;
+
+// Measures of the printed page (report), in points.
+constexpr double tickLength = 1.2 * mm;
+constexpr double tickGap = 1.0 * mm;
+constexpr double gutterWidth = 26 * mm;
+constexpr double gutterStart = 2.4 * mm;
+constexpr double gutterStep = 6.1 * mm;
+constexpr double besideTarget = 3.3 * mm;
+constexpr double besideStep = 3.6 * mm;
+constexpr double leaderGap = 1.3 * mm;       ///< from the ruling place
+constexpr double leaderOvershoot = 0.9 * mm; ///< past the dimension
+constexpr double arrowLength = 0.95 * mm;
+constexpr double arrowWidth = 0.76 * mm;
+constexpr double triangleWidth = 1.9 * mm;
+constexpr double diamondWidth = 2.0 * mm;
+constexpr double dotRadius = 0.36 * mm;
+constexpr double squareWidth = 0.56 * mm;
+constexpr double readingShift = 1.15 * mm;
+constexpr double whiskerCap = 0.8 * mm; ///< half
+constexpr double markerGap = 0.7 * mm;  ///< between markers of one curve
+constexpr double labelGap = 1.6 * mm;   ///< between numbers of an axis
+constexpr double sampleHeight = 3 * mm;
+constexpr double readingsSampleWidth = 2.8 * mm;
+constexpr double titleCentre = 2.3 * mm; ///< of the rotated title, from the left edge
+
+/// What differs between page and screen, in points.
+struct Margins {
+    double left;
+    double right;
+    double top;
+    double bottom;
+    double tickLabels; ///< centres below the plot
+    double title;      ///< 0: beside the numbers of the axis
+    double legend;
+    double sampleWidth;
+    double sampleGap;
+    double legendGap; ///< largest
+};
+
+constexpr Margins paperMargins{13.5 * mm, gutterWidth, 1.2 * mm, 16.5 * mm, 3.5 * mm,
+                               8.1 * mm,  13.4 * mm,   10 * mm,  2 * mm,    14 * mm};
+constexpr Margins screenMargins{35, 9, 6, 31, 9.75, 0, 23, 22, 4.5, 18};
+/// Narrower than this (points) a screen shows no dimensions beside the plot.
+constexpr double widthForDimensions = 480;
+
+double centreOf(double from, double to) {
+    return (from + to) / 2;
+}
+
+class CurveFigurePainter {
+public:
+    CurveFigurePainter(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium)
+        : p(painter)
+        , m_figure(figure)
+        , m_medium(medium)
+        , m_area(area)
+        , m_margins(medium == Medium::paper ? paperMargins : screenMargins) {
+        const bool dimensions =
+            medium == Medium::paper || (area.width() >= widthForDimensions && !figure.dimensions.empty());
+        m_dimensions = dimensions;
+        double widest = 0;
+        for (const Tick &tick : figure.y.ticks)
+            widest = std::max(widest, textWidth(tick.label));
+        const double titleEdge = titleCentre + figureTextSize;
+        const double left = std::max(m_margins.left, titleEdge + widest + tickGap + tickLength);
+        const double right = dimensions ? gutterWidth : m_margins.right;
+        m_plot = QRectF(area.left() + left, area.top() + m_margins.top, area.width() - left - right,
+                        area.height() - m_margins.top - m_margins.bottom);
+    }
+
+    FigureTransform draw() {
+        p.setRenderHint(QPainter::Antialiasing);
+        p.setRenderHint(QPainter::TextAntialiasing);
+        if (m_plot.width() <= 0 || m_plot.height() <= 0)
+            return {};
+        const std::vector<const Tick *> xTicks = thinned(m_figure.x, m_plot.width(), true);
+        const std::vector<const Tick *> yTicks = thinned(m_figure.y, m_plot.height(), false);
+        drawBands();
+        drawGrid(xTicks, yTicks);
+        drawReadings();
+        p.save();
+        paintCurves(p, m_area, m_plot, m_figure, m_medium);
+        p.restore();
+        drawWhiskers();
+        drawMarkers();
+        if (m_dimensions)
+            drawDimensions();
+        drawAxes(xTicks, yTicks);
+        drawLegend();
+        return transform();
+    }
+
+private:
+    [[nodiscard]] double x(double value) const {
+        return m_plot.left() + (value - m_figure.x.from) / (m_figure.x.to - m_figure.x.from) * m_plot.width();
+    }
+    [[nodiscard]] double y(double value) const {
+        return m_plot.bottom() -
+               (value - m_figure.y.from) / (m_figure.y.to - m_figure.y.from) * m_plot.height();
+    }
+    [[nodiscard]] bool shows(double valueX, double valueY) const {
+        return valueX >= m_figure.x.from && valueX <= m_figure.x.to && valueY >= m_figure.y.from &&
+               valueY <= m_figure.y.to;
+    }
+    [[nodiscard]] QPen pen(FigureRole role) const { return figurePen(role, m_medium); }
+    [[nodiscard]] QColor colour(FigureRole role) const { return figureColor(role, m_medium); }
+
+    /// Smallest distance between neighbouring targets.
+    [[nodiscard]] double pitch() const {
+        double least = m_plot.width();
+        for (std::size_t i = 1; i < m_figure.positions.size(); ++i)
+            least = std::min(least, x(m_figure.positions[i]) - x(m_figure.positions[i - 1]));
+        return least;
+    }
+    /// Between dense targets the marks move together.
+    [[nodiscard]] double shiftOfReadings() const { return std::min(readingShift, 0.3 * pitch()); }
+
+    [[nodiscard]] FigureTransform transform() const {
+        const double sx = m_plot.width() / (m_figure.x.to - m_figure.x.from);
+        const double sy = -m_plot.height() / (m_figure.y.to - m_figure.y.from);
+        return {m_plot,
+                QTransform(sx, 0, 0, sy, m_plot.left() - m_figure.x.from * sx,
+                           m_plot.bottom() - m_figure.y.from * sy),
+                shiftOfReadings()};
+    }
+
+    /// The ticks whose labels have room beside each other: all, or every second, fifth, tenth … counted from
+    /// zero.
+    [[nodiscard]] std::vector<const Tick *> thinned(const FigureAxis &axis, double length,
+                                                    bool horizontal) const {
+        double need = 1.5 * figureTextSize;
+        if (horizontal) {
+            need = 0;
+            for (const Tick &tick : axis.ticks)
+                need = std::max(need, textWidth(tick.label));
+            need += labelGap;
+        }
+        const double distance = length * axis.step / (axis.to - axis.from);
+        long long stride = 1;
+        for (int k = 0; static_cast<double>(stride) * distance < need && k < 12; ++k)
+            stride = k % 3 == 0 ? stride * 2 : k % 3 == 1 ? stride / 2 * 5 : stride * 2;
+        std::vector<const Tick *> kept;
+        for (const Tick &tick : axis.ticks) {
+            if (std::llround(tick.value / axis.step) % stride == 0)
+                kept.push_back(&tick);
+        }
+        return kept;
+    }
+
+    void drawBand(const std::vector<BandPoint> &band, const QColor &fill) {
+        QPolygonF outline;
+        outline.reserve(static_cast<qsizetype>(2 * band.size()));
+        for (const BandPoint &point : band)
+            outline.append({x(point.x), y(point.upper)});
+        for (auto point = band.rbegin(); point != band.rend(); ++point)
+            outline.append({x(point->x), y(point->lower)});
+        p.setBrush(fill);
+        p.drawPolygon(outline);
+    }
+
+    void drawBands() {
+        p.save();
+        p.setClipRect(m_plot, Qt::IntersectClip);
+        p.setPen(Qt::NoPen);
+        for (const Band &band : m_figure.bands)
+            drawBand(band.points,
+                     bandColor(band.role == CurveRole::up, band.role == CurveRole::down, m_medium));
+        for (const Band &up : m_figure.bands) {
+            for (const Band &down : m_figure.bands) {
+                if (up.role != CurveRole::up || down.role != CurveRole::down)
+                    continue;
+                for (const auto &overlap : bandOverlap(up.points, down.points))
+                    drawBand(overlap, bandColor(true, true, m_medium));
+            }
+        }
+        p.restore();
+    }
+
+    /// Lines along the axes fill whole pixels of a screen.
+    void sharpenLines(bool sharp) {
+        p.setRenderHint(QPainter::Antialiasing, !sharp || m_medium == Medium::paper);
+    }
+
+    void drawGrid(const std::vector<const Tick *> &xTicks, const std::vector<const Tick *> &yTicks) {
+        sharpenLines(true);
+        if (m_medium != Medium::paper) {
+            p.setPen(pen(FigureRole::grid));
+            for (const Tick *tick : xTicks)
+                p.drawLine(QPointF(x(tick->value), m_plot.top()), QPointF(x(tick->value), m_plot.bottom()));
+        }
+        for (const Tick *tick : yTicks) {
+            p.setPen(pen(tick->value == 0 ? FigureRole::zeroLine : FigureRole::grid));
+            p.drawLine(QPointF(m_plot.left(), y(tick->value)), QPointF(m_plot.right(), y(tick->value)));
+        }
+        sharpenLines(false);
+    }
+
+    void drawAxes(const std::vector<const Tick *> &xTicks, const std::vector<const Tick *> &yTicks) {
+        const QColor text = colour(FigureRole::text);
+        sharpenLines(true);
+        QPen axis = pen(FigureRole::axis);
+        axis.setCapStyle(Qt::SquareCap);
+        p.setPen(axis);
+        p.drawLine(m_plot.topLeft(), m_plot.bottomLeft());
+        p.drawLine(m_plot.bottomLeft(), m_plot.bottomRight());
+        axis.setCapStyle(Qt::FlatCap);
+        p.setPen(axis);
+        for (const Tick *tick : xTicks) {
+            const double at = x(tick->value);
+            p.drawLine(QPointF(at, m_plot.bottom()), QPointF(at, m_plot.bottom() + tickLength));
+        }
+        for (const Tick *tick : yTicks) {
+            const double at = y(tick->value);
+            p.drawLine(QPointF(m_plot.left(), at), QPointF(m_plot.left() - tickLength, at));
+        }
+        sharpenLines(false);
+        const double row = m_plot.bottom() + m_margins.tickLabels;
+        for (const Tick *tick : xTicks) {
+            const double width = textWidth(tick->label);
+            drawText(p, {x(tick->value) - width / 2, row}, tick->label, text);
+        }
+        for (const Tick *tick : yTicks) {
+            const double right = m_plot.left() - tickLength - tickGap;
+            drawText(p, {right - textWidth(tick->label), y(tick->value)}, tick->label, text);
+        }
+        drawAxisTitles(row);
+    }
+
+    void drawAxisTitles(double row) {
+        const QColor text = colour(FigureRole::text);
+        const auto symbol = [](const FigureAxis &axis, const QString &before) {
+            return TextLine{{before + axis.symbol}, {axis.subscript, true}};
+        };
+        const auto named = [&](const FigureAxis &axis, const QString &before) {
+            TextLine line = symbol(axis, before);
+            line.push_back({QStringLiteral(" (") + axis.unit + QStringLiteral(")")});
+            return line;
+        };
+        if (m_margins.title > 0) {
+            const TextLine line = named(m_figure.x, m_figure.x.quantity + QLatin1Char(' '));
+            drawText(p, {m_plot.center().x() - textWidth(line) / 2, m_plot.bottom() + m_margins.title}, line,
+                     text);
+        } else {
+            TextLine line = symbol(m_figure.x, {});
+            line.push_back({QLatin1Char(' ') + m_figure.x.unit});
+            drawText(p, {m_area.left() + titleCentre - figureTextSize / 2.0, row}, line, text);
+        }
+        TextLine line = named(m_figure.y, m_figure.y.quantity + QLatin1Char(' '));
+        if (textWidth(line) > m_plot.height())
+            line = named(m_figure.y, {});
+        p.save();
+        p.translate(m_area.left() + titleCentre, m_plot.center().y());
+        p.rotate(-90);
+        drawText(p, {-textWidth(line) / 2, 0}, line, text);
+        p.restore();
+    }
+
+    void drawWhiskers() {
+        for (const Band &band : m_figure.bands) {
+            if (band.points.size() != 1 || band.points[0].x < m_figure.x.from ||
+                band.points[0].x > m_figure.x.to)
+                continue;
+            const BandPoint &point = band.points[0];
+            // Side by side: the whiskers of both directions of a target would hide each other.
+            const double at = x(point.x) + (band.role == CurveRole::up ? -0.5 : 0.5) * mm;
+            p.save();
+            p.setClipRect(m_plot, Qt::IntersectClip);
+            p.setPen(pen(band.role == CurveRole::up ? FigureRole::upEdge : FigureRole::downEdge));
+            p.drawLine(QPointF(at, y(point.lower)), QPointF(at, y(point.upper)));
+            for (const double limit : {point.lower, point.upper})
+                p.drawLine(QPointF(at - whiskerCap, y(limit)), QPointF(at + whiskerCap, y(limit)));
+            p.restore();
+        }
+    }
+
+    void drawReadings() {
+        const double shift = shiftOfReadings();
+        const double size =
+            std::clamp(pitch() / (6 * dotRadius), 0.5, 1.0); // smaller where targets are dense
+        for (const ReadingMark &reading : m_figure.readings) {
+            if (!shows(reading.x, reading.y))
+                continue;
+            drawReading({x(reading.x) + (reading.role == CurveRole::up ? -shift : shift), y(reading.y)},
+                        reading.role, size);
+        }
+    }
+
+    void drawReading(QPointF at, CurveRole role, double size) {
+        const double strength = 0.4 + 1.2 * (size - 0.5); // of the colour: 1 at full size
+        if (role == CurveRole::up) {
+            p.setPen(Qt::NoPen);
+            p.setBrush(paler(colour(FigureRole::up), strength));
+            p.drawEllipse(at, dotRadius * size, dotRadius * size);
+        } else {
+            QPen outline = pen(FigureRole::reading);
+            outline.setColor(paler(outline.color(), strength));
+            p.setPen(outline);
+            p.setBrush(colour(FigureRole::background));
+            const double half = squareWidth * size / 2;
+            p.drawRect(QRectF(at - QPointF(half, half), at + QPointF(half, half)));
+        }
+    }
+
+    [[nodiscard]] QColor paler(const QColor &strong, double strength) const {
+        return blend(strong, colour(FigureRole::background), strength);
+    }
+
+    /// Markers as far apart as they can be told apart: of every target, every second, third …
+    void drawMarkers() {
+        const double distance = pitch();
+        const int stride = std::max(1, static_cast<int>(std::ceil((diamondWidth + markerGap) / distance)));
+        // ▲ last: where both lie on one place, the corners of ◇ look out.
+        for (const CurveRole role : {CurveRole::down, CurveRole::up}) {
+            const int phase = role == CurveRole::up ? 0 : stride / 2; // dense curves take turns
+            for (const Curve &curve : m_figure.curves) {
+                if (curve.role != role)
+                    continue;
+                for (const FigurePoint &point : curve.points) {
+                    const bool lonely = curve.points.size() == 1;
+                    if ((lonely || (point.target - 1) % stride == phase) && shows(point.x, point.y))
+                        drawMarker({x(point.x), y(point.y)}, role);
+                }
+            }
+        }
+        for (const Curve &curve : m_figure.curves) {
+            if (curve.role == CurveRole::mean && curve.points.size() == 1 &&
+                shows(curve.points[0].x, curve.points[0].y)) {
+                const QPointF at(x(curve.points[0].x), y(curve.points[0].y));
+                p.setPen(QPen(colour(FigureRole::mean), pen(FigureRole::mean).widthF()));
+                p.drawLine(at - QPointF(diamondWidth, 0), at + QPointF(diamondWidth, 0));
+            }
+        }
+    }
+
+    void drawMarker(QPointF at, CurveRole role) {
+        if (role == CurveRole::up) {
+            const double height = triangleWidth * std::sqrt(3.0) / 2;
+            const QPolygonF triangle{at + QPointF(-triangleWidth / 2, height / 3),
+                                     at + QPointF(triangleWidth / 2, height / 3),
+                                     at + QPointF(0, -2 * height / 3)};
+            p.setPen(pen(FigureRole::upMarker));
+            p.setBrush(colour(FigureRole::up));
+            p.drawPolygon(triangle);
+        } else {
+            const double half = diamondWidth / 2;
+            const QPolygonF diamond{at + QPointF(-half, 0), at + QPointF(0, -half), at + QPointF(half, 0),
+                                    at + QPointF(0, half)};
+            p.setPen(pen(FigureRole::downMarker));
+            p.setBrush(colour(FigureRole::background));
+            p.drawPolygon(diamond);
+        }
+    }
+
+    void drawDimensions() {
+        int slot = 0;
+        for (const Dimension &dimension : m_figure.dimensions) {
+            if (!shows(dimension.lowerPosition, dimension.lower) ||
+                !shows(dimension.upperPosition, dimension.upper)) {
+                continue; // zoomed away
+            }
+            double at = m_plot.right() + gutterStart + slot * gutterStep;
+            double towards = 1;
+            if (dimension.place == DimensionPlace::gutter) {
+                ++slot;
+            } else {
+                towards = dimension.place == DimensionPlace::rightOfTarget ? 1 : -1;
+                at = x(dimension.upperPosition) + towards * (besideTarget + placed(dimension) * besideStep);
+            }
+            p.setPen(pen(FigureRole::leader));
+            const double end = at + towards * leaderOvershoot;
+            p.drawLine(QPointF(x(dimension.upperPosition) + towards * leaderGap, y(dimension.upper)),
+                       QPointF(end, y(dimension.upper)));
+            p.drawLine(QPointF(x(dimension.lowerPosition) + towards * leaderGap, y(dimension.lower)),
+                       QPointF(end, y(dimension.lower)));
+            drawDimension(at, y(dimension.upper), y(dimension.lower), dimension.label);
+        }
+    }
+
+    /// How many dimensions stand already on the same side of the same target.
+    [[nodiscard]] double placed(const Dimension &dimension) const {
+        return static_cast<double>(
+            std::count_if(m_figure.dimensions.data(), &dimension, [&](const Dimension &earlier) {
+                return earlier.place == dimension.place && earlier.upperPosition == dimension.upperPosition;
+            }));
+    }
+
+    void drawArrow(QPointF tip, double down) {
+        const QPolygonF head{tip, tip + QPointF(-arrowWidth / 2, down * arrowLength),
+                             tip + QPointF(arrowWidth / 2, down * arrowLength)};
+        p.setPen(Qt::NoPen);
+        p.setBrush(colour(FigureRole::dimension));
+        p.drawPolygon(head);
+    }
+
+    /// Arrows inside with the letter in a gap of the line; where that is too tight, the letter stands above,
+    /// and where the arrows would meet, they point from outside.
+    void drawDimension(double at, double top, double bottom, const QString &label) {
+        constexpr double letterHeight = figureTextSize + 2;
+        const bool arrowsInside = bottom - top >= 2.4 * arrowLength;
+        const bool letterInside = bottom - top >= letterHeight + 3 * arrowLength;
+        QPen line = pen(FigureRole::dimension);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
+        const double outside = arrowsInside ? 0 : 2.5 * arrowLength;
+        if (arrowsInside) {
+            p.drawLine(QPointF(at, top + arrowLength / 2), QPointF(at, bottom - arrowLength / 2));
+        } else {
+            p.drawLine(QPointF(at, top - outside), QPointF(at, top - arrowLength / 2));
+            p.drawLine(QPointF(at, bottom + arrowLength / 2), QPointF(at, bottom + outside));
+        }
+        drawArrow({at, top}, arrowsInside ? 1 : -1);
+        drawArrow({at, bottom}, arrowsInside ? -1 : 1);
+        const double width = textWidth(label, true);
+        double middle = centreOf(top, bottom);
+        if (!letterInside) {
+            middle = top - outside - letterHeight / 2;
+            if (middle - letterHeight / 2 < m_area.top())
+                middle = bottom + outside + letterHeight / 2;
+        }
+        p.fillRect(QRectF(at - width / 2 - 0.7, middle - letterHeight / 2, width + 1.4, letterHeight),
+                   colour(FigureRole::background));
+        drawText(p, {at - width / 2, middle}, label, colour(FigureRole::text), true);
+    }
+
+    [[nodiscard]] double sampleWidth(const LegendEntry &entry) const {
+        return entry.sample == LegendSample::readings ? readingsSampleWidth : m_margins.sampleWidth;
+    }
+
+    void drawLegend() {
+        double width = 0;
+        for (const LegendEntry &entry : m_figure.legend)
+            width += sampleWidth(entry) + m_margins.sampleGap + textWidth(entry.text);
+        const auto gaps = static_cast<double>(std::max<std::size_t>(m_figure.legend.size(), 2) - 1);
+        const double start =
+            m_medium == Medium::paper ? m_plot.left() + 0.03 * m_plot.width() : m_plot.left();
+        const double room = m_area.right() - start;
+        const double gap = std::clamp((room - width) / gaps, 0.25 * m_margins.legendGap, m_margins.legendGap);
+        double left = start;
+        if (m_medium != Medium::paper)
+            left = std::max(m_area.left(), m_plot.center().x() - (width + gap * gaps) / 2);
+        const double row = m_plot.bottom() + m_margins.legend;
+        for (const LegendEntry &entry : m_figure.legend) {
+            drawSample(QRectF(left, row - sampleHeight / 2, sampleWidth(entry), sampleHeight), entry);
+            left += sampleWidth(entry) + m_margins.sampleGap;
+            drawText(p, {left, row}, entry.text, colour(FigureRole::text));
+            left += textWidth(entry.text) + gap;
+        }
+    }
+
+    void drawSample(const QRectF &box, const LegendEntry &entry) {
+        const QPointF middle = box.center();
+        const QPointF half(box.width() / 2, 0);
+        switch (entry.sample) {
+        case LegendSample::readings:
+            for (const CurveRole role : {CurveRole::up, CurveRole::down}) {
+                const bool shown = std::any_of(m_figure.curves.begin(), m_figure.curves.end(),
+                                               [role](const Curve &curve) { return curve.role == role; });
+                if (shown)
+                    drawReading(middle + (role == CurveRole::up ? -1 : 1) * QPointF(readingShift, 0), role,
+                                1);
+            }
+            return;
+        case LegendSample::mean:
+            p.setPen(pen(FigureRole::mean));
+            p.drawLine(middle - half, middle + half);
+            return;
+        case LegendSample::up:
+        case LegendSample::down:
+            break;
+        }
+        const bool up = entry.sample == LegendSample::up;
+        if (entry.band) {
+            p.fillRect(box, bandColor(up, !up, m_medium));
+            p.setPen(pen(up ? FigureRole::upEdge : FigureRole::downEdge));
+            p.drawLine(box.topLeft(), box.topRight());
+            p.drawLine(box.bottomLeft(), box.bottomRight());
+        }
+        p.setPen(pen(up ? FigureRole::up : FigureRole::down));
+        p.drawLine(middle - half, middle + half);
+        drawMarker(middle, up ? CurveRole::up : CurveRole::down);
+    }
+
+    QPainter &p;
+    const CurveFigure &m_figure;
+    Medium m_medium;
+    QRectF m_area;
+    const Margins &m_margins;
+    QRectF m_plot;
+    bool m_dimensions = true;
+};
+
+} // namespace
+
+FigureTransform drawCurveFigure(QPainter &painter, const QRectF &area, const CurveFigure &figure,
+                                Medium medium) {
+    return CurveFigurePainter(painter, area, figure, medium).draw();
+}
+
+} // namespace palmer::ui

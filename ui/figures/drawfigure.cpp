@@ -1,0 +1,48 @@
+#include "ui/figures/drawfigure.h"
+
+#include "ui/figures/drawcurvefigure.h"
+#include "ui/fonts.h"
+
+#include <QPainter>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double pointsPerPixel = 72.0 / 96.0;
+
+QSizeF sizeOf(const CurveFigure &) {
+    return {175, 86};
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium) {
+    return drawCurveFigure(painter, area, figure, medium);
+}
+
+} // namespace
+
+QSizeF paperSize(const Figure &figure) {
+    return std::visit([](const auto &kind) { return sizeOf(kind); }, figure);
+}
+
+FigureTransform drawFigure(QPainter &painter, const QRectF &rect, const Figure &figure, Medium medium) {
+    loadFonts();
+    const double unit = medium == Medium::paper ? 1 : 1 / pointsPerPixel; // of the painter a point
+    painter.save();
+    if (medium != Medium::paper)
+        painter.fillRect(rect, figureColor(FigureRole::background, medium));
+    painter.translate(rect.topLeft());
+    painter.scale(unit, unit);
+    const QRectF area(QPointF(0, 0), rect.size() / unit);
+    FigureTransform drawn =
+        std::visit([&](const auto &kind) { return drawKind(painter, area, kind, medium); }, figure);
+    painter.restore();
+
+    const QTransform back = QTransform::fromTranslate(rect.left(), rect.top()).scale(unit, unit);
+    drawn.plotArea = back.mapRect(drawn.plotArea);
+    drawn.toPainter = drawn.toPainter * back;
+    drawn.readingShift *= unit;
+    return drawn;
+}
+
+} // namespace palmer::ui

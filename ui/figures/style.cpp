@@ -1,0 +1,117 @@
+#include "ui/figures/style.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace palmer::ui {
+
+namespace {
+
+struct Dashes {
+    std::array<double, 4> lengths{}; ///< dash, gap, dash, gap in mm; unused ones 0
+};
+
+struct Row {
+    FigureRole role;
+    double width; ///< mm; 0: not a line
+    Dashes dashes;
+    QRgb paper;
+    QRgb light;
+    QRgb dark;
+};
+
+constexpr Dashes solid{};
+
+// clang-format off
+constexpr std::array table{
+    //                                width  dashes, mm               paper       light       dark
+    Row{FigureRole::background,       0,     solid,                   0xffffffff, 0xffffffff, 0xff181a1d},
+    Row{FigureRole::text,             0,     solid,                   0xff000000, 0xff3a4148, 0xffc9ced3},
+    Row{FigureRole::grid,             0.13,  solid,                   0xffdcdcdc, 0xffdcdfe2, 0xff34393e},
+    Row{FigureRole::zeroLine,         0.2,   solid,                   0xff9a9a9a, 0xff8b939a, 0xff7c848b},
+    Row{FigureRole::axis,             0.28,  solid,                   0xff000000, 0xff59626b, 0xffa4acb3},
+    Row{FigureRole::up,               0.45,  solid,                   0xff004488, 0xff004488, 0xff78aef0},
+    Row{FigureRole::down,             0.45,  {{2, 1}},                0xffd97700, 0xffe07b00, 0xfff0a040},
+    Row{FigureRole::mean,             0.28,  {{2, 0.6, 0.3, 0.6}},    0xff000000, 0xff202428, 0xffe6e8ea},
+    Row{FigureRole::upEdge,           0.17,  solid,                   0xff004488, 0xff004488, 0xff78aef0},
+    Row{FigureRole::downEdge,         0.17,  {{1.1, 0.7}},            0xffd97700, 0xffe07b00, 0xfff0a040},
+    Row{FigureRole::upMarker,         0.12,  solid,                   0xffffffff, 0xffffffff, 0xff181a1d},
+    Row{FigureRole::downMarker,       0.32,  solid,                   0xffd97700, 0xffe07b00, 0xfff0a040},
+    Row{FigureRole::reading,          0.15,  solid,                   0xffd97700, 0xffe07b00, 0xfff0a040},
+    Row{FigureRole::dimension,        0.17,  solid,                   0xff000000, 0xff202428, 0xffe6e8ea},
+    Row{FigureRole::leader,           0.11,  {{0.5, 0.4}},            0xff777777, 0xff777777, 0xff8b939a},
+};
+// clang-format on
+
+constexpr double bandOpacity = 0.12;
+
+/// A line thinner than this fades on a screen, mm (0.75 pixels of 96 to the inch).
+constexpr double thinnestOnScreen = 0.2;
+
+const Row &row(FigureRole role) {
+    return table[static_cast<std::size_t>(role)];
+}
+
+static_assert([] {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (static_cast<std::size_t>(table[i].role) != i)
+            return false;
+    }
+    return true;
+}());
+
+} // namespace
+
+QColor figureColor(FigureRole role, Medium medium) {
+    const Row &found = row(role);
+    switch (medium) {
+    case Medium::screenLight:
+        return found.light;
+    case Medium::screenDark:
+        return found.dark;
+    case Medium::paper:
+        break;
+    }
+    return found.paper;
+}
+
+QPen figurePen(FigureRole role, Medium medium) {
+    const Row &found = row(role);
+    const double width = medium == Medium::paper ? found.width : std::max(found.width, thinnestOnScreen);
+    QPen pen(figureColor(role, medium));
+    pen.setWidthF(width * pointsPerMillimetre);
+    pen.setJoinStyle(role == FigureRole::reading || role == FigureRole::downMarker ? Qt::MiterJoin
+                                                                                   : Qt::RoundJoin);
+    // Qt Charts draws a solid curve piece by piece: round ends close its corners.
+    pen.setCapStyle(Qt::RoundCap);
+    QList<double> pattern; // in widths of the pen, as Qt wants it
+    for (const double length : found.dashes.lengths) {
+        if (length > 0)
+            pattern.append(length / width);
+    }
+    if (!pattern.isEmpty()) {
+        pen.setCapStyle(Qt::FlatCap);
+        pen.setDashPattern(pattern);
+    }
+    return pen;
+}
+
+QColor blend(const QColor &colour, const QColor &ground, double strength) {
+    const auto mix = [strength](int above, int below) {
+        return qRound(strength * above + (1 - strength) * below);
+    };
+    return QColor(mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
+                  mix(colour.blue(), ground.blue()));
+}
+
+QColor bandColor(bool up, bool down, Medium medium) {
+    QColor colour = figureColor(FigureRole::background, medium);
+    if (up)
+        colour = blend(figureColor(FigureRole::up, medium), colour, bandOpacity);
+    if (down)
+        colour = blend(figureColor(FigureRole::down, medium), colour, bandOpacity);
+    return colour;
+}
+
+} // namespace palmer::ui

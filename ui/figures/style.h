@@ -1,0 +1,47 @@
+#pragma once
+
+#include "figures/figure.h"
+
+#include <QBrush>
+#include <QColor>
+#include <QPen>
+
+namespace palmer::ui {
+
+/// What a figure is drawn on. Paper stays readable in black and white: dashes and markers tell what colours
+/// tell.
+enum class Medium { screenLight, screenDark, paper };
+
+/// The parts of a figure that have a look of their own.
+enum class FigureRole {
+    background,
+    text,
+    grid,
+    zeroLine,
+    axis,
+    up,   ///< x̄↑; counterclockwise
+    down, ///< x̄↓; clockwise
+    mean,
+    upEdge, ///< edges of the limits x̄ ± c·s
+    downEdge,
+    upMarker, ///< outline
+    downMarker,
+    reading, ///< outline of the open marks
+    dimension,
+    leader,
+};
+
+constexpr double pointsPerMillimetre = 72 / 25.4;
+
+/// Colour, width and dashes of a role; widths in points.
+[[nodiscard]] QPen figurePen(FigureRole role, Medium medium);
+[[nodiscard]] QColor figureColor(FigureRole role, Medium medium);
+
+/// `colour` laid over `ground` with an opacity of `strength`, 0 … 1; opaque.
+[[nodiscard]] QColor blend(const QColor &colour, const QColor &ground, double strength);
+
+/// Fill between the limits of one direction, or where those of both lie over each other. Opaque: archival PDF
+/// and some printers do not know transparency.
+[[nodiscard]] QColor bandColor(bool up, bool down, Medium medium);
+
+} // namespace palmer::ui

@@ -1,0 +1,54 @@
+#include "ui/fonts.h"
+
+#include <QFile>
+#include <QFontDatabase>
+#include <QRawFont>
+#include <stdexcept>
+
+namespace palmer::ui {
+
+namespace {
+
+bool load() {
+    // What the texts of both languages and the symbols of the standards are made of, beside ASCII.
+    const QString signs = QStringLiteral("µ±↑↓\u0304°″′éèàùâêîôûçœÉÀ«»’−–—·×²³√α"
+                                         "θ\u00a0\u202f");
+    for (const char *face : {"Regular", "Bold", "Italic", "BoldItalic"}) {
+        QFile file(QStringLiteral(":/fonts/LiberationSans-%1.ttf").arg(QLatin1String(face)));
+        if (!file.open(QIODevice::ReadOnly))
+            throw std::runtime_error("the font of the reports is missing");
+        const QByteArray data = file.readAll();
+        const int id = QFontDatabase::addApplicationFontFromData(data);
+        if (id < 0 || QFontDatabase::applicationFontFamilies(id).value(0) != paperFamily())
+            throw std::runtime_error("the font of the reports is damaged");
+        const QRawFont raw(data, 10);
+        for (const QChar sign : signs) {
+            if (!raw.supportsCharacter(sign)) {
+                throw std::runtime_error("the font of the reports lacks U+" +
+                                         QString::number(sign.unicode(), 16).toStdString());
+            }
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+void loadFonts() {
+    [[maybe_unused]] static const bool loaded = load();
+}
+
+QString paperFamily() {
+    return QStringLiteral("Liberation Sans");
+}
+
+QFont paperFont(int pixelSize, bool bold, bool italic) {
+    QFont font(paperFamily());
+    font.setPixelSize(pixelSize);
+    font.setBold(bold);
+    font.setItalic(italic);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    return font;
+}
+
+} // namespace palmer::ui
