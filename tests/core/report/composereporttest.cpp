@@ -479,4 +479,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(ComposeReportTest)
-#include "composereport.moc"
+#include "composereporttest.moc"
