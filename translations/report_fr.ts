@@ -1505,10 +1505,6 @@
         <translation>non</translation>
     </message>
     <message>
-        <source>agreed or maker&apos;s procedure</source>
-        <translation>procédure convenue ou du constructeur</translation>
-    </message>
-    <message>
         <source>dry run</source>
         <translation>essai à blanc préalable</translation>
     </message>
@@ -1632,10 +1628,6 @@
     <message>
         <source>Thermal shielding</source>
         <translation>Protection thermique</translation>
-    </message>
-    <message>
-        <source>Maker&apos;s thermal guidelines</source>
-        <translation>Recommandations thermiques du constructeur</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1838,10 +1830,6 @@
     <message>
         <source>File</source>
         <translation>Fichier</translation>
-    </message>
-    <message>
-        <source>Result stated by the instrument&apos;s program</source>
-        <translation>Résultat donné par le programme de l’instrument</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -2161,6 +2149,18 @@
     <message>
         <source>Drift test of the %1 axis</source>
         <translation>Essai de dérive de l’axe %1</translation>
+    </message>
+    <message>
+        <source>agreed or maker’s procedure</source>
+        <translation>procédure convenue ou du constructeur</translation>
+    </message>
+    <message>
+        <source>Maker’s thermal guidelines</source>
+        <translation>Recommandations thermiques du constructeur</translation>
+    </message>
+    <message>
+        <source>Result stated by the instrument’s program</source>
+        <translation>Résultat donné par le programme de l’instrument</translation>
     </message>
 </context>
 </TS>

@@ -482,6 +482,52 @@ private slots:
         QVERIFY(text.contains("Drift test of the "));
     }
 
+    void extremeTestsAreComposed_data() {
+        QTest::addColumn<int>("targets");
+        QTest::addColumn<int>("runs");
+        QTest::newRow("no target") << 0 << 0;
+        QTest::newRow("targets without runs") << 5 << 0;
+        QTest::newRow("one target, one run each way") << 1 << 1;
+        QTest::newRow("three targets, thirty runs each way") << 3 << 30;
+        QTest::newRow("four hundred targets, ten runs each way") << 400 << 10;
+    }
+    void extremeTestsAreComposed() {
+        QFETCH(int, targets);
+        QFETCH(int, runs);
+        Document extreme;
+        extreme.machine.name = std::string(200, 'M');
+        Test test;
+        test.edition = "ISO 230-2:2006";
+        PositioningMeasurement m; // no conditions at all
+        for (int i = 0; i < targets; ++i)
+            m.targets.push_back(12.5 * i);
+        for (int run = 0; run < 2 * runs; ++run) {
+            m.runs.push_back({run % 2 == 0 ? Direction::positive : Direction::negative, {}});
+            for (int i = 0; i < targets; ++i)
+                m.runs.back().deviations.emplace_back(1e-4 * ((7 * i + 3 * run) % 101 - 50));
+        }
+        test.measurement = m;
+        extreme.tests.push_back(std::make_shared<const Test>(test));
+        const auto shared = std::make_shared<const Document>(extreme);
+        for (const Language::Id id : both) {
+            const Report composed = report(shared, Language(id));
+            QVERIFY(pageText(composed).contains(QString(200, 'M')));
+            std::size_t readings = 0;
+            for (const Table &table : tablesOf(composed)) {
+                double width = 0;
+                for (const Column &column : table.columns)
+                    width += column.width + column.gapBefore;
+                QVERIFY(width <= 175 + 1e-9);
+                for (const Spanner &spanner : table.spanners) {
+                    readings += spanner.count * table.rows.size();
+                    // Enough room for "−10.25" in each column.
+                    QVERIFY((175 - width) / static_cast<double>(table.columns.size() - 2) > 9);
+                }
+            }
+            QCOMPARE(readings, static_cast<std::size_t>(2 * targets * runs));
+        }
+    }
+
     void anEmptyDocumentHasAReport() {
         const Report composed = report(std::make_shared<const Document>(), Language(Language::Id::french));
         QVERIFY(pageText(composed).contains("Fin du rapport"));
