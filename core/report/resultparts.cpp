@@ -239,6 +239,7 @@ std::vector<const PrintedResult *> resultsWith(const std::vector<PrintedResult> 
 
 std::vector<const Parameter *> parametersOf(const std::vector<const PrintedResult *> &results) {
     std::vector<const Parameter *> parameters;
+    parameters.reserve(results.size());
     for (const PrintedResult *result : results)
         parameters.push_back(result->parameter);
     return parameters;
