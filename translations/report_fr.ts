@@ -1997,10 +1997,6 @@
         <translation>limite</translation>
     </message>
     <message>
-        <source>limit ± %1. Value left of the band: conforms; in the band: non-conformity not proven; right of the band: does not conform.</source>
-        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: conforme&#x202f;; dans la bande&#xa0;: non-conformité non démontrée&#x202f;; à droite&#xa0;: non conforme.</translation>
-    </message>
-    <message>
         <source>limit ± %1. Value left of the band: conforms; in the band: not proven; right of the band: does not conform.</source>
         <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: conforme&#x202f;; dans la bande&#xa0;: non prouvé&#x202f;; à droite&#xa0;: non conforme.</translation>
     </message>
@@ -2161,6 +2157,10 @@
     <message>
         <source>Result stated by the instrument’s program</source>
         <translation>Résultat donné par le programme de l’instrument</translation>
+    </message>
+    <message>
+        <source>limit ± %1. Value left of the band: conforms; within: non-conformity not proven; right: does not conform.</source>
+        <translation>limite ± %1. À gauche de la bande&#xa0;: conforme&#x202f;; dedans&#xa0;: non-conformité non démontrée&#x202f;; à droite&#xa0;: non conforme.</translation>
     </message>
 </context>
 </TS>
