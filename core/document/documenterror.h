@@ -15,10 +15,10 @@ class Error : public std::exception {
 public:
     enum class Kind { unreadable, syntax, format, newerVersion, content, tooLarge, unwritable };
 
-    Error(Kind kind, Message message, std::string place = {})
-        : kind(kind)
-        , message(std::move(message))
-        , place(std::move(place)) {}
+    Error(Kind errorKind, Message sentence, std::string where = {})
+        : kind(errorKind)
+        , message(std::move(sentence))
+        , place(std::move(where)) {}
 
     [[nodiscard]] const char *what() const noexcept override { return message.text.source; }
 

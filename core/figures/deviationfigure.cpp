@@ -283,10 +283,19 @@ Interval rangeOfValues(const CurveFigure &figure) {
     return {lowest - margin, highest + margin};
 }
 
+/// 2014 renamed the positional deviation.
+bool renamed(const Edition *edition) {
+    return edition && std::string_view(edition->family) == "ISO 230-2:2014";
+}
+
+Text title(const Edition *edition) {
+    return renamed(edition) ? REPORT_TEXT("report", "Positioning deviations of the %1 axis")
+                            : REPORT_TEXT("report", "Positional deviations of the %1 axis");
+}
+
 Text deviationTerm(const Edition *edition) {
-    if (edition && std::string_view(edition->family) == "ISO 230-2:2014")
-        return REPORT_TEXT("report", "Positioning deviation");
-    return REPORT_TEXT("report", "Positional deviation");
+    return renamed(edition) ? REPORT_TEXT("report", "Positioning deviation")
+                            : REPORT_TEXT("report", "Positional deviation");
 }
 
 } // namespace
@@ -306,9 +315,7 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
                         c > 0 && !wholeTravelOfLongAxis(measurement, results)};
 
     CurveFigure figure;
-    figure.title = language.sentence({REPORT_TEXT("report", "Positional deviations of the %1 axis"),
-                                      {measurement.axis.name},
-                                      std::nullopt});
+    figure.title = language.sentence({title(evaluation.edition), {measurement.axis.name}, std::nullopt});
     figure.positions.assign(measurement.targets.begin(),
                             measurement.targets.begin() + static_cast<std::ptrdiff_t>(source.targets()));
     for (const Direction direction : source.directions()) {

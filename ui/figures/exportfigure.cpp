@@ -7,7 +7,9 @@
 #include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QSvgGenerator>
+#include <algorithm>
 #include <stdexcept>
 
 namespace palmer::ui {
@@ -45,6 +47,27 @@ QByteArray withoutDate(const QByteArray &pdf) {
            moved(pdf.mid(start + 10, pdf.indexOf('\n', start + 10) - start - 10).trimmed()) + "\n%%EOF\n";
 }
 
+/// QSvgGenerator writes dashes as multiples of the width in whole units: brings them back to the true width.
+QByteArray withTrueDashes(const QByteArray &svg) {
+    static const QRegularExpression dashed(QStringLiteral(
+        R"re(stroke-dasharray="([^"]*)" stroke-dashoffset="([^"]*)" stroke-width="([^"]*)")re"));
+    const QString text = QString::fromUtf8(svg);
+    QString result;
+    qsizetype end = 0;
+    for (auto matches = dashed.globalMatch(text); matches.hasNext();) {
+        const QRegularExpressionMatch match = matches.next();
+        const double width = match.captured(3).toDouble();
+        QStringList lengths;
+        for (const QString &length : match.captured(1).split(QLatin1Char(',')))
+            lengths += QString::number(length.toDouble() * width / std::max(1, qRound(width)));
+        result += text.mid(end, match.capturedStart() - end);
+        result += QStringLiteral(R"(stroke-dasharray="%1" stroke-dashoffset="%2" stroke-width="%3")")
+                      .arg(lengths.join(QLatin1Char(',')), match.captured(2), match.captured(3));
+        end = match.capturedEnd();
+    }
+    return (result + text.mid(end)).toUtf8();
+}
+
 void begin(QPainter &painter, QPaintDevice *device) {
     if (!painter.begin(device))
         throw std::runtime_error("the figure cannot be drawn");
@@ -67,7 +90,7 @@ QByteArray figureAsSvg(const Figure &figure, const QString &title) {
     begin(painter, &generator);
     drawFigure(painter, page, figure, Medium::paper);
     painter.end();
-    return buffer.data();
+    return withTrueDashes(buffer.data());
 }
 
 QByteArray figureAsPdf(const Figure &figure, const QString &title) {

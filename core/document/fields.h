@@ -1,0 +1,394 @@
+#pragma once
+
+#include "document/document.h"
+
+#include <concepts>
+#include <type_traits>
+
+namespace palmer {
+
+/// What the file format demands of a value beyond its type; bits, joined with |.
+enum Demand : unsigned {
+    nothing = 0,
+    obligatory = 1U << 0U,  ///< the key may not be missing
+    positive = 1U << 1U,    ///< > 0
+    notNegative = 1U << 2U, ///< ≥ 0
+    date = 1U << 3U,        ///< YYYY-MM-DD, a day that exists
+    timeOfDay = 1U << 4U,   ///< HH:MM
+    base64 = 1U << 5U,
+};
+
+// The fields of the test file: one function for each struct, used by reader and writer alike, so a key exists
+// once. `visit(key, member, demands)` takes a member, `visit.object(key, function)` an object that is no
+// struct, `visit.extensions(key, member)` what is kept as it is.
+
+template <class T, class Struct>
+concept Like = std::same_as<std::remove_const_t<T>, Struct>;
+
+template <class Visit, Like<Laboratory> T>
+void fields(Visit &visit, T &laboratory) {
+    visit("name", laboratory.name);
+    visit("address", laboratory.address);
+    visit("accreditation", laboratory.accreditation);
+    visit("logo", laboratory.logo, base64);
+    visit("mark", laboratory.mark, base64);
+}
+
+template <class Visit, Like<Party> T>
+void fields(Visit &visit, T &party) {
+    visit("name", party.name);
+    visit("address", party.address);
+}
+
+template <class Visit, Like<Authorisation> T>
+void fields(Visit &visit, T &authorisation) {
+    visit("name", authorisation.name);
+    visit("function", authorisation.function);
+}
+
+template <class Visit, Like<ReportHead> T>
+void fields(Visit &visit, T &report) {
+    visit("title", report.title);
+    visit("number", report.number);
+    visit("revision", report.revision);
+    visit("replaces", report.replaces);
+    visit("date", report.date, date);
+    visit("performedFrom", report.performedFrom, date);
+    visit("performedTo", report.performedTo, date);
+    visit("place", report.place);
+    visit("laboratory", report.laboratory);
+    visit("customer", report.customer);
+    visit("supplier", report.supplier);
+    visit("order", report.order);
+    visit("procedure", report.procedure);
+    visit("operator", report.operatorName);
+    visit("authorisedBy", report.authorisedBy);
+    visit("signatures", report.signatures);
+    visit("languages", report.languages);
+    visit("paper", report.paper);
+    visit("leaveOut", report.leaveOut);
+    visit("include", report.include);
+    visit("editions", report.editions);
+    visit("figures", report.figures);
+    visit("adjustments", report.adjustments);
+    visit("remarks", report.remarks);
+}
+
+template <class Visit, Like<Machine> T>
+void fields(Visit &visit, T &machine) {
+    visit("name", machine.name);
+    visit("manufacturer", machine.manufacturer);
+    visit("model", machine.model);
+    visit("serialNumber", machine.serialNumber);
+    visit("controller", machine.controller);
+    visit("year", machine.year);
+    visit("location", machine.location);
+    visit("condition", machine.condition);
+}
+
+template <class Visit, Like<Instrument> T>
+void fields(Visit &visit, T &instrument) {
+    visit("id", instrument.id);
+    visit("description", instrument.description);
+    visit("manufacturer", instrument.manufacturer);
+    visit("model", instrument.model);
+    visit("serialNumber", instrument.serialNumber);
+    visit("certificate", instrument.certificate);
+    visit("calibratedBy", instrument.calibratedBy);
+    visit("calibrationDate", instrument.calibrationDate, date);
+    visit("calibrationDue", instrument.calibrationDue, date);
+    visit("resolution", instrument.resolution, notNegative);
+}
+
+template <class Visit, Like<Interval> T>
+void fields(Visit &visit, T &interval) {
+    visit("from", interval.from, obligatory);
+    visit("to", interval.to, obligatory);
+}
+
+template <class Visit, Like<Axis> T>
+void fields(Visit &visit, T &axis) {
+    visit("name", axis.name);
+    visit("motion", axis.motion);
+    visit("travel", axis.travel, positive);
+    visit("range", axis.range);
+    visit("positionFeedback", axis.positionFeedback);
+}
+
+template <class Visit, Like<TargetChoice> T>
+void fields(Visit &visit, T &choice) {
+    visit("kind", choice.kind);
+    visit("interval", choice.interval);
+    visit("period", choice.period);
+    visit("seed", choice.seed);
+}
+
+template <class Visit, Like<Run> T>
+void fields(Visit &visit, T &run) {
+    visit("approach", run.approach);
+    visit("deviations", run.deviations, obligatory);
+}
+
+template <class Visit, Like<ExcludedReading> T>
+void fields(Visit &visit, T &excluded) {
+    visit("run", excluded.run, obligatory | positive);
+    visit("target", excluded.target, obligatory | positive);
+    visit("value", excluded.value, obligatory);
+    visit("reason", excluded.reason);
+}
+
+template <class Visit, Like<WarmUp> T>
+void fields(Visit &visit, T &warmUp) {
+    visit("kind", warmUp.kind);
+    visit("text", warmUp.text);
+}
+
+template <class Visit, Like<TemperatureSeries> T>
+void fields(Visit &visit, T &series) {
+    visit("times", series.times, obligatory);
+    visit("temperatures", series.temperatures, obligatory);
+}
+
+template <class Visit, Like<Sensor> T>
+void fields(Visit &visit, T &sensor) {
+    visit("measures", sensor.measures);
+    visit("position", sensor.position);
+    visit("start", sensor.start);
+    visit("end", sensor.end);
+    visit("series", sensor.series);
+}
+
+template <class Visit, Like<Expansion> T>
+void fields(Visit &visit, T &expansion) {
+    visit("machine", expansion.machine);
+    visit("instrument", expansion.instrument);
+}
+
+template <class Visit, Like<Conditions> T>
+void fields(Visit &visit, T &conditions) {
+    visit("warmUp", conditions.warmUp);
+    visit("compensation", conditions.compensation);
+    visit("otherAxes", conditions.otherAxes);
+    visit("load", conditions.load);
+    visit("levelled", conditions.levelled);
+    visit("complete", conditions.complete);
+    visit("unloaded", conditions.unloaded);
+    visit("soak", conditions.soak);
+    visit("shielded", conditions.shielded);
+    visit("thermalGuidelines", conditions.thermalGuidelines);
+    visit("toolOffset", conditions.toolOffset);
+    visit("workpieceOffset", conditions.workpieceOffset);
+    visit("instrumentPosition", conditions.instrumentPosition);
+    visit("sensors", conditions.sensors);
+    visit("expansion", conditions.expansion);
+    visit("correctionTo20", conditions.correctionTo20);
+}
+
+template <class Visit, Like<PositioningConditions> T>
+void fields(Visit &visit, T &conditions) {
+    fields(visit, conditions.common);
+    visit("feed", conditions.feed);
+    visit("feedMode", conditions.feedMode);
+    visit("dwell", conditions.dwell);
+    visit("approachDistance", conditions.approachDistance);
+    visit("airPressure", conditions.airPressure);
+    visit("airHumidity", conditions.airHumidity);
+    visit("gradientPerHour", conditions.gradientPerHour);
+    visit("referencePosition", conditions.referencePosition);
+}
+
+template <class Visit, Like<CircularConditions> T>
+void fields(Visit &visit, T &conditions) {
+    fields(visit, conditions.common);
+    visit("centre", conditions.centre);
+    visit("startPoint", conditions.startPoint);
+    visit("stopPoint", conditions.stopPoint);
+    visit("smoothing", conditions.smoothing);
+    visit("recentredBetweenRuns", conditions.recentredBetweenRuns);
+}
+
+template <class Visit, Like<DeviceUncertainty> T>
+void fields(Visit &visit, T &device) {
+    visit("kind", device.kind);
+    visit("fixed", device.fixed, notNegative);
+    visit("perMetre", device.perMetre, notNegative);
+    visit("coverageFactor", device.coverageFactor, positive);
+}
+
+template <class Visit, Like<MachineAndInstrument> T>
+void fields(Visit &visit, T &pair) {
+    visit("machine", pair.machine, notNegative);
+    visit("instrument", pair.instrument, notNegative);
+}
+
+template <class Visit, Like<PositioningUncertaintyInputs> T>
+void fields(Visit &visit, T &uncertainty) {
+    visit("method", uncertainty.method);
+    visit("device", uncertainty.device);
+    visit("misalignmentRange", uncertainty.misalignmentRange, notNegative);
+    visit("temperatureRange", uncertainty.temperatureRange);
+    visit("expansionRange", uncertainty.expansionRange);
+    visit("environmentalVariation", uncertainty.environmentalVariation, notNegative);
+    visit("driftTest", uncertainty.driftTest);
+    visit("driftModel", uncertainty.driftModel);
+    visit("length", uncertainty.length, positive);
+    visit("trials", uncertainty.trials, positive);
+    visit("seed", uncertainty.seed);
+    visit("expanded", uncertainty.expanded, notNegative);
+}
+
+template <class Visit, Like<ExpandedValue> T>
+void fields(Visit &visit, T &value) {
+    visit("expanded", value.expanded, notNegative);
+    visit("coverageFactor", value.coverageFactor, positive);
+}
+
+template <class Visit, Like<CircularUncertaintyInputs> T>
+void fields(Visit &visit, T &uncertainty) {
+    visit("method", uncertainty.method);
+    visit("displacement", uncertainty.displacement);
+    visit("resolution", uncertainty.resolution, notNegative);
+    visit("pointNoise", uncertainty.pointNoise, notNegative);
+    visit("repeatability", uncertainty.repeatability, notNegative);
+    visit("environmentalVariation", uncertainty.environmentalVariation, notNegative);
+    visit("driftTest", uncertainty.driftTest);
+    visit("centring", uncertainty.centring, notNegative);
+    visit("sameSensor", uncertainty.sameSensor);
+    visit("temperatureStandardUncertainty", uncertainty.temperatureStandardUncertainty);
+    visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty);
+    visit("trials", uncertainty.trials, positive);
+    visit("seed", uncertainty.seed);
+    visit("expanded", uncertainty.expanded, notNegative);
+}
+
+template <class Visit, Like<AgreedPoint> T>
+void fields(Visit &visit, T &agreed) {
+    visit("point", agreed.point, obligatory);
+    visit("state", agreed.state);
+    visit("text", agreed.text);
+}
+
+template <class Visit, Like<Limit> T>
+void fields(Visit &visit, T &limit) {
+    visit("value", limit.value);
+    visit("edition", limit.edition);
+    visit("source", limit.source);
+}
+
+template <class Visit, Like<DecisionRule> T>
+void fields(Visit &visit, T &decision) {
+    visit("rule", decision.rule);
+    visit("guardFactor", decision.guardFactor, notNegative);
+}
+
+template <class Visit, Like<ImportedResult> T>
+void fields(Visit &visit, T &result) {
+    visit("name", result.name);
+    visit("value", result.value, obligatory);
+    visit("unit", result.unit);
+}
+
+template <class Visit, Like<ImportedFile> T>
+void fields(Visit &visit, T &file) {
+    visit("fileName", file.fileName);
+    visit("sha256", file.sha256);
+    visit("data", file.data, base64);
+    visit("results", file.results);
+}
+
+template <class Visit, Like<Plane> T>
+void fields(Visit &visit, T &plane) {
+    visit("first", plane.first);
+    visit("second", plane.second);
+}
+
+template <class Visit, Like<ReferenceLength> T>
+void fields(Visit &visit, T &length) {
+    visit("calibrated", length.calibrated);
+    visit("expandedUncertainty", length.expandedUncertainty, notNegative);
+    visit("coverageFactor", length.coverageFactor, positive);
+}
+
+template <class Visit, Like<Arc> T>
+void fields(Visit &visit, T &arc) {
+    visit("sense", arc.sense);
+    visit("angleReference", arc.angleReference);
+    visit("angles", arc.angles, obligatory);
+    visit("radialDeviations", arc.radialDeviations, obligatory);
+    visit("evaluated", arc.evaluated);
+    visit("sampleInterval", arc.sampleInterval, positive);
+}
+
+template <class Visit, Like<PositioningMeasurement> T>
+void fields(Visit &visit, T &measurement) {
+    visit("standardDeviation", measurement.standardDeviation);
+    visit("axis", measurement.axis);
+    visit("cycle", measurement.cycle);
+    visit("zone", measurement.zone);
+    visit("targets", measurement.targets, obligatory);
+    visit("targetChoice", measurement.targetChoice);
+    visit("runs", measurement.runs, obligatory);
+    visit("excluded", measurement.excluded);
+    visit("conditions", measurement.conditions);
+    visit("uncertainty", measurement.uncertainty);
+}
+
+template <class Visit, Like<CircularMeasurement> T>
+void fields(Visit &visit, T &measurement) {
+    visit("plane", measurement.plane);
+    visit("positionFeedback", measurement.positionFeedback);
+    visit("nominalRadius", measurement.nominalRadius, obligatory | positive);
+    visit("feed", measurement.feed);
+    visit("source", measurement.source);
+    visit("centring", measurement.centring);
+    visit("referenceCircle", measurement.referenceCircle);
+    visit("referenceLength", measurement.referenceLength);
+    visit("requiredResults", measurement.requiredResults);
+    visit("arcs", measurement.arcs, obligatory);
+    visit("conditions", measurement.conditions);
+    visit("uncertainty", measurement.uncertainty);
+}
+
+template <class Visit, Like<DriftMeasurement> T>
+void fields(Visit &visit, T &measurement) {
+    visit.object("axis", [&](auto &axis) {
+        axis("name", measurement.axis.name);
+        axis("motion", measurement.axis.motion);
+    });
+    visit("times", measurement.times, obligatory);
+    visit("deviations", measurement.deviations, obligatory);
+}
+
+/// The keys of a test with the keys of its measurement beside them; `kind` is the reader's and the writer's.
+/// Drift tests are not judged: they have no edition and nothing that is agreed.
+template <class Visit, Like<Test> T>
+void fields(Visit &visit, T &test) {
+    visit("id", test.id);
+    visit("title", test.title);
+    visit("date", test.date, date);
+    visit("time", test.time, timeOfDay);
+    visit("instruments", test.instruments);
+    if (!std::holds_alternative<DriftMeasurement>(test.measurement)) {
+        visit("edition", test.edition, obligatory);
+        visit("agreedPoints", test.agreedPoints);
+        visit("limits", test.limits);
+        visit("decisionRule", test.decisionRule);
+        visit("imports", test.imports);
+    }
+    visit("remarks", test.remarks);
+    visit.extensions("extensions", test.extensions);
+    std::visit([&](auto &measurement) { fields(visit, measurement); }, test.measurement);
+}
+
+/// Without `format` and `version`, which are the reader's and the writer's.
+template <class Visit, Like<Document> T>
+void fields(Visit &visit, T &document) {
+    visit("writtenBy", document.writtenBy);
+    visit("report", document.report);
+    visit("machine", document.machine);
+    visit("instruments", document.instruments);
+    visit("tests", document.tests);
+    visit.extensions("extensions", document.extensions);
+}
+
+} // namespace palmer

@@ -1,0 +1,563 @@
+#include "document/readdocument.h"
+
+#include "document/fields.h"
+#include "document/fileversion.h"
+#include "document/filewords.h"
+#include "document/json.h"
+#include "document/place.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <span>
+#include <string_view>
+
+namespace palmer {
+
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void refuse(const Place &place, Text text, std::vector<Argument> arguments = {}) {
+    throw Error(Error::Kind::content, {text, std::move(arguments), {}}, place.text());
+}
+
+Number count(std::size_t value) {
+    return {static_cast<double>(value), Quantity::count, 0};
+}
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+// The value of exactly these digits, or −1.
+int digits(std::string_view text) {
+    int value = -1;
+    if (std::all_of(text.begin(), text.end(), isDigit))
+        std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+bool isDate(std::string_view text) {
+    if (text.size() != 10 || text[4] != '-' || text[7] != '-')
+        return false;
+    const int year = digits(text.substr(0, 4));
+    const int month = digits(text.substr(5, 2));
+    const int day = digits(text.substr(8, 2));
+    return year > 0 && month > 0 && day > 0 &&
+           std::chrono::year_month_day(std::chrono::year(year),
+                                       std::chrono::month(static_cast<unsigned>(month)),
+                                       std::chrono::day(static_cast<unsigned>(day)))
+               .ok();
+}
+
+bool isTimeOfDay(std::string_view text) {
+    if (text.size() != 5 || text[2] != ':')
+        return false;
+    const int hours = digits(text.substr(0, 2));
+    const int minutes = digits(text.substr(3, 2));
+    return hours >= 0 && hours < 24 && minutes >= 0 && minutes < 60;
+}
+
+bool isBase64(std::string_view text) {
+    if (text.size() % 4 != 0)
+        return false;
+    for (int padding = 0; padding < 2 && !text.empty() && text.back() == '='; ++padding)
+        text.remove_suffix(1);
+    return std::all_of(text.begin(), text.end(), [](char c) {
+        return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '+' || c == '/';
+    });
+}
+
+// The keys of a struct, as the field functions name them.
+class KeyCollector {
+public:
+    template <class T>
+    void operator()(const char *key, const T &, unsigned = nothing) {
+        m_keys.emplace_back(key);
+    }
+    void object(const char *key, const auto &) { m_keys.emplace_back(key); }
+    void extensions(const char *key, const std::string &) { m_keys.emplace_back(key); }
+
+    void demandKnown(const json &object, const Place &place, std::initializer_list<std::string_view> others) {
+        m_keys.insert(m_keys.end(), others);
+        for (const auto &[key, value] : object.get_ref<const json::object_t &>())
+            if (std::find(m_keys.begin(), m_keys.end(), key) == m_keys.end())
+                refuse(Place(place, key),
+                       REPORT_TEXT("report", "this key is unknown; what others want to add goes "
+                                             "into “extensions”"));
+    }
+
+private:
+    std::vector<std::string_view> m_keys;
+};
+
+// ---- Checks of what a type cannot say
+// -------------------------------------------------------------------------
+
+void demandEqual(std::size_t found, std::size_t expected, const Place &place) {
+    if (found != expected)
+        refuse(place, REPORT_TEXT("report", "found %1 values; expected %2"), {count(found), count(expected)});
+}
+
+template <class T>
+void check(const T &, const Place &) {} // most structs are right when their fields are
+
+void check(const Interval &interval, const Place &place) {
+    if (!(interval.from < interval.to))
+        refuse(place, REPORT_TEXT("report", "expected “from” to be less than “to”"));
+}
+
+void check(const TemperatureSeries &series, const Place &place) {
+    demandEqual(series.temperatures.size(), series.times.size(), Place(place, "temperatures"));
+}
+
+void check(const Arc &arc, const Place &place) {
+    demandEqual(arc.radialDeviations.size(), arc.angles.size(), Place(place, "radialDeviations"));
+}
+
+void check(const DriftMeasurement &measurement, const Place &place) {
+    demandEqual(measurement.deviations.size(), measurement.times.size(), Place(place, "deviations"));
+}
+
+void check(const PositioningMeasurement &measurement, const Place &place) {
+    const Place atTargets(place, "targets");
+    const auto &targets = measurement.targets;
+    for (std::size_t i = 1; i < targets.size(); ++i)
+        if (!(targets[i - 1] < targets[i]))
+            refuse(Place(atTargets, i), REPORT_TEXT("report", "expected targets that ascend strictly"));
+
+    const Place atRuns(place, "runs");
+    for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
+        const Place atRun(atRuns, j);
+        demandEqual(measurement.runs[j].deviations.size(), targets.size(), Place(atRun, "deviations"));
+    }
+
+    const Place atExcluded(place, "excluded");
+    std::set<std::pair<int, int>> seen;
+    for (std::size_t i = 0; i < measurement.excluded.size(); ++i) {
+        const Place at(atExcluded, i);
+        const ExcludedReading &excluded = measurement.excluded[i];
+        const auto run = static_cast<std::size_t>(excluded.run) - 1;
+        const auto target = static_cast<std::size_t>(excluded.target) - 1;
+        if (run >= measurement.runs.size())
+            refuse(Place(at, "run"), REPORT_TEXT("report", "expected one of the %1 runs, counted from 1"),
+                   {count(measurement.runs.size())});
+        if (target >= targets.size())
+            refuse(Place(at, "target"),
+                   REPORT_TEXT("report", "expected one of the %1 targets, counted from 1"),
+                   {count(targets.size())});
+        if (measurement.runs[run].deviations[target]) {
+            const Place atRun(atRuns, run);
+            const Place atDeviations(atRun, "deviations");
+            refuse(Place(atDeviations, target),
+                   REPORT_TEXT("report", "expected null, for this reading stands in “excluded”"));
+        }
+        if (!seen.emplace(excluded.run, excluded.target).second)
+            refuse(at, REPORT_TEXT("report", "this reading is excluded twice; expected it once"));
+    }
+}
+
+void demandEdition(const std::string &word, const Place &place) {
+    if (!findEdition(word))
+        refuse(place,
+               REPORT_TEXT("report", "unknown edition “%1”; expected a designation such as ISO 230-2:1988"),
+               {excerpt(word)});
+}
+
+void check(const Limit &limit, const Place &place) {
+    if (limit.edition)
+        demandEdition(*limit.edition, Place(place, "edition"));
+}
+
+void check(const ReportHead &report, const Place &place) {
+    if (report.languages.empty())
+        refuse(Place(place, "languages"), REPORT_TEXT("report", "expected at least one language"));
+    const Place at(place, "editions");
+    for (std::size_t i = 0; i < report.editions.size(); ++i)
+        demandEdition(report.editions[i], Place(at, i));
+}
+
+void demandParameter(Kind kind, const std::string &id, const Place &place) {
+    if (!isParameter(kind, id))
+        refuse(place,
+               REPORT_TEXT("report", "unknown parameter “%1”; expected one of this kind of test, such as %2"),
+               {excerpt(id), kind == Kind::circular ? std::string("G") : std::string("A")});
+}
+
+void check(const Test &test, const Place &place) {
+    const Kind kind = kindOf(test);
+    std::visit([&](const auto &measurement) { check(measurement, place); }, test.measurement);
+    if (kind == Kind::drift)
+        return;
+
+    demandEdition(test.edition, Place(place, "edition"));
+    if (findEdition(test.edition)->kind != kind)
+        refuse(Place(place, "edition"), REPORT_TEXT("report", "“%1” is not for this kind of test"),
+               {test.edition});
+
+    const Place atLimits(place, "limits");
+    for (const auto &[id, limit] : test.limits)
+        demandParameter(kind, id, Place(atLimits, id));
+    const Place atUncertainty(place, "uncertainty");
+    const Place atExpanded(atUncertainty, "expanded");
+    const auto demandParameters = [&](const ExpandedUncertainties &expanded) {
+        for (const auto &[id, value] : expanded)
+            demandParameter(kind, id, Place(atExpanded, id));
+    };
+    if (const auto *const positioning = std::get_if<PositioningMeasurement>(&test.measurement))
+        demandParameters(positioning->uncertainty.expanded);
+    if (const auto *const circular = std::get_if<CircularMeasurement>(&test.measurement)) {
+        demandParameters(circular->uncertainty.expanded);
+        const Place at(place, "requiredResults");
+        for (std::size_t i = 0; i < circular->requiredResults.size(); ++i)
+            demandParameter(kind, circular->requiredResults[i], Place(at, i));
+    }
+
+    const Place atPoints(place, "agreedPoints");
+    std::set<std::string_view> points;
+    for (std::size_t i = 0; i < test.agreedPoints.size(); ++i) {
+        const std::string &point = test.agreedPoints[i].point;
+        const Place at(atPoints, i);
+        if (!isAgreementPoint(kind, point))
+            refuse(Place(at, "point"),
+                   REPORT_TEXT("report", "unknown point “%1”; expected one that this kind of test agrees on"),
+                   {excerpt(point)});
+        if (!points.insert(point).second)
+            refuse(Place(at, "point"), REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
+                   {point});
+    }
+}
+
+// Ids are unique, and what is named exists.
+void check(const Document &document, const Place &place) {
+    const auto demandNew = [](std::set<std::string_view> &ids, const std::string &id, const Place &at) {
+        if (!id.empty() && !ids.insert(id).second)
+            refuse(Place(at, "id"), REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
+                   {excerpt(id)});
+    };
+    std::set<std::string_view> instruments;
+    const Place atInstruments(place, "instruments");
+    for (std::size_t i = 0; i < document.instruments.size(); ++i)
+        demandNew(instruments, document.instruments[i].id, Place(atInstruments, i));
+
+    std::set<std::string_view> tests;
+    std::set<std::string_view> drifts;
+    const Place atTests(place, "tests");
+    for (std::size_t i = 0; i < document.tests.size(); ++i) {
+        const Test &test = *document.tests[i];
+        demandNew(tests, test.id, Place(atTests, i));
+        if (kindOf(test) == Kind::drift && !test.id.empty())
+            drifts.insert(test.id);
+    }
+
+    for (std::size_t i = 0; i < document.tests.size(); ++i) {
+        const Test &test = *document.tests[i];
+        const Place atTest(atTests, i);
+        const Place atNames(atTest, "instruments");
+        for (std::size_t k = 0; k < test.instruments.size(); ++k)
+            if (instruments.count(test.instruments[k]) == 0)
+                refuse(Place(atNames, k),
+                       REPORT_TEXT("report", "expected the id of an instrument of this file; “%1” is none"),
+                       {excerpt(test.instruments[k])});
+        std::optional<std::string> drift;
+        if (const auto *const positioning = std::get_if<PositioningMeasurement>(&test.measurement))
+            drift = positioning->uncertainty.driftTest;
+        if (const auto *const circular = std::get_if<CircularMeasurement>(&test.measurement))
+            drift = circular->uncertainty.driftTest;
+        const Place atUncertainty(atTest, "uncertainty");
+        if (drift && drifts.count(*drift) == 0)
+            refuse(Place(atUncertainty, "driftTest"),
+                   REPORT_TEXT("report", "expected the id of a drift test of this file; “%1” is none"),
+                   {excerpt(*drift)});
+    }
+}
+
+// ---- Reading
+// ---------------------------------------------------------------------------------------------------
+
+// Fills the fields of a struct from an object. The functions for values are members, for they call each
+// other.
+class ObjectReader {
+public:
+    ObjectReader(const json &object, const Place &place)
+        : m_object(object)
+        , m_place(place) {}
+
+    template <class T>
+    void operator()(const char *key, T &member, unsigned demands = nothing) {
+        const auto entry = m_object.find(key);
+        if (entry != m_object.end())
+            read(*entry, member, Place(m_place, key), demands);
+        else if ((demands & obligatory) != 0)
+            refuse(m_place, REPORT_TEXT("report", "the key “%1” is missing"), {std::string(key)});
+    }
+
+    void object(const char *key, const auto &members) {
+        const auto entry = m_object.find(key);
+        if (entry == m_object.end())
+            return;
+        const Place place(m_place, key);
+        demandObject(*entry, place);
+        KeyCollector keys;
+        members(keys);
+        keys.demandKnown(*entry, place, {});
+        ObjectReader reader(*entry, place);
+        members(reader);
+    }
+
+    void extensions(const char *key, std::string &text) {
+        const auto entry = m_object.find(key);
+        if (entry == m_object.end())
+            return;
+        demandObject(*entry, Place(m_place, key));
+        text = compactJson(*entry);
+    }
+
+    template <class Struct>
+    requires std::is_class_v<Struct>
+    static void read(const json &value, Struct &member, const Place &place, unsigned = nothing) {
+        readStruct(value, member, place, {});
+    }
+
+    template <class Struct>
+    static void readStruct(const json &value, Struct &member, const Place &place,
+                           std::initializer_list<std::string_view> otherKeys) {
+        demandObject(value, place);
+        KeyCollector keys;
+        fields(keys, member);
+        keys.demandKnown(value, place, otherKeys);
+        ObjectReader reader(value, place);
+        fields(reader, member);
+        check(member, place);
+    }
+
+    template <class Enumeration>
+    requires std::is_enum_v<Enumeration>
+    static void read(const json &value, Enumeration &member, const Place &place, unsigned = nothing) {
+        const auto *const text = value.get_ptr<const std::string *>();
+        std::string words;
+        for (const auto &row : fileWords<Enumeration>) {
+            if (text && *text == row.word) {
+                member = row.value;
+                return;
+            }
+            words += (words.empty() ? "" : " · ") + std::string(row.word);
+        }
+        if (!text)
+            refuse(place, REPORT_TEXT("report", "expected one of the words: %1"), {words});
+        refuse(place, REPORT_TEXT("report", "unknown word “%1”; expected one of: %2"),
+               {excerpt(*text), words});
+    }
+
+private:
+    static void demandObject(const json &value, const Place &place) {
+        if (!value.is_object())
+            refuse(place, REPORT_TEXT("report", "expected an object, in braces"));
+    }
+
+    static void demandArray(const json &value, const Place &place) {
+        if (!value.is_array())
+            refuse(place, REPORT_TEXT("report", "expected a list, in square brackets"));
+    }
+
+    static void read(const json &value, double &member, const Place &place, unsigned demands = nothing) {
+        if (!value.is_number())
+            refuse(place, REPORT_TEXT("report", "expected a number"));
+        member = value.get<double>();
+        demandSign(member, place, demands);
+    }
+
+    static void demandSign(double value, const Place &place, unsigned demands) {
+        if ((demands & positive) != 0 && !(value > 0))
+            refuse(place, REPORT_TEXT("report", "expected a number greater than 0"));
+        if ((demands & notNegative) != 0 && !(value >= 0))
+            refuse(place, REPORT_TEXT("report", "expected a number that is not negative"));
+    }
+
+    // 5.0 is a whole number too, as JSON Schema has it.
+    template <class Integer>
+    static void readWhole(const json &value, Integer &member, const Place &place, unsigned demands) {
+        constexpr auto least = std::numeric_limits<Integer>::min();
+        constexpr auto most = std::numeric_limits<Integer>::max();
+        bool fits = false;
+        if (value.is_number_unsigned()) {
+            fits = value.get<std::uint64_t>() <= static_cast<std::uint64_t>(most);
+        } else if (value.is_number_integer()) {
+            const auto whole = value.get<std::int64_t>();
+            fits = whole >= least && whole <= most;
+        } else if (value.is_number_float()) {
+            const double number = value.get<double>();
+            // −least is a power of two, exact in a double; most is not.
+            fits = std::trunc(number) == number && number >= static_cast<double>(least) &&
+                   number < -static_cast<double>(least);
+        }
+        if (!fits)
+            refuse(place, REPORT_TEXT("report", "expected a whole number"));
+        member = value.get<Integer>();
+        demandSign(static_cast<double>(member), place, demands);
+    }
+
+    static void read(const json &value, int &member, const Place &place, unsigned demands = nothing) {
+        readWhole(value, member, place, demands);
+    }
+
+    static void read(const json &value, long long &member, const Place &place, unsigned demands = nothing) {
+        readWhole(value, member, place, demands);
+    }
+
+    static void read(const json &value, bool &member, const Place &place, unsigned = nothing) {
+        if (!value.is_boolean())
+            refuse(place, REPORT_TEXT("report", "expected true or false"));
+        member = value.get<bool>();
+    }
+
+    static void read(const json &value, std::string &member, const Place &place, unsigned demands = nothing) {
+        const auto *const text = value.get_ptr<const std::string *>();
+        if (!text)
+            refuse(place, REPORT_TEXT("report", "expected a text, in quotation marks"));
+        if ((demands & date) != 0 && !isDate(*text))
+            refuse(place, REPORT_TEXT("report", "expected a date that exists, written YYYY-MM-DD"));
+        if ((demands & timeOfDay) != 0 && !isTimeOfDay(*text))
+            refuse(place, REPORT_TEXT("report", "expected a time of day, written HH:MM"));
+        if ((demands & base64) != 0 && !isBase64(*text))
+            refuse(place, REPORT_TEXT("report", "expected bytes in base64"));
+        member = *text;
+    }
+
+    template <class T>
+    static void read(const json &value, std::optional<T> &member, const Place &place,
+                     unsigned demands = nothing) {
+        member.reset();
+        if (value.is_null())
+            return;
+        demandTypeOrNull(value, member, place);
+        read(value, member.emplace(), place, demands);
+    }
+
+    // The sentence says that null would do as well.
+    static void demandTypeOrNull(const json &value, const std::optional<double> &, const Place &place) {
+        if (!value.is_number())
+            refuse(place, REPORT_TEXT("report", "expected a number or null"));
+    }
+    template <class Integer>
+    requires std::is_integral_v<Integer>
+    static void demandTypeOrNull(const json &value, const std::optional<Integer> &, const Place &place) {
+        if (!value.is_number())
+            refuse(place, REPORT_TEXT("report", "expected a whole number or null"));
+    }
+    static void demandTypeOrNull(const json &value, const std::optional<bool> &, const Place &place) {
+        if (!value.is_boolean())
+            refuse(place, REPORT_TEXT("report", "expected true, false or null"));
+    }
+    static void demandTypeOrNull(const json &value, const std::optional<std::string> &, const Place &place) {
+        if (!value.is_string())
+            refuse(place, REPORT_TEXT("report", "expected a text, in quotation marks, or null"));
+    }
+    template <class Struct>
+    requires(std::is_class_v<Struct> && !std::is_same_v<Struct, std::string>) static void demandTypeOrNull(
+        const json &value, const std::optional<Struct> &, const Place &place) {
+        if (!value.is_object())
+            refuse(place, REPORT_TEXT("report", "expected an object, in braces, or null"));
+    }
+
+    template <class T>
+    static void read(const json &value, std::vector<T> &member, const Place &place, unsigned = nothing) {
+        demandArray(value, place);
+        member.clear();
+        member.reserve(value.size());
+        for (std::size_t i = 0; i < value.size(); ++i)
+            read(value[i], member.emplace_back(), Place(place, i));
+        if constexpr (std::is_enum_v<T>)
+            for (std::size_t i = 0; i < member.size(); ++i)
+                if (std::find(member.begin(), member.begin() + static_cast<std::ptrdiff_t>(i), member[i]) !=
+                    member.begin() + static_cast<std::ptrdiff_t>(i))
+                    refuse(Place(place, i), REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
+                           {std::string(fileWord(member[i]))});
+    }
+
+    static void read(const json &value, Point3 &member, const Place &place, unsigned = nothing) {
+        demandArray(value, place);
+        demandEqual(value.size(), member.size(), place);
+        for (std::size_t i = 0; i < member.size(); ++i)
+            read(value[i], member[i], Place(place, i));
+    }
+
+    template <class T>
+    static void read(const json &value, std::map<std::string, T> &member, const Place &place,
+                     unsigned demands = nothing) {
+        demandObject(value, place);
+        member.clear();
+        for (const auto &[key, entry] : value.get_ref<const json::object_t &>())
+            read(entry, member[key], Place(place, key), demands);
+    }
+
+    static void read(const json &value, TestPointer &member, const Place &place, unsigned = nothing) {
+        demandObject(value, place);
+        const auto kindWord = value.find("kind");
+        if (kindWord == value.end())
+            refuse(place, REPORT_TEXT("report", "the key “%1” is missing"), {std::string("kind")});
+        Kind kind{};
+        read(*kindWord, kind, Place(place, "kind"));
+        Test test;
+        if (kind == Kind::circular)
+            test.measurement = CircularMeasurement{};
+        else if (kind == Kind::drift)
+            test.measurement = DriftMeasurement{};
+        readStruct(value, test, place, {"kind"});
+        member = std::make_shared<const Test>(std::move(test));
+    }
+
+    const json &m_object;
+    const Place &m_place;
+};
+
+void demandFormat(const json &file) {
+    const auto format = file.is_object() ? file.find("format") : file.end();
+    if (!file.is_object() || format == file.end() || *format != fileFormat)
+        throw Error(Error::Kind::format,
+                    {REPORT_TEXT("report", "this is not a test file of Palmer; expected %1"),
+                     {std::string("\"format\": \"") + fileFormat + '"'},
+                     {}});
+}
+
+void migrate(json &file) {
+    const Place root;
+    const Place place(root, "version");
+    const auto version = file.find("version");
+    if (version == file.end())
+        refuse(root, REPORT_TEXT("report", "the key “%1” is missing"), {std::string("version")});
+    const double number = version->is_number() ? version->get<double>() : 0;
+    if (!(number >= 1) || std::trunc(number) != number)
+        refuse(place, REPORT_TEXT("report", "expected a whole number from 1 on"));
+    if (number > static_cast<double>(fileVersion))
+        throw Error(
+            Error::Kind::newerVersion,
+            {REPORT_TEXT("report", "the file was written by a newer version of Palmer (format %1); this one "
+                                   "reads up to format %2: install a newer Palmer"),
+             {Number{number, Quantity::count, 0},
+              Number{static_cast<double>(fileVersion), Quantity::count, 0}},
+             {}},
+            place.text());
+    for (const Migration step :
+         std::span<const Migration>(migrations).subspan(static_cast<std::size_t>(number) - 1))
+        step(file);
+}
+
+} // namespace
+
+Document readDocument(const QByteArray &bytes) {
+    json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    demandFormat(file);
+    migrate(file);
+    Document document;
+    ObjectReader::readStruct(file, document, {}, {"format", "version"});
+    return document;
+}
+
+} // namespace palmer

@@ -1,0 +1,82 @@
+#include "document/savedocument.h"
+
+#include "document/readdocument.h"
+#include "document/writedocument.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+constexpr qint64 sizeLimit = qint64(1) << 30;
+
+[[noreturn]] void refuse(Error::Kind kind, Text text, const QString &reason = {}) {
+    std::vector<Argument> arguments;
+    if (!reason.isEmpty())
+        arguments.emplace_back(reason.toStdString());
+    throw Error(kind, {text, std::move(arguments), {}});
+}
+
+[[noreturn]] void refuseSaving(const QFileDevice &file) {
+    refuse(Error::Kind::unwritable,
+           REPORT_TEXT("report",
+                       "the file could not be saved (%1); what was there before is unchanged: save it "
+                       "under another name or in another folder"),
+           file.errorString());
+}
+
+} // namespace
+
+void saveDocument(const Document &document, const QString &path) {
+    const QByteArray bytes = writeDocument(document);
+    const QFileInfo info(path);
+    if (info.isDir())
+        refuse(Error::Kind::unwritable,
+               REPORT_TEXT("report", "this is a folder; expected the name of a file to save to"));
+    if (!info.absoluteDir().exists())
+        refuse(Error::Kind::unwritable,
+               REPORT_TEXT("report", "the folder does not exist; create it or save in another folder"));
+    if (info.exists() && !info.isFile()) {
+        // Renaming would replace the device itself.
+        QFile device(path);
+        if (!device.open(QIODevice::WriteOnly) || device.write(bytes) != bytes.size() || !device.flush())
+            refuseSaving(device);
+        return;
+    }
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        refuseSaving(file);
+}
+
+Document openDocument(const QString &path) {
+    const QFileInfo info(path);
+    if (info.isDir())
+        refuse(Error::Kind::unreadable, REPORT_TEXT("report", "this is a folder; expected a test file"));
+    if (!info.exists())
+        refuse(Error::Kind::unreadable, REPORT_TEXT("report", "there is no such file"));
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        refuse(Error::Kind::unreadable, REPORT_TEXT("report", "the file cannot be read (%1)"),
+               file.errorString());
+    QByteArray bytes;
+    // Pipes do not tell their size, and files may grow: read no further than the limit.
+    constexpr qint64 blockSize = qint64(1) << 24;
+    bytes.reserve(static_cast<qsizetype>(std::clamp<qint64>(file.size(), 0, sizeLimit)));
+    for (QByteArray block = file.read(blockSize); !block.isEmpty(); block = file.read(blockSize)) {
+        bytes += block;
+        if (bytes.size() > sizeLimit)
+            refuse(Error::Kind::tooLarge, REPORT_TEXT("report", "the file is larger than 1 GiB"));
+    }
+    if (file.error() != QFileDevice::NoError)
+        refuse(Error::Kind::unreadable, REPORT_TEXT("report", "the file cannot be read (%1)"),
+               file.errorString());
+    return readDocument(bytes);
+}
+
+} // namespace palmer

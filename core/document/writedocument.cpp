@@ -1,0 +1,101 @@
+#include "document/writedocument.h"
+
+#include "document/fields.h"
+#include "document/fileversion.h"
+#include "document/filewords.h"
+#include "document/json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace palmer {
+
+namespace {
+
+using nlohmann::json;
+
+// Puts the fields of a struct into an object; the functions for values are members, for they call each other.
+class ObjectWriter {
+public:
+    explicit ObjectWriter(json &object)
+        : m_object(object) {}
+
+    template <class T>
+    void operator()(const char *key, const T &member, unsigned = nothing) {
+        m_object[key] = toJson(member);
+    }
+
+    void object(const char *key, const auto &members) {
+        json &inner = m_object[key] = json::object();
+        ObjectWriter writer(inner);
+        members(writer);
+    }
+
+    void extensions(const char *key, const std::string &text) { m_object[key] = parseJson(text); }
+
+    template <class Struct>
+    requires std::is_class_v<Struct>
+    static json toJson(const Struct &value) {
+        json object = json::object();
+        ObjectWriter writer(object);
+        fields(writer, value);
+        return object;
+    }
+
+private:
+    template <class Scalar>
+    requires std::is_arithmetic_v<Scalar>
+    static json toJson(Scalar value) { return value; }
+
+    template <class Enumeration>
+    requires std::is_enum_v<Enumeration>
+    static json toJson(Enumeration value) { return fileWord(value); }
+
+    static json toJson(const std::string &value) { return value; }
+
+    static json toJson(const TestPointer &test) {
+        json object = toJson(*test);
+        object["kind"] = fileWord(kindOf(*test));
+        return object;
+    }
+
+    template <class T>
+    static json toJson(const std::optional<T> &value) {
+        return value ? toJson(*value) : json();
+    }
+
+    template <class T>
+    static json toJson(const std::vector<T> &values) {
+        return list(values);
+    }
+
+    static json toJson(const Point3 &values) { return list(values); }
+
+    template <class T>
+    static json toJson(const std::map<std::string, T> &values) {
+        json object = json::object();
+        for (const auto &[key, value] : values)
+            object[key] = toJson(value);
+        return object;
+    }
+
+    static json list(const auto &values) {
+        json::array_t array;
+        array.reserve(values.size());
+        for (const auto &value : values)
+            array.push_back(toJson(value));
+        return array;
+    }
+
+    json &m_object;
+};
+
+} // namespace
+
+QByteArray writeDocument(const Document &document) {
+    json file = ObjectWriter::toJson(document);
+    file["format"] = fileFormat;
+    file["version"] = fileVersion;
+    return QByteArray::fromStdString(printJson(file));
+}
+
+} // namespace palmer
