@@ -47,18 +47,6 @@ void drawLimit(QPainter &painter, QPointF centre) {
 
 } // namespace
 
-Mark markOf(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::conforms:
-        return Mark::check;
-    case Verdict::doesNotConform:
-        return Mark::cross;
-    case Verdict::notProven:
-        break;
-    }
-    return Mark::circle;
-}
-
 void drawMark(QPainter &painter, Mark mark, QPointF centre, double side) {
     const double unit = side / markBox; // points per mm of the mark's own measures
     const auto at = [&](double x, double y) {
@@ -85,61 +73,67 @@ void drawMark(QPainter &painter, Mark mark, QPointF centre, double side) {
         painter.drawLine(at(0.4, 0.4), at(2.1, 2.1));
         painter.drawLine(at(0.4, 2.1), at(2.1, 0.4));
         return;
-    case Mark::circle:
+    case Mark::openCircle:
         pen.setWidthF(0.32 * unit);
         painter.setPen(pen);
         painter.drawEllipse(centre, 0.85 * unit, 0.85 * unit);
         return;
+    case Mark::none:
+        return;
     }
 }
 
-void drawGuardPicture(QPainter &painter, QPointF topLeft, const GuardPicture &picture) {
+void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard) {
     const double width = guardPictureWidth * mm;
     const double middle = topLeft.y() + guardPictureHeight * mm / 2;
-    const double perUnit = limitPlace * width / picture.limit;
+    const double perUnit = limitPlace * width / guard.limit;
     const auto x = [&](double value) { return topLeft.x() + std::clamp(value * perUnit, 0.0, width); };
 
     painter.setPen(line(0.13, QColor(0x88, 0x88, 0x88)));
     painter.drawLine(QPointF(x(0), middle), QPointF(topLeft.x() + width, middle));
     painter.drawLine(QPointF(x(0), middle - zeroTick / 2), QPointF(x(0), middle + zeroTick / 2));
-    if (picture.guard > 0) {
-        const double from = x(picture.limit - picture.guard);
-        const double to = x(picture.limit + picture.guard);
+    if (guard.guardBand) {
+        const double from = x(guard.limit - *guard.guardBand);
+        const double to = x(guard.limit + *guard.guardBand);
         drawBand(painter, QRectF(from, middle - bandHeight / 2, to - from, bandHeight));
     }
-    drawLimit(painter, {x(picture.limit), middle});
-    drawDiamond(painter, {x(picture.value), middle});
+    drawLimit(painter, {x(guard.limit), middle});
+    drawDiamond(painter, {x(guard.value), middle});
 }
 
-double guardSignWidth(GuardSign sign) {
+double legendSignWidth(LegendSign sign) {
     switch (sign) {
-    case GuardSign::value:
+    case LegendSign::value:
         return 1.76;
-    case GuardSign::limit:
+    case LegendSign::limit:
         return 0.32;
-    case GuardSign::band:
+    case LegendSign::band:
+        return 4.6;
+    case LegendSign::none:
         break;
     }
-    return 4.6;
+    return 0;
 }
 
-void drawGuardSign(QPainter &painter, GuardSign sign, QPointF centre) {
+void drawLegendSign(QPainter &painter, LegendSign sign, QPointF centre) {
     switch (sign) {
-    case GuardSign::value:
+    case LegendSign::value:
         drawDiamond(painter, centre);
         return;
-    case GuardSign::limit: {
+    case LegendSign::limit: {
         painter.setPen(line(0.32));
         const QPointF half(0, 1.25 * mm);
         painter.drawLine(centre - half, centre + half);
         return;
     }
-    case GuardSign::band: {
-        const double width = guardSignWidth(sign) * mm;
+    case LegendSign::band: {
+        const double width = legendSignWidth(sign) * mm;
         drawBand(painter,
                  QRectF(centre.x() - width / 2, centre.y() - bandHeight * 0.4, width, bandHeight * 0.8));
         return;
     }
+    case LegendSign::none:
+        return;
     }
 }
 

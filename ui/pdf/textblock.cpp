@@ -205,7 +205,7 @@ void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment
             else if (fragment.run.script == TextRun::Script::superscript)
                 y -= superscriptRise * m_style.size;
             painter.setFont(face(fragment.run, m_style).font);
-            painter.setPen(fragment.run.grey ? noteGrey : m_style.colour);
+            painter.setPen(QColor::fromRgb(fragment.run.grey ? noteGrey : m_style.colour));
             painter.drawText(QPointF(x, y) * tenths, fragment.run.text);
             x += fragment.width;
         }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <QColor>
 #include <QPointF>
+#include <QRgb>
 #include <QString>
 #include <vector>
 
@@ -9,11 +9,16 @@ class QPainter;
 
 namespace palmer::ui {
 
+constexpr QRgb black = 0xff000000;
+constexpr QRgb noteGrey = 0xff333333;
+constexpr QRgb labelGrey = 0xff444444;
+constexpr QRgb dashGrey = 0xff777777;
+
 /// Sizes in points, of a multiple of 0.1; `leading` in sizes. The text of pages is Liberation Sans.
 struct TextStyle {
     double size = 9;
     bool bold = false;
-    QColor colour = Qt::black;
+    QRgb colour = black;
     double leading = 1.2;
 };
 
@@ -73,9 +78,5 @@ private:
 
 /// How wide a text of one style stands on its line, points.
 [[nodiscard]] double textWidth(const QString &text, const TextStyle &style);
-
-inline const QColor noteGrey(0x33, 0x33, 0x33);
-inline const QColor labelGrey(0x44, 0x44, 0x44);
-inline const QColor dashGrey(0x77, 0x77, 0x77);
 
 } // namespace palmer::ui
