@@ -1,5 +1,7 @@
 #include "report/plaintext.h"
 
+#include "report/pagetext.h"
+
 #include <QStringList>
 #include <algorithm>
 #include <array>
@@ -232,7 +234,16 @@ public:
         }
     }
     void operator()(const VerdictLine &line) {
-        m_lines << wrapped(line.limits, m_width) << wrapped(line.accordance, m_width);
+        const QString first = line.label.isEmpty() ? line.word : line.label + u' ' + line.word;
+        for (const QString &part : {first, line.reason, line.accordance}) {
+            if (!part.isEmpty())
+                m_lines << wrapped(part, m_width);
+        }
+    }
+    /// What is drawn on pages only reads as the words it carries.
+    void operator()(const auto &block) {
+        for (const QString &line : pageText(Block(block)).split(u'\n', Qt::SkipEmptyParts))
+            m_lines << wrapped(line, m_width);
     }
 
     void newBlock() {
