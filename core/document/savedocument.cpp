@@ -8,8 +8,6 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
-#include <algorithm>
-
 namespace palmer {
 
 namespace {
@@ -67,14 +65,18 @@ Document openDocument(const QString &path) {
     if (!file.open(QIODevice::ReadOnly))
         refuse(Error::Kind::unreadable, REPORT_TEXT("report", "the file cannot be read (%1)"),
                file.errorString());
+    const auto demandSize = [](qint64 size) {
+        if (size > sizeLimit)
+            refuse(Error::Kind::tooLarge, REPORT_TEXT("report", "the file is larger than 1 GiB"));
+    };
+    demandSize(file.size());
     QByteArray bytes;
+    bytes.reserve(static_cast<qsizetype>(file.size()));
     // Pipes do not tell their size, and files may grow: read no further than the limit.
     constexpr qint64 blockSize = qint64(1) << 24;
-    bytes.reserve(static_cast<qsizetype>(std::clamp<qint64>(file.size(), 0, sizeLimit)));
     for (QByteArray block = file.read(blockSize); !block.isEmpty(); block = file.read(blockSize)) {
         bytes += block;
-        if (bytes.size() > sizeLimit)
-            refuse(Error::Kind::tooLarge, REPORT_TEXT("report", "the file is larger than 1 GiB"));
+        demandSize(bytes.size());
     }
     if (file.error() != QFileDevice::NoError)
         refuse(Error::Kind::unreadable, REPORT_TEXT("report", "the file cannot be read (%1)"),
