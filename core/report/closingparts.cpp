@@ -96,7 +96,7 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
     if (instruments.empty())
         return;
     Table table;
-    table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 43},
+    table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 41},
                      {write.text(REPORT_TEXT("report", "Serial number")), {}, Alignment::left, false, 24},
                      {write.text(REPORT_TEXT("report", "Certificate")), {}, Alignment::left, false, 24},
                      {write.text(REPORT_TEXT("report", "Calibrated by")), {}, Alignment::left, false, 30},

@@ -16,7 +16,6 @@ namespace palmer::ui {
 namespace {
 
 // Gaps, points.
-constexpr double sectionGap = 6 * mm;
 constexpr double afterHead = 5 * mm;
 constexpr double afterHeading = 1.9 * mm;
 constexpr double afterSmallHeading = 1.2 * mm;
@@ -319,7 +318,8 @@ Strips verdictStrips(const VerdictLine &line, double width) {
 Strips signatureStrips(const Signatures &signatures, double width) {
     constexpr double gap = 8 * mm;
     constexpr double lineHeight = 9 * mm;
-    constexpr double signatureHeight = 9 * mm + 12 * mm - 4.6 * mm;
+    constexpr double signatureHeight = 20.1 * mm; ///< 12 free below the label
+    constexpr double signatureLabel = 4.3 * mm;
     constexpr double headingHeight = 4.3 * mm;
     constexpr double labelAbove = 4.6 * mm; ///< top of a label above its rule
     const auto count = static_cast<double>(std::max<std::size_t>(signatures.columns.size(), 1));
@@ -339,8 +339,7 @@ Strips signatureStrips(const Signatures &signatures, double width) {
             for (const SignatureLine &line : column.lines) {
                 const double step = line.forSignature ? signatureHeight : lineHeight;
                 const TextBlock label(line.label, {8, false, labelGrey, 1.2});
-                const double top =
-                    line.forSignature ? y + lineHeight - labelAbove - 1.2 * mm : y + step - labelAbove;
+                const double top = line.forSignature ? y + signatureLabel : y + step - labelAbove;
                 label.draw(painter, {at.x(), top});
                 const double valueLeft = label.width() + 2 * mm;
                 TextBlock value(line.value, {9, false, black, 1.1}, columnWidth - valueLeft);

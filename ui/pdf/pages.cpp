@@ -58,12 +58,6 @@ struct PageStrips {
             height += strip.height + (&strip == &strips.front() ? 0 : strip.gap);
         return height;
     }
-    [[nodiscard]] int sections() const {
-        const auto count = std::count_if(strips.begin(), strips.end(), [&](const Strip &strip) {
-            return strip.section && &strip != &strips.front();
-        });
-        return static_cast<int>(count);
-    }
 };
 
 /// Fills pages with the strips one after another.
@@ -195,18 +189,22 @@ public:
     }
 
 private:
+    static double wideGap(const Strip &strip) {
+        return strip.section && strip.gap >= sectionGap ? largestGap : strip.gap;
+    }
+
     void addStrips(Page &page, const PageStrips &content, const Strip *next) const {
         const double free = m_size.height() - bottomMargin - content.top() - content.used();
         double extra = 0;
         for (const Strip &strip : content.strips) {
-            if (strip.section && &strip != &content.strips.front())
-                extra += std::max(largestGap - strip.gap, 0.0);
+            if (&strip != &content.strips.front())
+                extra += wideGap(strip) - strip.gap;
         }
         const bool wide = extra <= free;
         double y = content.top();
         for (const Strip &strip : content.strips) {
             if (&strip != &content.strips.front())
-                y += wide && strip.section ? std::max(strip.gap, largestGap) : strip.gap;
+                y += wide ? wideGap(strip) : strip.gap;
             if (strip.draw)
                 page.parts.push_back({{leftMargin, y}, strip.draw});
             y += strip.height;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/report.h"
+#include "ui/pdf/rules.h"
 
 #include <QPointF>
 #include <functional>
@@ -26,6 +27,8 @@ struct Strip {
     std::optional<RunningHead> running; ///< nothing but the running head from here on
     int block = -1;                     ///< index of the block that it begins
 };
+
+constexpr double sectionGap = 6 * mm; ///< usual gap above a section
 
 using Strips = std::vector<Strip>;
 

@@ -47,9 +47,7 @@ bool isNumber(const QString &text) {
 struct Place {
     double left = 0; ///< of the text, from the left edge of the table
     double width = 0;
-    double edge = 0;     ///< of the column itself
     double fraction = 0; ///< room for mark and decimals
-    double gap = 0;      ///< before the column
 
     [[nodiscard]] double right() const { return left + width; }
 };
@@ -88,9 +86,7 @@ std::vector<Place> places(const Table &table, double width) {
         const Column &column = table.columns[i];
         const bool first = i == 0;
         Place place;
-        place.gap = column.gapBefore * mm;
-        x += place.gap;
-        place.edge = x;
+        x += column.gapBefore * mm;
         const double padding = std::max(column.paddingLeft * mm, first ? firstPadding : 0);
         place.left = x + padding;
         place.width = std::max(widths[i] - padding - cellPadding, 1.0);
@@ -243,7 +239,6 @@ class TableHead {
 public:
     TableHead(const Table &table, const std::vector<Place> &places, double width)
         : m_width(width) {
-        const double line = textSize * cellStyle.leading;
         double below = 0; // height of the titles and units
         for (std::size_t i = 0; i < table.columns.size(); ++i) {
             const Column &column = table.columns[i];
@@ -280,23 +275,12 @@ public:
             inner = std::max(below, spannersHeight + 2 * spannerGap + underSpanners);
         m_height = headAbove + inner + headBelow;
         m_spannerRule = headAbove + spannersHeight + spannerGap;
-        m_line = line;
-
-        double from = 0; // the tint leaves out gaps between columns
-        for (const Place &place : places) {
-            if (place.gap > 0) {
-                m_tinted.emplace_back(from, place.edge - place.gap);
-                from = place.edge;
-            }
-        }
-        m_tinted.emplace_back(from, width);
     }
 
     [[nodiscard]] double height() const { return m_height; }
 
     void draw(QPainter &painter, QPointF at) const {
-        for (const auto &[from, to] : m_tinted)
-            painter.fillRect(QRectF(at.x() + from, at.y(), to - from, m_height), headTint);
+        painter.fillRect(QRectF(at, QSizeF(m_width, m_height)), headTint);
         drawRule(painter, at, m_width, outerRule);
         drawRule(painter, at + QPointF(0, m_height), m_width, headRule);
         for (const PlacedText &spanner : m_spanners) {
@@ -307,11 +291,13 @@ public:
         const bool units = std::any_of(m_titles.begin(), m_titles.end(),
                                        [](const Title &title) { return !title.unit.empty(); });
         const double bottom = at.y() + m_height - headBelow;
+        const double unitHeight = textSize * cellStyle.leading;
         for (const Title &title : m_titles) {
             if (title.name.empty())
                 continue;
-            // A title without unit stands on the line of the units: all is aligned at the bottom.
-            const double top = bottom - title.name.height() - (units ? title.unit.height() : 0);
+            // Aligned at the bottom; above numbers the line of the units stays free.
+            const bool free = units && (title.alignment == TextAlignment::right || !title.unit.empty());
+            const double top = bottom - title.name.height() - (free ? unitHeight : 0);
             title.name.draw(painter, {at.x() + title.x, top}, title.alignment, title.width);
         }
         for (const Title &title : m_titles) {
@@ -332,11 +318,9 @@ private:
 
     double m_width = 0;
     double m_height = 0;
-    double m_line = 0;
     double m_spannerRule = 0;
     std::vector<Title> m_titles;
     std::vector<PlacedText> m_spanners;
-    std::vector<std::pair<double, double>> m_tinted;
 };
 
 } // namespace
@@ -385,6 +369,9 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
     const double sentenceLeft = textLeft + gradeWidth + cellPadding;
     const double clauseLeft = width - cellPadding - clauseWidth;
     const double sentenceWidth = clauseLeft - cellPadding - sentenceLeft;
+    const auto topRule = std::make_shared<Strip>(); // also where the findings go on
+    topRule->draw = [width](QPainter &painter, QPointF at) { drawRule(painter, at, width, outerRule); };
+    topRule->height = 0.6 * mm;
 
     Strips strips;
     for (std::size_t i = 0; i < findings.lines.size(); ++i) {
@@ -401,21 +388,13 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
         row.texts.push_back({TextBlock(line.clause.isEmpty() ? thinDash : line.clause, clause, clauseWidth),
                              clauseLeft, clauseWidth, TextAlignment::right});
         row.lines = std::max(row.texts[1].block.lineCount(), row.texts[2].block.lineCount());
-        const bool first = i == 0;
         const bool last = i + 1 == findings.lines.size();
-        const double outer = 0.6 * mm; // from the rules at both ends
         addRow(strips, std::move(row), style.size * style.leading, width,
-               {padding + (first ? outer : 0), padding + (last ? outer : 0), false, last}, nullptr);
+               {padding, padding + (last ? topRule->height : 0), false, last}, topRule);
     }
-    if (!strips.empty()) {
-        strips.front().draw = [draw = strips.front().draw, width](QPainter &painter, QPointF at) {
-            drawRule(painter, at, width, outerRule);
-            draw(painter, at);
-        };
-        for (Strip &strip : strips)
-            strip.closingRule = 0;
-    }
-    keepTogether(strips, false, false);
+    if (!strips.empty())
+        strips.insert(strips.begin(), *topRule);
+    keepTogether(strips, false, true);
     return strips;
 }
 
