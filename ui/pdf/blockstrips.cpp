@@ -146,10 +146,58 @@ Strips headingStrips(const Heading &heading, double width) {
             note.draw(painter, at + QPointF(0, title.height()));
         });
     }
-    result.section = heading.level <= 2;
     result.withNext = true;
     return {result};
 }
+
+/// Short notes on one line where they fit, a thin stroke between them, else below each other.
+class NoteLine {
+public:
+    NoteLine(const QStringList &notes, double room) {
+        double width = 0;
+        for (const QString &note : notes) {
+            for (const QString &line : note.split(u'\n', Qt::SkipEmptyParts)) {
+                m_notes.emplace_back(line, style, room);
+                width += m_notes.back().width() + (m_notes.size() > 1 ? noteGap : 0);
+            }
+        }
+        m_beside = width <= room;
+        for (const TextBlock &note : m_notes) {
+            m_width = m_beside ? width : std::max(m_width, note.width());
+            m_height = m_beside ? note.height() : m_height + note.height();
+        }
+    }
+
+    [[nodiscard]] bool empty() const { return m_notes.empty(); }
+    [[nodiscard]] double width() const { return m_width; }
+    [[nodiscard]] double height() const { return m_height; }
+
+    /// From `left`, or with the right end there.
+    void draw(QPainter &painter, QPointF at, TextAlignment alignment) const {
+        if (alignment == TextAlignment::right)
+            at.rx() -= m_width;
+        for (const TextBlock &note : m_notes) {
+            const bool first = &note == &m_notes.front();
+            if (m_beside && !first) {
+                painter.setPen(QPen(ruleGrey, groupRule * mm, Qt::SolidLine, Qt::FlatCap));
+                const QPointF stroke = at + QPointF(noteGap / 2, 0.15 * note.height());
+                painter.drawLine(stroke, stroke + QPointF(0, 0.7 * note.height()));
+                at.rx() += noteGap;
+            }
+            note.draw(painter, at, m_beside ? TextAlignment::left : alignment, m_width);
+            at += m_beside ? QPointF(note.width(), 0) : QPointF(0, note.height());
+        }
+    }
+
+private:
+    static constexpr TextStyle style{8, false, noteGrey, 1.2};
+    static constexpr double noteGap = 4 * mm;
+
+    std::vector<TextBlock> m_notes;
+    bool m_beside = false;
+    double m_width = 0;
+    double m_height = 0;
+};
 
 /// Logo, name and address of the laboratory at the left, number and what belongs to it at the right.
 Strip letterhead(const TestHead &head, double width) {
@@ -157,42 +205,31 @@ Strip letterhead(const TestHead &head, double width) {
     const Logo mark(head.mark);
     const QSizeF logoSize = logo.size({logoWidth, logoHeight});
     const QSizeF markSize = mark.size({logoWidth, logoHeight});
+    const double logoRoom = logo.empty() ? 0 : logoSize.width() + logoGap;
+    const double markRoom = mark.empty() ? 0 : markSize.width() + logoGap;
 
     constexpr double half = 0.5;
     const TextBlock number(head.number, h2, width * half);
-    const TextStyle notes{8, false, noteGrey, 1.2};
-    const TextBlock numberNotes(head.numberNotes.join(u'\n'), notes, width * half);
+    const NoteLine numberNotes(head.numberNotes, width * half);
     const double numberWidth = std::max(number.width(), numberNotes.width());
 
-    const double nameLeft = logo.empty() ? 0 : logoSize.width() + logoGap;
-    const double nameWidth =
-        width - nameLeft - numberWidth - logoGap - (mark.empty() ? 0 : markSize.width() + logoGap);
+    const double nameWidth = width - logoRoom - markRoom - numberWidth - logoGap;
     const TextBlock name(head.laboratory, h2, nameWidth);
-    QStringList lines;
-    for (const QString &line : {head.address, head.accreditation}) {
-        if (!line.isEmpty())
-            lines << line;
-    }
-    const TextBlock address(lines.join(u'\n'), notes, nameWidth);
+    const NoteLine address({head.address, head.accreditation}, nameWidth);
 
-    const double leftHeight = name.height() + (lines.isEmpty() ? 0 : nameGap + address.height());
-    const double rightHeight =
-        number.height() + (head.numberNotes.isEmpty() ? 0 : nameGap + numberNotes.height());
-    const double height = std::max({leftHeight, rightHeight, logoSize.height(), markSize.height()});
-    const bool hasAddress = !lines.isEmpty();
-    const bool hasNotes = !head.numberNotes.isEmpty();
+    const auto heightOfBoth = [](const TextBlock &title, const NoteLine &notes) {
+        return title.height() + (notes.empty() ? 0 : nameGap + notes.height());
+    };
+    const double height = std::max({heightOfBoth(name, address), heightOfBoth(number, numberNotes),
+                                    logoSize.height(), markSize.height()});
     return strip(height, [=](QPainter &painter, QPointF at) {
+        const QPointF right = at + QPointF(width, 0);
         logo.draw(painter, QRectF(at, logoSize));
-        mark.draw(
-            painter,
-            QRectF(QPointF(at.x() + width - numberWidth - 2 * logoGap - markSize.width(), at.y()), markSize));
-        name.draw(painter, at + QPointF(nameLeft, 0));
-        if (hasAddress)
-            address.draw(painter, at + QPointF(nameLeft, name.height() + nameGap));
+        mark.draw(painter, QRectF(right - QPointF(numberWidth + logoGap + markSize.width(), 0), markSize));
+        name.draw(painter, at + QPointF(logoRoom, 0));
+        address.draw(painter, at + QPointF(logoRoom, name.height() + nameGap), TextAlignment::left);
         number.draw(painter, at, TextAlignment::right, width);
-        if (hasNotes)
-            numberNotes.draw(painter, at + QPointF(0, number.height() + nameGap), TextAlignment::right,
-                             width);
+        numberNotes.draw(painter, right + QPointF(0, number.height() + nameGap), TextAlignment::right);
     });
 }
 
@@ -220,7 +257,11 @@ Strips testHeadStrips(const TestHead &head, double width, double tallest) {
     };
     line(head.title, h1, titleGap);
     line(head.subtitle, subtitleStyle, subtitleGap);
-    line(head.editionTitle, noteStyle, subtitleGap / 2);
+    TextStyle small = noteStyle;
+    constexpr double smallest = 7.2;
+    while (small.size > smallest && TextBlock(head.editionTitle, small).width() > width)
+        small.size -= 0.1; // one line where that is readable
+    line(head.editionTitle, small, subtitleGap / 2);
     line(head.notice, {9, true, black, 1.28}, 2 * subtitleGap);
     result.push_back(strip(
         ruleBelow, [width](QPainter &painter, QPointF at) { drawRule(painter, at, width, strongRule); }));
@@ -289,8 +330,8 @@ Strips verdictStrips(const VerdictLine &line, double width) {
     const TextBlock word(line.word, {decided ? 12.0 : 10.5, true, black, 1.2}, widestWord);
     const double reasonLeft = left + std::max(wordLeft + word.width(), label.width()) + reasonGap;
     const double reasonWidth = width - reasonLeft - left;
-    const TextBlock reason(line.reason, {8.5, false, black, 1.3}, reasonWidth);
-    const TextBlock accordance(line.accordance, {8.5, !line.inAccordance, black, 1.3}, reasonWidth);
+    const TextBlock reason(line.reason, {8.5, false, black, 1.2}, reasonWidth);
+    const TextBlock accordance(line.accordance, {8.5, !line.inAccordance, black, 1.2}, reasonWidth);
 
     const double leftHeight = label.height() + word.height();
     const double rightHeight =
@@ -315,55 +356,90 @@ Strips verdictStrips(const VerdictLine &line, double width) {
     })};
 }
 
+/// A heading as large as its column allows.
+TextBlock signatureHeading(const QString &text, double width) {
+    TextStyle style = h3;
+    constexpr double smallest = 7.5;
+    while (style.size > smallest && TextBlock(text, style).width() > width)
+        style.size -= 0.1;
+    return {text, style, width};
+}
+
 Strips signatureStrips(const Signatures &signatures, double width) {
     constexpr double gap = 8 * mm;
     constexpr double lineHeight = 9 * mm;
     constexpr double signatureHeight = 20.1 * mm; ///< 12 free below the label
     constexpr double signatureLabel = 4.3 * mm;
-    constexpr double headingHeight = 4.3 * mm;
     constexpr double labelAbove = 4.6 * mm; ///< top of a label above its rule
+    constexpr double labelGap = 2 * mm;
+    constexpr TextStyle labelText{8, false, labelGrey, 1.2};
+    constexpr TextStyle valueText{9, false, black, 1.2};
+    struct Line {
+        TextBlock label;
+        TextBlock value;
+    };
     const auto count = static_cast<double>(std::max<std::size_t>(signatures.columns.size(), 1));
     const double columnWidth = (width - gap * (count - 1)) / count;
-    double height = 0;
+
+    // What stands beside each other has one height, so all rules are level.
+    double headings = 0;
+    std::vector<double> heights;
+    std::vector<std::vector<Line>> columns;
     for (const SignatureColumn &column : signatures.columns) {
-        double needed = TextBlock(column.heading, h3, columnWidth).height() + headingHeight - 4.06 * mm;
-        for (const SignatureLine &line : column.lines)
-            needed += line.forSignature ? signatureHeight : lineHeight;
-        height = std::max(height, needed);
+        headings = std::max(headings, signatureHeading(column.heading, columnWidth).height());
+        columns.emplace_back();
+        heights.resize(std::max(heights.size(), column.lines.size()));
+        for (std::size_t i = 0; i < column.lines.size(); ++i) {
+            const SignatureLine &line = column.lines[i];
+            Line made{TextBlock(line.label, labelText), {}};
+            double needed = line.forSignature ? signatureHeight : lineHeight;
+            if (!line.value.isEmpty()) {
+                made.value = TextBlock(line.value, valueText, columnWidth - made.label.width() - labelGap);
+                needed += made.value.height() - made.value.lineHeight();
+            }
+            heights[i] = std::max(heights[i], needed);
+            columns.back().push_back(std::move(made));
+        }
     }
-    return {strip(height + 0.5, [signatures, columnWidth](QPainter &painter, QPointF at) {
-        for (const SignatureColumn &column : signatures.columns) {
-            const TextBlock heading(column.heading, h3, columnWidth);
-            heading.draw(painter, at);
-            double y = at.y() + heading.height() + headingHeight - 4.06 * mm;
-            for (const SignatureLine &line : column.lines) {
-                const double step = line.forSignature ? signatureHeight : lineHeight;
-                const TextBlock label(line.label, {8, false, labelGrey, 1.2});
-                const double top = line.forSignature ? y + signatureLabel : y + step - labelAbove;
+    double height = headings;
+    for (const double each : heights)
+        height += each;
+    return {strip(height + groupRule * mm, [=](QPainter &painter, QPointF at) {
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            signatureHeading(signatures.columns[c].heading, columnWidth).draw(painter, at);
+            double y = at.y() + headings;
+            for (std::size_t i = 0; i < columns[c].size(); ++i) {
+                const auto &[label, value] = columns[c][i];
+                const double more = value.empty() ? 0 : value.height() - value.lineHeight();
+                const bool free = signatures.columns[c].lines[i].forSignature;
+                const double top = free ? y + signatureLabel : y + heights[i] - labelAbove - more;
                 label.draw(painter, {at.x(), top});
-                const double valueLeft = label.width() + 2 * mm;
-                TextBlock value(line.value, {9, false, black, 1.1}, columnWidth - valueLeft);
-                const double drop = label.ascent() - value.ascent() -
-                                    value.lineHeight() * (static_cast<double>(value.lineCount()) - 1);
-                if (!line.value.isEmpty())
-                    value.draw(painter, {at.x() + valueLeft, top + drop});
-                y += step;
-                drawRule(painter, {at.x(), y}, columnWidth, 0.15);
+                value.draw(painter,
+                           {at.x() + label.width() + labelGap, top + label.ascent() - value.ascent()});
+                y += heights[i];
+                drawRule(painter, {at.x(), y}, columnWidth, groupRule);
             }
             at.rx() += columnWidth + gap;
         }
     })};
 }
 
+bool beginsSection(const Block &block) {
+    const auto isSection = [](const auto *heading) { return heading && heading->level <= 2; };
+    if (const auto *columns = std::get_if<SideBySide>(&block))
+        return !columns->left.empty() && isSection(std::get_if<Heading>(&columns->left.front()));
+    return isSection(std::get_if<Heading>(&block));
+}
+
 /// The gap above a block, after the one before it.
 double gapBetween(const Block &above, const Block &below) {
     const auto *heading = std::get_if<Heading>(&above);
-    if (std::holds_alternative<Heading>(below))
-        return std::get<Heading>(below).level <= 2 ? sectionGap : sectionGap / 2;
-    if (heading)
-        return heading->level <= 2 ? afterHeading : afterSmallHeading;
     if (std::holds_alternative<TestHead>(above))
         return afterHead;
+    if (beginsSection(below))
+        return sectionGap;
+    if (heading)
+        return heading->level <= 2 ? afterHeading : afterSmallHeading;
     if (std::holds_alternative<ResultsLegend>(below))
         return belowTable;
     if (std::holds_alternative<VerdictLine>(below))
@@ -463,6 +539,8 @@ Strips blockStrips(const std::vector<Block> &blocks, double width, double talles
                 result.back().withNext = true;
             strips.front().gap = above ? gapBetween(*above, block) : 0;
             strips.front().block = static_cast<int>(i);
+            strips.front().section = beginsSection(block);
+            strips.back().verdict = std::holds_alternative<VerdictLine>(block);
             above = &block;
         } else if (std::holds_alternative<PageBreak>(block)) {
             above = nullptr;

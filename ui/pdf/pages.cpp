@@ -21,9 +21,12 @@ constexpr double footerRule = 14 * mm;    ///< above the edge
 constexpr double footerText = 1.3 * mm;   ///< below its rule
 constexpr double runningRule = 1.45 * mm; ///< below its text
 constexpr double belowRunningHead = 6 * mm;
-constexpr double smallestGap = 4.5 * mm; ///< between sections, to keep the results on the first page
-constexpr double largestGap = 8.5 * mm;  ///< where the page has room
-constexpr double sectionRoom = 25 * mm;  ///< below the top of a section
+/// To keep the results on the first page, gaps from this size on may shrink to this part.
+constexpr double smallestToNarrow = 3 * mm;
+constexpr double narrowest = 0.55;
+constexpr double roundingRoom = 0.01;
+constexpr double largestGap = 8.5 * mm; ///< where the page has room
+constexpr double sectionRoom = 25 * mm; ///< below the top of a section
 
 constexpr TextStyle runningStyle{7.5, false, noteGrey, 1.2};
 
@@ -117,9 +120,9 @@ private:
         double height = needed(strips, from, end);
         if (strips[from].section)
             height = std::max(height, sectionRoom);
-        if (!m_page.strips.empty() && height > room() && !narrowGaps(strips[from], height - room()))
+        if (!m_page.strips.empty() && height > room() && !narrowGaps(strips, from, end, height - room()))
             turnPage();
-        if (needed(strips, from, end) <= room()) {
+        if (m_narrowing < 1 || needed(strips, from, end) <= room()) {
             for (std::size_t i = from; i < end; ++i)
                 place(strips[i]);
             return;
@@ -131,43 +134,48 @@ private:
         }
     }
 
-    /// On the first page of a test the gaps between sections give way a little before the results do.
-    bool narrowGaps(const Strip &next, double missing) {
-        if (m_page.running || !next.section)
+    /// On the first page of a test the larger gaps give way before the results do, all in the same ratio.
+    bool narrowGaps(const Strips &strips, std::size_t from, std::size_t end, double missing) {
+        if (m_narrowing < 1 || m_page.running || !strips[end - 1].verdict)
             return false;
-        double spare = next.gap - smallestGap;
-        for (const Strip &strip : m_page.strips)
-            spare += strip.section ? strip.gap - smallestGap : 0;
-        if (spare < missing)
+        double gaps = 0;
+        const auto add = [&gaps](const Strip &strip) {
+            gaps += strip.gap >= smallestToNarrow ? strip.gap : 0;
+        };
+        std::for_each(m_page.strips.begin(), m_page.strips.end(), add);
+        for (std::size_t i = from; i < end; ++i)
+            add(strips[i]);
+        if (missing > (1 - narrowest) * gaps)
             return false;
-        m_narrowed = true;
-        for (Strip &strip : m_page.strips) {
-            if (strip.section)
-                strip.gap = smallestGap;
-        }
+        m_narrowing = 1 - (missing + roundingRoom) / gaps;
+        for (Strip &strip : m_page.strips)
+            strip.gap = narrowed(strip.gap);
         return true;
+    }
+
+    [[nodiscard]] double narrowed(double gap) const {
+        return gap < smallestToNarrow ? gap : m_narrowing * gap;
     }
 
     void place(const Strip &strip) {
         if (m_page.strips.empty() && strip.head)
             m_page.strips.push_back(*strip.head);
         m_page.strips.push_back(strip);
-        if (m_narrowed && strip.section)
-            m_page.strips.back().gap = smallestGap;
+        m_page.strips.back().gap = narrowed(strip.gap);
     }
 
     void turnPage() {
         m_pages.push_back(std::move(m_page));
         m_page = {};
         m_page.running = m_running;
-        m_narrowed = false;
+        m_narrowing = 1;
     }
 
     double m_bottom;
     std::vector<PageStrips> m_pages;
     PageStrips m_page;
     std::optional<RunningHead> m_running;
-    bool m_narrowed = false;
+    double m_narrowing = 1; ///< ratio of the larger gaps on this page
 };
 
 class PageMaker {

@@ -20,6 +20,7 @@ struct Strip {
     std::function<void(QPainter &, QPointF topLeft)> draw;
     double gap = 0;                     ///< above it, unless it begins a page
     bool section = false;               ///< begins a section: its gap may grow, and it needs room below it
+    bool verdict = false;               ///< ends the results of a test, for which gaps give way
     bool withNext = false;              ///< never the last of a page
     double closingRule = 0;             ///< length of the rule below it where its table is split
     std::shared_ptr<Strip> head;        ///< of the table it continues: repeated where it begins a page

@@ -245,7 +245,9 @@ public:
             const Place &place = places[i];
             const auto last =
                 std::min(i + static_cast<std::size_t>(std::max(column.titleSpan, 1)), places.size()) - 1;
-            const double room = places[last].right() - place.left + 2 * cellPadding;
+            const bool right = column.alignment != Alignment::left; // may stand out to the left
+            const double room =
+                places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding / 2);
             Title title;
             if (!column.title.plain().isEmpty())
                 title.name = TextBlock(richText(column.title, true), cellStyle, room);
@@ -264,8 +266,9 @@ public:
             const std::size_t last = std::min(spanner.first + spanner.count, places.size()) - 1;
             const double left = places[spanner.first].left;
             const double length = places[last].right() - left;
-            m_spanners.push_back({TextBlock(richText(spanner.title, true), cellStyle, length), left, length});
-            spannersHeight = std::max(spannersHeight, m_spanners.back().block.height());
+            m_spanners.push_back(
+                {spanner.first, {TextBlock(richText(spanner.title, true), cellStyle, length), left, length}});
+            spannersHeight = std::max(spannersHeight, m_spanners.back().title.block.height());
             for (std::size_t i = spanner.first; i <= last; ++i)
                 underSpanners =
                     std::max(underSpanners, m_titles[i].name.height() + m_titles[i].unit.height());
@@ -283,16 +286,16 @@ public:
         painter.fillRect(QRectF(at, QSizeF(m_width, m_height)), headTint);
         drawRule(painter, at, m_width, outerRule);
         drawRule(painter, at + QPointF(0, m_height), m_width, headRule);
-        for (const PlacedText &spanner : m_spanners) {
-            spanner.block.draw(painter, at + QPointF(spanner.x, headAbove), TextAlignment::centre,
-                               spanner.width);
-            drawRule(painter, at + QPointF(spanner.x, m_spannerRule), spanner.width, groupRule);
-        }
         const bool units = std::any_of(m_titles.begin(), m_titles.end(),
                                        [](const Title &title) { return !title.unit.empty(); });
         const double bottom = at.y() + m_height - headBelow;
         const double unitHeight = textSize * cellStyle.leading;
-        for (const Title &title : m_titles) {
+        for (std::size_t i = 0; i < m_titles.size(); ++i) {
+            const Title &title = m_titles[i];
+            for (const HeadSpanner &spanner : m_spanners) { // read before the first of its columns
+                if (spanner.first == i)
+                    drawSpanner(painter, at, spanner.title);
+            }
             if (title.name.empty())
                 continue;
             // Aligned at the bottom; above numbers the line of the units stays free.
@@ -308,6 +311,15 @@ public:
     }
 
 private:
+    void drawSpanner(QPainter &painter, QPointF at, const PlacedText &title) const {
+        title.block.draw(painter, at + QPointF(title.x, headAbove), TextAlignment::centre, title.width);
+        drawRule(painter, at + QPointF(title.x, m_spannerRule), title.width, groupRule);
+    }
+
+    struct HeadSpanner {
+        std::size_t first = 0;
+        PlacedText title;
+    };
     struct Title {
         TextBlock name;
         TextBlock unit;
@@ -320,7 +332,7 @@ private:
     double m_height = 0;
     double m_spannerRule = 0;
     std::vector<Title> m_titles;
-    std::vector<PlacedText> m_spanners;
+    std::vector<HeadSpanner> m_spanners;
 };
 
 } // namespace

@@ -107,6 +107,11 @@ qsizetype fitting(const TextRun &run, const TextStyle &style, double width) {
             break;
         count = next;
     }
+    // Better behind a sign that parts words, if most of the line is used that way.
+    for (qsizetype at = count; at < run.text.size() && at > count / 2; --at) {
+        if (QStringLiteral("/-_.,;:").contains(run.text[at - 1]))
+            return at;
+    }
     return count;
 }
 
