@@ -1777,10 +1777,6 @@
         <translation>Limite respectée&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>No limit agreed for the others.</source>
-        <translation>Pas de limite convenue pour les autres.</translation>
-    </message>
-    <message>
         <source>Verdict of the test</source>
         <translation>Verdict de l’essai</translation>
     </message>
@@ -1818,7 +1814,7 @@
     </message>
     <message>
         <source>Findings</source>
-        <translation>Constatations</translation>
+        <translation>Constats</translation>
     </message>
     <message>
         <source>what the edition asks for and this test does not have</source>
@@ -1826,7 +1822,7 @@
     </message>
     <message>
         <source>No findings.</source>
-        <translation>Aucune constatation.</translation>
+        <translation>Aucun constat.</translation>
     </message>
     <message>
         <source>Limits and decision rule</source>
@@ -1931,13 +1927,13 @@
     </message>
     <message>
         <source>In accordance with %1.</source>
-        <translation>Essai conforme aux prescriptions de %1.</translation>
+        <translation>Essai conforme à l’édition %1.</translation>
     </message>
     <message numerus="yes">
         <source>NOT in accordance with %1: %n requirement(s) not met.</source>
         <translation>
-            <numerusform>Essai NON conforme aux prescriptions de %1&#xa0;: %n exigence non satisfaite.</numerusform>
-            <numerusform>Essai NON conforme aux prescriptions de %1&#xa0;: %n exigences non satisfaites.</numerusform>
+            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigence non satisfaite.</numerusform>
+            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigences non satisfaites.</numerusform>
         </translation>
     </message>
     <message>
@@ -2071,7 +2067,7 @@
     </message>
     <message>
         <source>language of tables, findings and errors</source>
-        <translation>langue des tableaux, constatations et erreurs</translation>
+        <translation>langue des tableaux, constats et erreurs</translation>
     </message>
     <message>
         <source>this help</source>
@@ -2152,6 +2148,23 @@
     <message>
         <source>unknown command %1; palmer-cli --help lists them</source>
         <translation>commande inconnue %1&#x202f;; palmer-cli --help les énumère</translation>
+    </message>
+    <message>
+        <source>machine unloaded</source>
+        <comment>1988</comment>
+        <translation>machine non chargée</translation>
+    </message>
+    <message>
+        <source>Not corrected to 20 °C, nothing is proven for %1.</source>
+        <translation>Sans correction à 20&#xa0;°C, rien n’est prouvé pour %1.</translation>
+    </message>
+    <message>
+        <source>Others: no limit agreed.</source>
+        <translation>Autres&#xa0;: pas de limite.</translation>
+    </message>
+    <message>
+        <source>No limit agreed for the others.</source>
+        <translation>Pas de limite convenue pour les autres.</translation>
     </message>
     <message>
         <source>a value or “]”</source>

@@ -67,6 +67,16 @@ QString targetChoiceText(const PositioningPart &part) {
     return joined(texts);
 }
 
+QString targetList(const PositioningPart &part) {
+    const auto &targets = part.measurement.targets;
+    const int decimals = positionDecimals(targets, part.along());
+    QStringList texts;
+    for (const double target : targets)
+        texts << part.write.language().number(target, part.along(), decimals);
+    return joined(texts, part.write.semicolon()) + QStringLiteral("\u00A0") +
+           part.write.language().unit(part.along());
+}
+
 /// "X 0, Y –, Z 150 mm"; empty where nothing is stated.
 QString pointText(const Writer &write, const Point3 &point) {
     if (std::ranges::none_of(point, [](const auto &x) { return x.has_value(); }))
@@ -77,9 +87,7 @@ QString pointText(const Writer &write, const Point3 &point) {
         texts << QLatin1Char(letters[i]) + QStringLiteral("\u00A0") +
                      (point[i] ? write.language().number(*point[i], Quantity::position)
                                : QStringLiteral("–"));
-    return texts.join(write.language().id() == Language::Id::french ? QStringLiteral("\u202F; ")
-                                                                    : QStringLiteral("; ")) +
-           QStringLiteral("\u00A0mm");
+    return texts.join(write.semicolon()) + QStringLiteral("\u00A0mm");
 }
 
 QString measuringLineText(const Writer &write, const Conditions &conditions) {
@@ -116,9 +124,10 @@ KeyValues conditionRows(const PositioningPart &part) {
     add(REPORT_TEXT("report", "Dwell at target"), write.quantity(conditions.dwell, Quantity::time));
     addStated(REPORT_TEXT("report", "Approach distance"),
               write.quantity(conditions.approachDistance, part.along()));
+    const Text unloaded = part.isOf1988() ? REPORT_TEXT_FOR("report", "machine unloaded", "1988")
+                                          : REPORT_TEXT("report", "machine unloaded");
     add(REPORT_TEXT("report", "Load"),
-        joined({stated(write, common.unloaded, REPORT_TEXT("report", "machine unloaded"),
-                       REPORT_TEXT("report", "machine loaded")),
+        joined({stated(write, common.unloaded, unloaded, REPORT_TEXT("report", "machine loaded")),
                 QString::fromStdString(common.load)}));
     add(REPORT_TEXT("report", "State of the machine"),
         joined({stated(write, common.complete, REPORT_TEXT("report", "complete and in working order"),
@@ -130,6 +139,8 @@ KeyValues conditionRows(const PositioningPart &part) {
     add(REPORT_TEXT("report", "Measuring line"), measuringLineText(write, common));
     add(REPORT_TEXT("report", "Instrument"), QString::fromStdString(common.instrumentPosition));
     add(REPORT_TEXT("report", "Choice of targets"), targetChoiceText(part));
+    if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
+        add(REPORT_TEXT("report", "Target positions"), targetList(part)); // stated in the tables otherwise
     if (conditions.referencePosition)
         add(REPORT_TEXT("report", "Zero of displacement"),
             write.quantity(conditions.referencePosition, part.along()));

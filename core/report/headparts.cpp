@@ -137,9 +137,13 @@ QString axisText(const PositioningPart &part) {
     return joined(texts);
 }
 
+/// "0.00 to 1 500.41 mm"; a sign of degrees stands at each number.
 QString intervalText(const PositioningPart &part, double from, double to, int decimals) {
+    const Language &language = part.write.language();
+    const QString first = part.along() == Quantity::angle ? language.quantity(from, part.along(), decimals)
+                                                          : language.number(from, part.along(), decimals);
     return part.write.say(REPORT_TEXT("report", "%1 to %2"),
-                          {Number{from, part.along(), decimals}, Number{to, part.along(), decimals}});
+                          {first.toStdString(), Number{to, part.along(), decimals}});
 }
 
 QString travelText(const PositioningPart &part) {

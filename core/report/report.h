@@ -56,7 +56,7 @@ enum class Mark {
 [[nodiscard]] Mark markOf(Grade grade);
 
 /// The guard picture of a result: base line from 0, tick at the limit, value as a diamond, and, where the
-/// rule has one, the band limit ± g. All in the unit shown, value by absolute value, limit > 0.
+/// rule has one, the band limit ± g. All in one unit, value by absolute value, limit > 0.
 struct Guard {
     double limit = 1;
     double value = 0;

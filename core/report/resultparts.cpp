@@ -15,7 +15,7 @@ namespace {
 
 constexpr double earlierGuardFactor = 1.0;   ///< guard band U: earlier editions of ISO 14253-1
 constexpr double oneSidedGuardFactor = 0.83; ///< 1.65 u: its later 95 % rule for one limit
-constexpr std::size_t mostNamed = 4;         ///< results in a sentence of the verdict line
+constexpr qsizetype mostOfReason = 190;      ///< characters that fit on two lines of the verdict line
 
 bool hasGuardBand(const Test &test) {
     return test.decisionRule.rule != Rule::simpleAcceptance;
@@ -188,8 +188,7 @@ QString resultsNote(const TestPart &part) {
             rule += QStringLiteral(", g = ") + bandName(part);
         notes << rule << part.write.text(REPORT_TEXT("report", "verdict taken from the unrounded values"));
     }
-    const bool french = part.write.language().id() == Language::Id::french;
-    return notes.join(french ? QStringLiteral("\u202F; ") : QStringLiteral("; "));
+    return notes.join(part.write.semicolon());
 }
 
 void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrected) {
@@ -262,18 +261,16 @@ std::string shownLimit(const TestPart &part, const PrintedResult &result) {
     return withUnit(part, result.limit, result.parameter->term.quantity).toStdString();
 }
 
-QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> &results) {
+/// `inShort`: the symbols only.
+QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> &results, bool inShort) {
     const Writer &write = part.write;
-    if (results.size() > 1) {
+    if (results.size() > 1 || inShort) {
         QStringList items;
         for (const PrintedResult *result : results) {
-            if (static_cast<std::size_t>(items.size()) == mostNamed) {
-                items << QStringLiteral("…");
-                break;
-            }
-            items << write.say(
-                REPORT_TEXT("report", "%1 (%2 against %3)"),
-                {plainSymbol(*result->parameter), shownValue(part, *result), shownLimit(part, *result)});
+            const std::string symbol = plainSymbol(*result->parameter);
+            items << (inShort ? QString::fromStdString(symbol)
+                              : write.say(REPORT_TEXT("report", "%1 (%2 against %3)"),
+                                          {symbol, shownValue(part, *result), shownLimit(part, *result)}));
         }
         return write.say(hasGuardBand(part.test)
                              ? REPORT_TEXT("report", "Limits exceeded by more than the guard band: %1.")
@@ -301,6 +298,15 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
 
 QString notProven(const TestPart &part, const std::vector<const PrintedResult *> &results) {
     const QString symbols = joinedSymbols(parametersOf(results));
+    const auto *positioning = std::get_if<PositioningResults>(&part.evaluation.results);
+    const bool uncorrected = positioning && positioning->notCorrected &&
+                             std::ranges::all_of(results, [&](const PrintedResult *result) {
+                                 const Row *row = rowOf(part.edition(), *result->parameter);
+                                 return row && row->dependsOnTemperature;
+                             });
+    if (uncorrected)
+        return part.write.say(REPORT_TEXT("report", "Not corrected to 20 °C, nothing is proven for %1."),
+                              symbols);
     const bool withoutUncertainty = std::ranges::all_of(
         results, [](const PrintedResult *result) { return !result->parameter->expandedUncertainty; });
     if (withoutUncertainty)
@@ -325,20 +331,24 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
             any ? REPORT_TEXT("report", "The limits agreed do not hold for this test: no verdict.")
                 : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
     }
-    QStringList sentences;
     const auto failing = resultsWith(results, Verdict::doesNotConform);
     const auto open = resultsWith(results, Verdict::notProven);
     const auto good = resultsWith(results, Verdict::conforms);
-    if (!failing.empty())
-        sentences << exceeded(part, failing);
-    if (!open.empty())
-        sentences << notProven(part, open);
-    if (!good.empty())
-        sentences << part.write.say(REPORT_TEXT("report", "Within its limit: %1."),
-                                    joinedSymbols(parametersOf(good)));
-    if (failing.size() + open.size() + good.size() < results.size())
-        sentences << part.write.text(REPORT_TEXT("report", "No limit agreed for the others."));
-    return sentences.join(u' ');
+    const auto sentences = [&](bool inShort) {
+        QStringList all;
+        if (!failing.empty())
+            all << exceeded(part, failing, inShort);
+        if (!open.empty())
+            all << notProven(part, open);
+        if (!good.empty())
+            all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."),
+                                  joinedSymbols(parametersOf(good)));
+        if (failing.size() + open.size() + good.size() < results.size())
+            all << part.write.text(REPORT_TEXT("report", "Others: no limit agreed."));
+        return all.join(u' ');
+    };
+    const QString whole = sentences(false);
+    return whole.size() <= mostOfReason ? whole : sentences(true);
 }
 
 VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &results) {

@@ -27,6 +27,11 @@ public:
         return value ? m_language.quantity(*value, quantity, decimals) : QString();
     }
 
+    /// "; " as the language spaces it.
+    [[nodiscard]] QString semicolon() const {
+        return m_language.id() == Language::Id::french ? QStringLiteral("\u202F; ") : QStringLiteral("; ");
+    }
+
 private:
     const Language &m_language;
 };

@@ -10,8 +10,10 @@ namespace palmer {
 
 namespace {
 
+constexpr int decimalsOfLengths = 2; ///< positions along a linear axis: 0.01 mm
 constexpr int mostPositionDecimals = 3;
 constexpr int mostReadingDecimals = 4;
+constexpr int digitsOfArcSeconds = 3;        ///< 1e-5° are 0.036″: two decimals tell it
 constexpr std::size_t readingsLooked = 2000; ///< enough to see how many decimals readings have
 
 } // namespace
@@ -93,6 +95,8 @@ int decimalsOf(double value, Quantity quantity) {
 }
 
 int positionDecimals(const std::vector<double> &positions, Quantity quantity) {
+    if (quantity == Quantity::position)
+        return decimalsOfLengths;
     int result = 0;
     for (std::size_t i = 0; i < std::min(positions.size(), readingsLooked); ++i)
         result = std::max(result, decimalsOf(positions[i], quantity));
@@ -101,6 +105,13 @@ int positionDecimals(const std::vector<double> &positions, Quantity quantity) {
 
 int readingDecimals(const PositioningMeasurement &measurement) {
     const Quantity quantity = deviationQuantity(measurement);
+    const auto decimals = [quantity](double value) {
+        const int shown = decimalsOf(value, quantity);
+        if (quantity != Quantity::angularDeviation)
+            return shown;
+        // What was entered in degrees has a product with 3600 longer than its step is fine.
+        return std::min(shown, std::max(0, decimalsOf(value, Quantity::angle) - digitsOfArcSeconds));
+    };
     int result = 0;
     std::size_t looked = 0;
     for (const Run &run : measurement.runs) {
@@ -108,7 +119,7 @@ int readingDecimals(const PositioningMeasurement &measurement) {
             if (looked++ == readingsLooked)
                 return std::min(result, mostReadingDecimals);
             if (deviation)
-                result = std::max(result, decimalsOf(*deviation, quantity));
+                result = std::max(result, decimals(*deviation));
         }
     }
     return std::min(result, mostReadingDecimals);

@@ -27,7 +27,7 @@ namespace palmer {
 /// Digits after the point of the shortest form of a number, in the unit it is shown in.
 [[nodiscard]] int decimalsOf(double value, Quantity quantity);
 
-/// The common decimals of positions, at most 3.
+/// Decimals of positions: 0.01 mm; of angles those they have in common, at most 3.
 [[nodiscard]] int positionDecimals(const std::vector<double> &positions, Quantity quantity);
 
 /// The common decimals of the readings as they were entered, at most 4.

@@ -235,6 +235,19 @@ void keepTogether(Strips &strips, bool all, bool headed) {
     }
 }
 
+/// A title, smaller where a word of it is wider than its column.
+TextBlock headText(const Phrase &title, double room) {
+    constexpr double smallest = 7;
+    TextStyle style = cellStyle;
+    double widest = 0;
+    for (const QString &word : title.plain().split(u' ', Qt::SkipEmptyParts))
+        widest = std::max(widest, textWidth(word, styled(true)));
+    while (widest * style.size / cellStyle.size > room && style.size > smallest)
+        style.size -= 0.1;
+    style.leading *= cellStyle.size / style.size;
+    return {richText(title, true), style, room};
+}
+
 class TableHead {
 public:
     TableHead(const Table &table, const std::vector<Place> &places, double width)
@@ -250,7 +263,7 @@ public:
                 places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding / 2);
             Title title;
             if (!column.title.plain().isEmpty())
-                title.name = TextBlock(richText(column.title, true), cellStyle, room);
+                title.name = headText(column.title, room);
             if (!column.unit.isEmpty())
                 title.unit = TextBlock(column.unit, styled(false, noteGrey), room);
             title.alignment = textAlignment(column.alignment);

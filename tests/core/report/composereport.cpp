@@ -290,8 +290,7 @@ private slots:
                 width += column.width + column.gapBefore;
                 titles += column.title.plain().isEmpty() && column.unit.isEmpty() ? 0 : 1;
             }
-            QVERIFY2(width <= textWidth + 0.5,
-                     qPrintable(QString::number(width))); // widths of the pictures add up to 174.9
+            QVERIFY2(width <= textWidth + 1e-9, qPrintable(QString::number(width)));
             QVERIFY(titles > 0);
             QVERIFY(!table.rows.empty());
             for (const auto &row : table.rows)
@@ -425,6 +424,52 @@ private slots:
         test.remarks += ".";
         changed.tests[0] = std::make_shared<const Test>(test);
         QVERIFY(report(std::make_shared<const Document>(changed), english).fingerprint != before);
+    }
+
+    void deviationsAwayFrom20AreMarkedAtEachResultTheyFalsify() {
+        Document changed = *document("limits-2006");
+        Test test = *changed.tests[0];
+        std::get<PositioningMeasurement>(test.measurement).conditions.common.correctionTo20 =
+            CorrectionTo20::notApplied;
+        changed.tests[0] = std::make_shared<const Test>(test);
+        const Report composed =
+            report(std::make_shared<const Document>(changed), Language(Language::Id::english));
+        QStringList marked;
+        for (const Table &table : tablesOf(composed)) {
+            for (const auto &row : table.rows) {
+                if (row.size() == 8 && row[1].text.plain().endsWith("*"))
+                    marked << row[0].text.plain();
+            }
+        }
+        QCOMPARE(marked.join(' '), "A A↑ A↓ E E↑ E↓ M");
+        const auto legends = blocksOf<ResultsLegend>(composed);
+        QCOMPARE(legends.front().items.front().text, "*\u00A0not corrected to 20 °C");
+        QVERIFY(blocksOf<VerdictLine>(composed).front().reason.contains("Not corrected to 20 °C") ||
+                blocksOf<VerdictLine>(composed).front().verdict == Verdict::doesNotConform);
+    }
+
+    void theReasonOfAVerdictFitsOnTwoLines() {
+        Document changed = *document("limits-2006");
+        Test test = *changed.tests[0];
+        for (const char *id : {"A", "A+", "A-", "E", "E+", "E-", "M", "R", "R+", "R-", "B", "Bmean"})
+            test.limits[id] = {0.0001, {}, {}};
+        test.decisionRule.rule = Rule::simpleAcceptance;
+        changed.tests[0] = std::make_shared<const Test>(test);
+        for (const Language::Id id : both) {
+            const auto line =
+                blocksOf<VerdictLine>(report(std::make_shared<const Document>(changed), Language(id)))[0];
+            QVERIFY2(line.reason.size() <= 190, qPrintable(line.reason));
+            for (const char *symbol : {"A↓", "R↑", "B̄"})
+                QVERIFY2(line.reason.contains(symbol), qPrintable(line.reason));
+        }
+    }
+
+    void everyKindOfTestHasItsPlace() {
+        const auto complete = std::make_shared<const Document>(
+            readDocument(content(QString(DOCUMENTS) + "/../complete.palmer")));
+        const QString text = pageText(report(complete, Language(Language::Id::english)));
+        QVERIFY(text.contains("Circular test in the "));
+        QVERIFY(text.contains("Drift test of the "));
     }
 
     void anEmptyDocumentHasAReport() {
