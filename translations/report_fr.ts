@@ -711,10 +711,6 @@
         <translation>un texte ne peut pas contenir ce caractère&#x202f;; attendu&#xa0;: de l’UTF-8 sans saut de ligne ni caractère de commande</translation>
     </message>
     <message>
-        <source>unknown escape; expected one of JSON, such as \n or \u00e9</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the file ends here; expected %1</source>
         <translation>le fichier s’arrête ici&#x202f;; attendu&#xa0;: %1</translation>
     </message>
@@ -733,10 +729,6 @@
     <message>
         <source>this key is unknown; what others want to add goes into “extensions”</source>
         <translation>cette clé est inconnue&#x202f;; ce que d’autres veulent ajouter se place dans «&#xa0;extensions&#xa0;»</translation>
-    </message>
-    <message>
-        <source>found %1 values; expected %2</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected “from” to be less than “to”</source>
@@ -883,10 +875,6 @@
         <translation>le fichier a été écrit par une version plus récente de Palmer (format %1)&#x202f;; celle-ci lit jusqu’au format %2&#xa0;: installez une version plus récente de Palmer</translation>
     </message>
     <message>
-        <source>the file could not be saved (%1); what was there before is unchanged: save it under another name or in another folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>this is a folder; expected the name of a file to save to</source>
         <translation>ceci est un dossier&#x202f;; attendu&#xa0;: le nom du fichier à enregistrer</translation>
     </message>
@@ -904,7 +892,7 @@
     </message>
     <message>
         <source>the file cannot be read (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier ne peut pas être lu (%1)</translation>
     </message>
     <message>
         <source>the file is larger than 1 GiB</source>
@@ -951,6 +939,377 @@
     <message>
         <source>standard test cycle</source>
         <translation>cycle d’essai normal</translation>
+    </message>
+    <message>
+        <source>conforms</source>
+        <translation>conforme</translation>
+    </message>
+    <message>
+        <source>not proven</source>
+        <translation>non prouvé</translation>
+    </message>
+    <message>
+        <source>does not conform</source>
+        <translation>non conforme</translation>
+    </message>
+    <message>
+        <source>requirement</source>
+        <translation>exigence</translation>
+    </message>
+    <message>
+        <source>recommendation</source>
+        <translation>recommandation</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>note</translation>
+    </message>
+    <message>
+        <source>simple acceptance</source>
+        <translation>acceptation simple</translation>
+    </message>
+    <message>
+        <source>ISO 14253-1: conformity to be proven</source>
+        <translation>ISO 14253-1&#xa0;: conformité à prouver</translation>
+    </message>
+    <message>
+        <source>non-conformity to be proven</source>
+        <translation>non-conformité à prouver</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiquée</translation>
+    </message>
+    <message>
+        <source>not applied</source>
+        <translation>non appliquée</translation>
+    </message>
+    <message>
+        <source>applied by the instrument</source>
+        <translation>appliquée par l’instrument</translation>
+    </message>
+    <message>
+        <source>applied here</source>
+        <translation>appliquée ici</translation>
+    </message>
+    <message>
+        <source>Positioning test of axis %1</source>
+        <translation>Essai de positionnement de l’axe %1</translation>
+    </message>
+    <message>
+        <source>Circular test in the plane %1</source>
+        <translation>Essai de circularité dans le plan %1</translation>
+    </message>
+    <message>
+        <source>Drift test of axis %1</source>
+        <translation>Essai de dérive de l’axe %1</translation>
+    </message>
+    <message>
+        <source>step cycle – not an ISO 230-2 acceptance result</source>
+        <translation>cycle en pas – résultat non utilisable en référence à l’ISO 230-2</translation>
+    </message>
+    <message>
+        <source>Seen under another edition than that of the test (%1): no verdict.</source>
+        <translation>Vu selon une autre édition que celle de l’essai (%1)&#xa0;: pas de verdict.</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>rotary</source>
+        <translation>rotatif</translation>
+    </message>
+    <message>
+        <source>axis travel %1</source>
+        <translation>longueur d’axe %1</translation>
+    </message>
+    <message>
+        <source>measurement travel %1</source>
+        <translation>course de mesurage %1</translation>
+    </message>
+    <message>
+        <source>m = %1; n = %2 each way</source>
+        <translation>m = %1&#x202f;; n = %2 par sens</translation>
+    </message>
+    <message>
+        <source>m = %1; n = %2 ↑, %3 ↓</source>
+        <translation>m = %1&#x202f;; n = %2 ↑, %3 ↓</translation>
+    </message>
+    <message>
+        <source>guard band %1 U</source>
+        <translation>bande de garde %1 U</translation>
+    </message>
+    <message>
+        <source>Edition</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Date of test</source>
+        <translation>Date de l’essai</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Working zone</source>
+        <translation>Zone de travail</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Cycle</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Points visés</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Écart-type</translation>
+    </message>
+    <message>
+        <source>range method</source>
+        <translation>méthode de l’étendue</translation>
+    </message>
+    <message>
+        <source>calculation method</source>
+        <translation>méthode de calcul</translation>
+    </message>
+    <message>
+        <source>Correction to 20 °C</source>
+        <translation>Correction à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Results per target</source>
+        <translation>Résultats par point visé</translation>
+    </message>
+    <message>
+        <source>Environmental variation error (max − min)</source>
+        <translation>Erreur de variation environnementale (max − min)</translation>
+    </message>
+    <message>
+        <source>not corrected to 20 °C</source>
+        <translation>non corrigé à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Targets i</source>
+        <translation>Points i</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>In accordance with %1.</source>
+        <translation>Essai conforme à l’édition %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>NOT in accordance with %1: %n requirement(s) not met.</source>
+        <translation>
+            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigence non satisfaite.</numerusform>
+            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigences non satisfaites.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Limits: no verdict.</source>
+        <translation>Limites&#xa0;: pas de verdict.</translation>
+    </message>
+    <message>
+        <source>Limits: %1 (%2).</source>
+        <translation>Limites&#xa0;: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Limits: none agreed, no verdict.</source>
+        <translation>Limites&#xa0;: aucune convenue, pas de verdict.</translation>
+    </message>
+    <message>
+        <source>No findings.</source>
+        <translation>Aucun constat.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>publiée</translation>
+    </message>
+    <message>
+        <source>recomputed</source>
+        <translation>recalculée</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exacte</translation>
+    </message>
+    <message>
+        <source>certified</source>
+        <translation>certifiée</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>concorde</translation>
+    </message>
+    <message>
+        <source>DOES NOT AGREE</source>
+        <translation>NE CONCORDE PAS</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Attendue</translation>
+    </message>
+    <message>
+        <source>Computed</source>
+        <translation>Calculée</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Différence</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>All %1 values agree with the reference data.</source>
+        <translation>Les %1 valeurs concordent avec les données de référence.</translation>
+    </message>
+    <message>
+        <source>Values that do NOT agree with the reference data: %1 of %2.</source>
+        <translation>Valeurs qui ne concordent PAS avec les données de référence&#xa0;: %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>expected reference data of this program</source>
+        <translation>des données de référence de ce programme étaient attendues</translation>
+    </message>
+    <message>
+        <source>findings only: what the edition asks for and the test lacks</source>
+        <translation>constatations seules&#xa0;: ce que l’édition demande et qui manque à l’essai</translation>
+    </message>
+    <message>
+        <source>language of tables, findings and errors</source>
+        <translation>langue des tableaux, constats et erreurs</translation>
+    </message>
+    <message>
+        <source>this help</source>
+        <translation>cette aide</translation>
+    </message>
+    <message>
+        <source>the option --%1 needs a value (%2)</source>
+        <translation>l’option --%1 demande une valeur (%2)</translation>
+    </message>
+    <message>
+        <source>the option --%1 takes no value</source>
+        <translation>l’option --%1 ne prend pas de valeur</translation>
+    </message>
+    <message>
+        <source>unknown option %1 of the command %2</source>
+        <translation>option inconnue %1 de la commande %2</translation>
+    </message>
+    <message>
+        <source>unknown language %1; known: fr, en</source>
+        <translation>langue inconnue %1&#x202f;; connues&#xa0;: fr, en</translation>
+    </message>
+    <message>
+        <source>the command %1 needs a file (%2)</source>
+        <translation>la commande %1 demande un fichier (%2)</translation>
+    </message>
+    <message>
+        <source>the command %1 takes no file</source>
+        <translation>la commande %1 ne prend pas de fichier</translation>
+    </message>
+    <message>
+        <source>version of the program</source>
+        <translation>version du programme</translation>
+    </message>
+    <message>
+        <source>palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2).</source>
+        <translation>palmer-cli évalue des essais de machines-outils&#xa0;: positionnement d’axes (ISO 230-2).</translation>
+    </message>
+    <message>
+        <source>COMMAND [OPTION]… [FILE]…</source>
+        <translation>COMMANDE [OPTION]… [FICHIER]…</translation>
+    </message>
+    <message>
+        <source>FILE is a test file (.palmer); - is standard input.</source>
+        <translation>FICHIER est un fichier d’essai (.palmer)&#x202f;; - est l’entrée standard.</translation>
+    </message>
+    <message>
+        <source>evaluate the tests of its kind under another edition (a view: no verdicts)</source>
+        <translation>évaluer les essais de ce type selon une autre édition (une vue&#xa0;: pas de verdict)</translation>
+    </message>
+    <message>
+        <source>results as JSON; of several files one object a line</source>
+        <translation>résultats en JSON&#x202f;; pour plusieurs fichiers, un objet par ligne</translation>
+    </message>
+    <message>
+        <source>unknown edition %1; known: %2</source>
+        <translation>édition inconnue %1&#x202f;; connues&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>results of the tests as a table or as JSON</source>
+        <translation>résultats des essais en tableau ou en JSON</translation>
+    </message>
+    <message>
+        <source>evaluates the built-in reference data and compares with the known values</source>
+        <translation>évalue les données de référence intégrées et compare aux valeurs connues</translation>
+    </message>
+    <message>
+        <source>standard output cannot be written</source>
+        <translation>la sortie standard ne peut pas être écrite</translation>
+    </message>
+    <message>
+        <source>a command is missing; palmer-cli --help lists them</source>
+        <translation>il manque une commande&#x202f;; palmer-cli --help les énumère</translation>
+    </message>
+    <message>
+        <source>unknown command %1; palmer-cli --help lists them</source>
+        <translation>commande inconnue %1&#x202f;; palmer-cli --help les énumère</translation>
+    </message>
+    <message>
+        <source>unknown escape in a text; expected one that JSON knows</source>
+        <translation>séquence d’échappement inconnue dans un texte&#x202f;; attendu&#xa0;: une séquence que JSON connaît</translation>
+    </message>
+    <message>
+        <source>number of values found: %1; expected: %2</source>
+        <translation>nombre de valeurs trouvées&#xa0;: %1&#x202f;; attendu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>the file could not be saved, for want of permission or space; what was there before is unchanged: save it under another name or in another folder</source>
+        <translation>le fichier n’a pas pu être enregistré, faute de droits ou de place&#x202f;; l’ancien fichier est inchangé&#xa0;: enregistrez sous un autre nom ou dans un autre dossier</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; check its permissions and the medium it is on</source>
+        <translation>le fichier ne peut pas être lu&#x202f;; vérifiez ses droits d’accès et le support sur lequel il se trouve</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -1122,10 +1481,6 @@
         <translation>Résultats de l’axe %1</translation>
     </message>
     <message>
-        <source>Results</source>
-        <translation>Résultats</translation>
-    </message>
-    <message>
         <source>Report %1</source>
         <translation>Rapport %1</translation>
     </message>
@@ -1148,10 +1503,6 @@
     <message>
         <source>no</source>
         <translation>non</translation>
-    </message>
-    <message>
-        <source>agreed or maker&apos;s procedure</source>
-        <translation>procédure convenue ou du constructeur</translation>
     </message>
     <message>
         <source>dry run</source>
@@ -1214,6 +1565,11 @@
         <translation>Distance d’approche</translation>
     </message>
     <message>
+        <source>machine unloaded</source>
+        <comment>1988</comment>
+        <translation>machine non chargée</translation>
+    </message>
+    <message>
         <source>Load</source>
         <translation>Charge</translation>
     </message>
@@ -1258,6 +1614,10 @@
         <translation>Choix des points</translation>
     </message>
     <message>
+        <source>Target positions</source>
+        <translation>Points visés</translation>
+    </message>
+    <message>
         <source>Zero of displacement</source>
         <translation>Zéro du déplacement</translation>
     </message>
@@ -1268,10 +1628,6 @@
     <message>
         <source>Thermal shielding</source>
         <translation>Protection thermique</translation>
-    </message>
-    <message>
-        <source>Maker&apos;s thermal guidelines</source>
-        <translation>Recommandations thermiques du constructeur</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1420,10 +1776,6 @@
         <translation>Faite ici pour la dilatation de la machine (α = %1, θ = %2) et de l’instrument (α = %3, θ = %4).</translation>
     </message>
     <message>
-        <source>Correction to 20 °C</source>
-        <translation>Correction à 20&#xa0;°C</translation>
-    </message>
-    <message>
         <source>nominal differential expansion (NDE)</source>
         <translation>dilatation différentielle nominale (DDN)</translation>
     </message>
@@ -1480,14 +1832,6 @@
         <translation>Fichier</translation>
     </message>
     <message>
-        <source>Result stated by the instrument&apos;s program</source>
-        <translation>Résultat donné par le programme de l’instrument</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
-    </message>
-    <message>
         <source>Unit</source>
         <translation>Unité</translation>
     </message>
@@ -1506,10 +1850,6 @@
     <message>
         <source>issued %1</source>
         <translation>émis le %1</translation>
-    </message>
-    <message>
-        <source>Date of test</source>
-        <translation>Date de l’essai</translation>
     </message>
     <message>
         <source>Place</source>
@@ -1533,32 +1873,12 @@
         <translation>%1 du %2</translation>
     </message>
     <message>
-        <source>linear</source>
-        <translation>linéaire</translation>
-    </message>
-    <message>
-        <source>rotary</source>
-        <translation>rotatif</translation>
-    </message>
-    <message>
-        <source>axis travel %1</source>
-        <translation>longueur d’axe %1</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
         <source>m = %1; n = %2 %3</source>
         <translation>m = %1&#x202f;; n = %2 %3</translation>
     </message>
     <message>
         <source>m = %1; n = %2 per direction</source>
         <translation>m = %1&#x202f;; n = %2 par sens</translation>
-    </message>
-    <message>
-        <source>m = %1; n = %2 ↑, %3 ↓</source>
-        <translation>m = %1&#x202f;; n = %2 ↑, %3 ↓</translation>
     </message>
     <message>
         <source>Acceptance test report</source>
@@ -1569,28 +1889,8 @@
         <translation>Essai %1 de %2</translation>
     </message>
     <message>
-        <source>step cycle – not an ISO 230-2 acceptance result</source>
-        <translation>cycle en pas – résultat non utilisable en référence à l’ISO 230-2</translation>
-    </message>
-    <message>
-        <source>Cycle</source>
-        <translation>Cycle</translation>
-    </message>
-    <message>
-        <source>Target positions</source>
-        <translation>Points visés</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
         <source>Measurement travel</source>
         <translation>Course de mesurage</translation>
-    </message>
-    <message>
-        <source>Working zone</source>
-        <translation>Zone de travail</translation>
     </message>
     <message>
         <source>Measuring system</source>
@@ -1611,14 +1911,6 @@
     <message>
         <source>Test</source>
         <translation>Essai</translation>
-    </message>
-    <message>
-        <source>Edition</source>
-        <translation>Édition</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Verdict</translation>
     </message>
     <message>
         <source>no limit agreed</source>
@@ -1671,18 +1963,6 @@
         <translation>Limite ± g</translation>
     </message>
     <message>
-        <source>Quantity</source>
-        <translation>Grandeur</translation>
-    </message>
-    <message>
-        <source>Limit</source>
-        <translation>Limite</translation>
-    </message>
-    <message>
-        <source>simple acceptance</source>
-        <translation>acceptation simple</translation>
-    </message>
-    <message>
         <source>ISO 14253-1, conformity has to be proven</source>
         <translation>ISO 14253-1, conformité à prouver</translation>
     </message>
@@ -1701,10 +1981,6 @@
     <message>
         <source>verdict taken from the unrounded values</source>
         <translation>verdict pris sur les valeurs non arrondies</translation>
-    </message>
-    <message>
-        <source>not corrected to 20 °C</source>
-        <translation>non corrigé à 20&#xa0;°C</translation>
     </message>
     <message>
         <source>value</source>
@@ -1753,6 +2029,10 @@
         <translation>%1 dépasse sa limite de plus que la bande de garde&#xa0;: %2 pour %3 + %4 = %5.</translation>
     </message>
     <message>
+        <source>Not corrected to 20 °C, nothing is proven for %1.</source>
+        <translation>Sans correction à 20&#xa0;°C, rien n’est prouvé pour %1.</translation>
+    </message>
+    <message>
         <source>Without the measurement uncertainty nothing is proven for %1.</source>
         <translation>Sans l’incertitude de mesure, rien n’est prouvé pour %1.</translation>
     </message>
@@ -1765,16 +2045,16 @@
         <translation>Pour %1, ni la conformité ni la non-conformité n’est prouvée.</translation>
     </message>
     <message>
-        <source>Seen under another edition than that of the test (%1): no verdict.</source>
-        <translation>Vu selon une autre édition que celle de l’essai (%1)&#xa0;: pas de verdict.</translation>
-    </message>
-    <message>
         <source>The limits agreed do not hold for this test: no verdict.</source>
         <translation>Les limites convenues ne valent pas pour cet essai&#xa0;: pas de verdict.</translation>
     </message>
     <message>
         <source>Within its limit: %1.</source>
         <translation>Limite respectée&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Others: no limit agreed.</source>
+        <translation>Autres&#xa0;: pas de limite.</translation>
     </message>
     <message>
         <source>Verdict of the test</source>
@@ -1813,16 +2093,8 @@
         <translation>essai unidirectionnel</translation>
     </message>
     <message>
-        <source>Findings</source>
-        <translation>Constats</translation>
-    </message>
-    <message>
         <source>what the edition asks for and this test does not have</source>
         <translation>ce que l’édition demande et que cet essai n’a pas</translation>
-    </message>
-    <message>
-        <source>No findings.</source>
-        <translation>Aucun constat.</translation>
     </message>
     <message>
         <source>Limits and decision rule</source>
@@ -1862,93 +2134,6 @@
         <translation>Les résultats signés sont comparés par leur valeur absolue&#x202f;; le verdict est pris sur les valeurs non arrondies.</translation>
     </message>
     <message>
-        <source>ISO 14253-1: conformity to be proven</source>
-        <translation>ISO 14253-1&#xa0;: conformité à prouver</translation>
-    </message>
-    <message>
-        <source>non-conformity to be proven</source>
-        <translation>non-conformité à prouver</translation>
-    </message>
-    <message>
-        <source>Positioning test of axis %1</source>
-        <translation>Essai de positionnement de l’axe %1</translation>
-    </message>
-    <message>
-        <source>Circular test in the plane %1</source>
-        <translation>Essai de circularité dans le plan %1</translation>
-    </message>
-    <message>
-        <source>Drift test of axis %1</source>
-        <translation>Essai de dérive de l’axe %1</translation>
-    </message>
-    <message>
-        <source>measurement travel %1</source>
-        <translation>course de mesurage %1</translation>
-    </message>
-    <message>
-        <source>m = %1; n = %2 each way</source>
-        <translation>m = %1&#x202f;; n = %2 par sens</translation>
-    </message>
-    <message>
-        <source>guard band %1 U</source>
-        <translation>bande de garde %1 U</translation>
-    </message>
-    <message>
-        <source>Targets</source>
-        <translation>Points visés</translation>
-    </message>
-    <message>
-        <source>Standard deviation</source>
-        <translation>Écart-type</translation>
-    </message>
-    <message>
-        <source>range method</source>
-        <translation>méthode de l’étendue</translation>
-    </message>
-    <message>
-        <source>calculation method</source>
-        <translation>méthode de calcul</translation>
-    </message>
-    <message>
-        <source>Results per target</source>
-        <translation>Résultats par point visé</translation>
-    </message>
-    <message>
-        <source>Environmental variation error (max − min)</source>
-        <translation>Erreur de variation environnementale (max − min)</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Grandeur</translation>
-    </message>
-    <message>
-        <source>Targets i</source>
-        <translation>Points i</translation>
-    </message>
-    <message>
-        <source>In accordance with %1.</source>
-        <translation>Essai conforme à l’édition %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>NOT in accordance with %1: %n requirement(s) not met.</source>
-        <translation>
-            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigence non satisfaite.</numerusform>
-            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigences non satisfaites.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Limits: no verdict.</source>
-        <translation>Limites&#xa0;: pas de verdict.</translation>
-    </message>
-    <message>
-        <source>Limits: %1 (%2).</source>
-        <translation>Limites&#xa0;: %1 (%2).</translation>
-    </message>
-    <message>
-        <source>Limits: none agreed, no verdict.</source>
-        <translation>Limites&#xa0;: aucune convenue, pas de verdict.</translation>
-    </message>
-    <message>
         <source>ISO %1</source>
         <comment>after a preposition</comment>
         <translation>l’ISO %1</translation>
@@ -1966,201 +2151,16 @@
         <translation>Essai de dérive de l’axe %1</translation>
     </message>
     <message>
-        <source>published</source>
-        <translation>publiée</translation>
+        <source>agreed or maker’s procedure</source>
+        <translation>procédure convenue ou du constructeur</translation>
     </message>
     <message>
-        <source>recomputed</source>
-        <translation>recalculée</translation>
+        <source>Maker’s thermal guidelines</source>
+        <translation>Recommandations thermiques du constructeur</translation>
     </message>
     <message>
-        <source>exact</source>
-        <translation>exacte</translation>
-    </message>
-    <message>
-        <source>certified</source>
-        <translation>certifiée</translation>
-    </message>
-    <message>
-        <source>agrees</source>
-        <translation>concorde</translation>
-    </message>
-    <message>
-        <source>DOES NOT AGREE</source>
-        <translation>NE CONCORDE PAS</translation>
-    </message>
-    <message>
-        <source>Source</source>
-        <translation>Origine</translation>
-    </message>
-    <message>
-        <source>Expected</source>
-        <translation>Attendue</translation>
-    </message>
-    <message>
-        <source>Computed</source>
-        <translation>Calculée</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Différence</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Tolérance</translation>
-    </message>
-    <message>
-        <source>All %1 values agree with the reference data.</source>
-        <translation>Les %1 valeurs concordent avec les données de référence.</translation>
-    </message>
-    <message>
-        <source>Values that do NOT agree with the reference data: %1 of %2.</source>
-        <translation>Valeurs qui ne concordent PAS avec les données de référence&#xa0;: %1 sur %2.</translation>
-    </message>
-    <message>
-        <source>conforms</source>
-        <translation>conforme</translation>
-    </message>
-    <message>
-        <source>not proven</source>
-        <translation>non prouvé</translation>
-    </message>
-    <message>
-        <source>does not conform</source>
-        <translation>non conforme</translation>
-    </message>
-    <message>
-        <source>requirement</source>
-        <translation>exigence</translation>
-    </message>
-    <message>
-        <source>recommendation</source>
-        <translation>recommandation</translation>
-    </message>
-    <message>
-        <source>note</source>
-        <translation>note</translation>
-    </message>
-    <message>
-        <source>not stated</source>
-        <translation>non indiquée</translation>
-    </message>
-    <message>
-        <source>not applied</source>
-        <translation>non appliquée</translation>
-    </message>
-    <message>
-        <source>applied by the instrument</source>
-        <translation>appliquée par l’instrument</translation>
-    </message>
-    <message>
-        <source>applied here</source>
-        <translation>appliquée ici</translation>
-    </message>
-    <message>
-        <source>expected reference data of this program</source>
-        <translation>des données de référence de ce programme étaient attendues</translation>
-    </message>
-    <message>
-        <source>findings only: what the edition asks for and the test lacks</source>
-        <translation>constatations seules&#xa0;: ce que l’édition demande et qui manque à l’essai</translation>
-    </message>
-    <message>
-        <source>language of tables, findings and errors</source>
-        <translation>langue des tableaux, constats et erreurs</translation>
-    </message>
-    <message>
-        <source>this help</source>
-        <translation>cette aide</translation>
-    </message>
-    <message>
-        <source>the option --%1 needs a value (%2)</source>
-        <translation>l’option --%1 demande une valeur (%2)</translation>
-    </message>
-    <message>
-        <source>the option --%1 takes no value</source>
-        <translation>l’option --%1 ne prend pas de valeur</translation>
-    </message>
-    <message>
-        <source>unknown option %1 of the command %2</source>
-        <translation>option inconnue %1 de la commande %2</translation>
-    </message>
-    <message>
-        <source>unknown language %1; known: fr, en</source>
-        <translation>langue inconnue %1&#x202f;; connues&#xa0;: fr, en</translation>
-    </message>
-    <message>
-        <source>the command %1 needs a file (%2)</source>
-        <translation>la commande %1 demande un fichier (%2)</translation>
-    </message>
-    <message>
-        <source>the command %1 takes no file</source>
-        <translation>la commande %1 ne prend pas de fichier</translation>
-    </message>
-    <message>
-        <source>version of the program</source>
-        <translation>version du programme</translation>
-    </message>
-    <message>
-        <source>palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2).</source>
-        <translation>palmer-cli évalue des essais de machines-outils&#xa0;: positionnement d’axes (ISO 230-2).</translation>
-    </message>
-    <message>
-        <source>COMMAND [OPTION]… [FILE]…</source>
-        <translation>COMMANDE [OPTION]… [FICHIER]…</translation>
-    </message>
-    <message>
-        <source>FILE is a test file (.palmer); - is standard input.</source>
-        <translation>FICHIER est un fichier d’essai (.palmer)&#x202f;; - est l’entrée standard.</translation>
-    </message>
-    <message>
-        <source> [OPTION]… </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>evaluate the tests of its kind under another edition (a view: no verdicts)</source>
-        <translation>évaluer les essais de ce type selon une autre édition (une vue&#xa0;: pas de verdict)</translation>
-    </message>
-    <message>
-        <source>results as JSON; of several files one object a line</source>
-        <translation>résultats en JSON&#x202f;; pour plusieurs fichiers, un objet par ligne</translation>
-    </message>
-    <message>
-        <source>unknown edition %1; known: %2</source>
-        <translation>édition inconnue %1&#x202f;; connues&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>results of the tests as a table or as JSON</source>
-        <translation>résultats des essais en tableau ou en JSON</translation>
-    </message>
-    <message>
-        <source>evaluates the built-in reference data and compares with the known values</source>
-        <translation>évalue les données de référence intégrées et compare aux valeurs connues</translation>
-    </message>
-    <message>
-        <source>standard output cannot be written</source>
-        <translation>la sortie standard ne peut pas être écrite</translation>
-    </message>
-    <message>
-        <source>a command is missing; palmer-cli --help lists them</source>
-        <translation>il manque une commande&#x202f;; palmer-cli --help les énumère</translation>
-    </message>
-    <message>
-        <source>unknown command %1; palmer-cli --help lists them</source>
-        <translation>commande inconnue %1&#x202f;; palmer-cli --help les énumère</translation>
-    </message>
-    <message>
-        <source>machine unloaded</source>
-        <comment>1988</comment>
-        <translation>machine non chargée</translation>
-    </message>
-    <message>
-        <source>Not corrected to 20 °C, nothing is proven for %1.</source>
-        <translation>Sans correction à 20&#xa0;°C, rien n’est prouvé pour %1.</translation>
-    </message>
-    <message>
-        <source>Others: no limit agreed.</source>
-        <translation>Autres&#xa0;: pas de limite.</translation>
+        <source>Result stated by the instrument’s program</source>
+        <translation>Résultat donné par le programme de l’instrument</translation>
     </message>
     <message>
         <source>No limit agreed for the others.</source>

@@ -31,7 +31,7 @@ QString warmUpText(const Writer &write, const WarmUp &warmUp) {
     case WarmUpKind::notStated:
         return text;
     case WarmUpKind::procedure:
-        return joined({write.text(REPORT_TEXT("report", "agreed or maker's procedure")), text});
+        return joined({write.text(REPORT_TEXT("report", "agreed or maker’s procedure")), text});
     case WarmUpKind::dryRun:
         return joined({write.text(REPORT_TEXT("report", "dry run")), text});
     case WarmUpKind::setUpOnly:
@@ -146,7 +146,7 @@ KeyValues conditionRows(const PositioningPart &part) {
             write.quantity(conditions.referencePosition, part.along()));
     addStated(REPORT_TEXT("report", "Soak"), QString::fromStdString(common.soak));
     addStated(REPORT_TEXT("report", "Thermal shielding"), yesNo(write, common.shielded));
-    addStated(REPORT_TEXT("report", "Maker's thermal guidelines"),
+    addStated(REPORT_TEXT("report", "Maker’s thermal guidelines"),
               QString::fromStdString(common.thermalGuidelines));
     return values;
 }

@@ -356,7 +356,7 @@ void addImports(std::vector<Block> &blocks, const TestPart &part) {
                      {QStringLiteral("SHA-256"), {}, Alignment::left, false, 112}};
     Table results;
     results.columns = {{write.text(REPORT_TEXT("report", "File")), {}, Alignment::left, true, 63},
-                       {write.text(REPORT_TEXT("report", "Result stated by the instrument's program")),
+                       {write.text(REPORT_TEXT("report", "Result stated by the instrument’s program")),
                         {},
                         Alignment::left,
                         false,

@@ -298,16 +298,16 @@ using Block =
 /// What is to be read, block by block in the order of reading, in one language; where it stands on a page or
 /// a terminal is the business of who draws it.
 struct Report {
-    QString language; ///< "en", "fr"
-    Paper paper = Paper::a4;
-    QString title;        ///< of the PDF
-    QString laboratory;   ///< its author
-    QString date;         ///< YYYY-MM-DD or empty: the only date the PDF carries
-    QString fingerprint;  ///< SHA-256 of the test file, 64 hex digits
-    QString footerLeft;   ///< "Report …"
-    QString footerCentre; ///< "Fingerprint SHA-256 …"
-    QString footerRight;  ///< "page %1 / %2"
     std::vector<Block> blocks;
+    QString language = {}; ///< "en", "fr"
+    Paper paper = Paper::a4;
+    QString title = {};        ///< of the PDF
+    QString laboratory = {};   ///< its author
+    QString date = {};         ///< YYYY-MM-DD or empty: the only date the PDF carries
+    QString fingerprint = {};  ///< SHA-256 of the test file, 64 hex digits
+    QString footerLeft = {};   ///< "Report …"
+    QString footerCentre = {}; ///< "Fingerprint SHA-256 …"
+    QString footerRight = {};  ///< "page %1 / %2"
 
     bool operator==(const Report &) const = default;
 };

@@ -239,6 +239,7 @@ std::vector<const PrintedResult *> resultsWith(const std::vector<PrintedResult> 
 
 std::vector<const Parameter *> parametersOf(const std::vector<const PrintedResult *> &results) {
     std::vector<const Parameter *> parameters;
+    parameters.reserve(results.size());
     for (const PrintedResult *result : results)
         parameters.push_back(result->parameter);
     return parameters;
@@ -418,8 +419,15 @@ void addResults(std::vector<Block> &blocks, const TestPart &part, const QString 
 }
 
 void addFindings(std::vector<Block> &blocks, const TestPart &part) {
-    if (part.leavesOut(ReportPart::findings))
+    if (part.leavesOut(ReportPart::findings)) {
+        // That readings are stand-ins is said wherever they are shown.
+        for (const Finding &finding : part.evaluation.findings) {
+            if (finding.id == "workedExample")
+                blocks.emplace_back(
+                    Paragraph{part.write.language().sentence(finding.message), TextSize::small});
+        }
         return;
+    }
     addHeading(
         blocks, part.write.text(REPORT_TEXT("report", "Findings")),
         part.write.text(REPORT_TEXT("report", "what the edition asks for and this test does not have")),
@@ -442,20 +450,27 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part) {
 void addLimits(std::vector<Block> &blocks, const TestPart &part) {
     const Writer &write = part.write;
     addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")));
+    const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
+    const Quantity quantity = positioning ? deviationQuantity(*positioning) : Quantity::deviation;
     Table table;
-    for (const auto &[id, limit] : part.test.limits) {
-        if (!limit.value)
-            continue;
-        const auto parameter = std::ranges::find_if(part.evaluation.parameters,
-                                                    [&](const Parameter &p) { return id == p.term.id; });
-        const bool known = parameter != part.evaluation.parameters.end();
-        const auto *m = std::get_if<PositioningMeasurement>(&part.test.measurement);
-        const Quantity quantity = m ? deviationQuantity(*m) : Quantity::deviation;
-        Cell symbol(known ? symbolPhrase(parameter->term.symbol) : Phrase(QString::fromStdString(id)));
+    const auto addRow = [&](Cell symbol, const Limit &limit) {
         symbol.bold = true;
-        table.rows.push_back({symbol, write.quantity(limit.value, quantity),
+        table.rows.push_back({std::move(symbol), write.quantity(limit.value, quantity),
                               QString::fromStdString(limit.edition.value_or(part.test.edition)),
                               QString::fromStdString(limit.source)});
+    };
+    Limits others = part.test.limits; // those of no parameter of this test come last
+    for (const Parameter &parameter : part.evaluation.parameters) {
+        const auto found = others.find(parameter.term.id);
+        if (found == others.end())
+            continue;
+        if (found->second.value)
+            addRow(symbolPhrase(parameter.term.symbol), found->second);
+        others.erase(found);
+    }
+    for (const auto &[id, limit] : others) {
+        if (limit.value)
+            addRow(QString::fromStdString(id), limit);
     }
     if (table.rows.empty()) {
         blocks.emplace_back(Paragraph{

@@ -13,7 +13,7 @@ namespace {
 constexpr int decimalsOfLengths = 2; ///< positions along a linear axis: 0.01 mm
 constexpr int mostPositionDecimals = 3;
 constexpr int mostReadingDecimals = 4;
-constexpr int digitsOfArcSeconds = 3;        ///< 1e-5° are 0.036″: two decimals tell it
+constexpr int mostAngularDecimals = 2; ///< degrees have no short form in arc seconds: there 0.01″ has to do
 constexpr std::size_t readingsLooked = 2000; ///< enough to see how many decimals readings have
 
 } // namespace
@@ -105,28 +105,23 @@ int positionDecimals(const std::vector<double> &positions, Quantity quantity) {
 
 int readingDecimals(const PositioningMeasurement &measurement) {
     const Quantity quantity = deviationQuantity(measurement);
-    const auto decimals = [quantity](double value) {
-        const int shown = decimalsOf(value, quantity);
-        if (quantity != Quantity::angularDeviation)
-            return shown;
-        // What was entered in degrees has a product with 3600 longer than its step is fine.
-        return std::min(shown, std::max(0, decimalsOf(value, Quantity::angle) - digitsOfArcSeconds));
-    };
+    const int most = quantity == Quantity::angularDeviation ? mostAngularDecimals : mostReadingDecimals;
     int result = 0;
     std::size_t looked = 0;
     for (const Run &run : measurement.runs) {
         for (const auto &deviation : run.deviations) {
             if (looked++ == readingsLooked)
-                return std::min(result, mostReadingDecimals);
+                return std::min(result, most);
             if (deviation)
-                result = std::max(result, decimals(*deviation));
+                result = std::max(result, decimalsOf(*deviation, quantity));
         }
     }
-    return std::min(result, mostReadingDecimals);
+    return std::min(result, most);
 }
 
 int statisticDecimals(const PositioningMeasurement &measurement) {
-    return std::min(readingDecimals(measurement) + 1, mostReadingDecimals);
+    const bool angular = measurement.axis.motion == Motion::rotary;
+    return std::min(readingDecimals(measurement) + 1, angular ? mostAngularDecimals : mostReadingDecimals);
 }
 
 std::optional<double> finestResolution(const Document &document, const Test &test) {

@@ -30,10 +30,10 @@ namespace palmer {
 /// Decimals of positions: 0.01 mm; of angles those they have in common, at most 3.
 [[nodiscard]] int positionDecimals(const std::vector<double> &positions, Quantity quantity);
 
-/// The common decimals of the readings as they were entered, at most 4.
+/// The common decimals of the readings as they were entered, at most 4, of angles 2.
 [[nodiscard]] int readingDecimals(const PositioningMeasurement &measurement);
 
-/// Statistics per target have one digit more than the readings, at most 4.
+/// Statistics per target have one digit more than the readings, within the same bounds.
 [[nodiscard]] int statisticDecimals(const PositioningMeasurement &measurement);
 
 /// The finest step any instrument of the test shows, in mm or degrees; null where none is stated.

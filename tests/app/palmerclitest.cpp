@@ -193,7 +193,7 @@ void PalmerCliTest::speaksBothLanguages() {
     const QString french = run({"evaluate", "--language", "fr", name}, {}, "C").out;
     QVERIFY(english.contains("8.1") && !english.contains("8,1"));
     QVERIFY(french.contains("8,1") && !french.contains("8.1"));
-    QVERIFY(french.contains("20 novembre 2026"));
+    QVERIFY(french.simplified().contains("20 novembre 2026"));
     QCOMPARE(run({"evaluate", name}, {}, "fr_CA").out, french);
     QCOMPARE(run({"--language=en", "evaluate", name}, {}, "fr_FR.UTF-8").out, english);
 }
@@ -209,8 +209,8 @@ void PalmerCliTest::saysWhenItCannotWrite() {
 
 void PalmerCliTest::listsOnlyWhatItDoes() {
     const QString help = run({"--help"}).out;
-    for (const QString &command : {"evaluate", "check", "selftest"}) {
-        QVERIFY(help.contains("  " + command));
+    for (const char *command : {"evaluate", "check", "selftest"}) {
+        QVERIFY(help.contains(QString("  ") + command));
         QCOMPARE(run({command, "--help"}).code, 0);
     }
 }

@@ -119,7 +119,7 @@ private:
     void placeChain(const Strips &strips, std::size_t from, std::size_t end) {
         double height = needed(strips, from, end);
         if (strips[from].section)
-            height = std::max(height, sectionRoom);
+            height = std::max(height, strips[from].gap + sectionRoom);
         if (!m_page.strips.empty() && height > room() && !narrowGaps(strips, from, end, height - room()))
             turnPage();
         if (m_narrowing < 1 || needed(strips, from, end) <= room()) {

@@ -22,7 +22,7 @@ const QString schemaPath = QStringLiteral(PALMER_SOURCE_DIR "/resources/schema/p
 // What the reader refuses and a schema cannot express (as the schema itself says).
 const std::set<std::string> beyondSchema{
     "expected a date that exists, written YYYY-MM-DD",
-    "found %1 values; expected %2",
+    "number of values found: %1; expected: %2",
     "expected targets that ascend strictly",
     "expected “from” to be less than “to”",
     "expected one of the %1 runs, counted from 1",
@@ -258,6 +258,10 @@ private slots:
                                          .toObject()
                                          .value(QStringLiteral("enum"))
                                          .toArray();
+            const QJsonArray parameters =
+                schema.words(isCircular ? "circularParameter" : "positioningParameter");
+            for (const Row &row : edition->rows)
+                QVERIFY2(parameters.contains(QString::fromUtf8(row.term.id)), row.term.id);
             for (const AgreementPoint &point : edition->points)
                 QVERIFY2(words.contains(QString::fromUtf8(point.point)), point.point);
             for (const QJsonValue &word : words)

@@ -23,7 +23,7 @@ QByteArray circularFile(const QByteArray &members) {
 
 const QByteArray noReadings = R"("targets": [], "runs": [])";
 const QByteArray twoTargets =
-    R"("targets": [0, 1], "runs": [{"deviations": [0.001, null]}, {"deviations": [0.1, 0.2]}])";
+    R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [0.001, null]}, {"approach": "positive", "deviations": [0.1, 0.2]}])";
 
 } // namespace
 
@@ -176,9 +176,9 @@ private slots:
         row("broken UTF-8 outside a text", "{\xFF}", syntax, "1:2",
             "this is no character of UTF-8; expected a test file in UTF-8");
         row("unknown escape", "{\"a\": \"\\x\"}", syntax, "1:8",
-            "unknown escape; expected one of JSON, such as \\n or \\u00e9");
+            "unknown escape in a text; expected one that JSON knows");
         row("half a surrogate pair", "{\"a\": \"\\ud83d\"}", syntax, "1:8",
-            "unknown escape; expected one of JSON, such as \\n or \\u00e9");
+            "unknown escape in a text; expected one that JSON knows");
 
         row("a list instead of an object", "[]", syntax, "1:1", "found “%1”; expected %2");
         row("another format", R"({"format": "other", "version": 1})", Error::Kind::format, "",
@@ -205,7 +205,7 @@ private slots:
         row("typing error in an obligatory key", positioningFile(R"("targest": [], "runs": [])"), content,
             "tests[0].targest", unknownKey);
         row("unknown key in a run",
-            positioningFile(R"("targets": [], "runs": [{"deviations": [], "deviation": []}])"), content,
+            positioningFile(R"("targets": [], "runs": [{"approach": "positive", "deviations": [], "deviation": []}])"), content,
             "tests[0].runs[0].deviation", unknownKey);
         row("key of the other kind", circularFile(R"("arcs": [], "cycle": "step")"), content,
             "tests[0].cycle", unknownKey);
@@ -224,7 +224,7 @@ private slots:
             content, "tests[0]", "the key “%1” is missing");
         row("missing targets", positioningFile(R"("runs": [])"), content, "tests[0]",
             "the key “%1” is missing");
-        row("missing deviations", positioningFile(R"("targets": [], "runs": [{}])"), content,
+        row("missing deviations", positioningFile(R"("targets": [], "runs": [{"approach": "positive"}])"), content,
             "tests[0].runs[0]", "the key “%1” is missing");
 
         row("unknown word", positioningFile(noReadings + R"(, "cycle": "steps")"), content, "tests[0].cycle",
@@ -242,7 +242,7 @@ private slots:
 
         row("text instead of a reading",
             positioningFile(
-                R"("targets": [0, 1], "runs": [{"deviations": [0, 0]}, {"deviations": [0, "0,1"]}])"),
+                R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [0, 0]}, {"approach": "positive", "deviations": [0, "0,1"]}])"),
             content, "tests[0].runs[1].deviations[1]", "expected a number or null");
         row("null target", positioningFile(R"("targets": [null], "runs": [])"), content,
             "tests[0].targets[0]", "expected a number");
@@ -263,7 +263,7 @@ private slots:
         row("number instead of true", positioningFile(noReadings + R"(, "conditions": {"levelled": 1})"),
             content, "tests[0].conditions.levelled", "expected true, false or null");
         row("two coordinates", positioningFile(noReadings + R"(, "conditions": {"toolOffset": [0, 0]})"),
-            content, "tests[0].conditions.toolOffset", "found %1 values; expected %2");
+            content, "tests[0].conditions.toolOffset", "number of values found: %1; expected: %2");
         row("extensions that are a list", head + R"(, "extensions": []})", content, "extensions",
             "expected an object, in braces");
         row("a number that is not finite", positioningFile(R"("targets": [0, 1e999], "runs": [])"), content,
@@ -274,22 +274,23 @@ private slots:
 
         row("targets that do not ascend", positioningFile(R"("targets": [0, 2, 2], "runs": [])"), content,
             "tests[0].targets[2]", "expected targets that ascend strictly");
-        row("too few deviations", positioningFile(R"("targets": [0, 1], "runs": [{"deviations": [0]}])"),
-            content, "tests[0].runs[0].deviations", "found %1 values; expected %2");
-        row("too many deviations", positioningFile(R"("targets": [0], "runs": [{"deviations": [0, 0]}])"),
-            content, "tests[0].runs[0].deviations", "found %1 values; expected %2");
-        row("arc of unequal lists", circularFile(R"("arcs": [{"angles": [0, 1], "radialDeviations": [0]}])"),
-            content, "tests[0].arcs[0].radialDeviations", "found %1 values; expected %2");
-        row("null in an arc", circularFile(R"("arcs": [{"angles": [0], "radialDeviations": [null]}])"),
+        row("too few deviations", positioningFile(R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [0]}])"),
+            content, "tests[0].runs[0].deviations", "number of values found: %1; expected: %2");
+        row("too many deviations", positioningFile(R"("targets": [0], "runs": [{"approach": "positive", "deviations": [0, 0]}])"),
+            content, "tests[0].runs[0].deviations", "number of values found: %1; expected: %2");
+        row("arc of unequal lists", circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0, 1], "radialDeviations": [0]}])"),
+            content, "tests[0].arcs[0].radialDeviations", "number of values found: %1; expected: %2");
+        row("null in an arc", circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0], "radialDeviations": [null]}])"),
             content, "tests[0].arcs[0].radialDeviations[0]", "expected a number");
         row("drift of unequal lists",
             head + R"(, "tests": [{"kind": "drift", "times": [0], "deviations": []}]})", content,
-            "tests[0].deviations", "found %1 values; expected %2");
+            "tests[0].deviations", "number of values found: %1; expected: %2");
         row("series of unequal lists",
             positioningFile(
                 noReadings +
                 R"(, "conditions": {"sensors": [{"series": {"times": [0], "temperatures": []}}]})"),
-            content, "tests[0].conditions.sensors[0].series.temperatures", "found %1 values; expected %2");
+            content, "tests[0].conditions.sensors[0].series.temperatures",
+            "number of values found: %1; expected: %2");
         row("excluded run that does not exist",
             positioningFile(twoTargets + R"(, "excluded": [{"run": 3, "target": 2, "value": 0}])"), content,
             "tests[0].excluded[0].run", "expected one of the %1 runs, counted from 1");
@@ -318,9 +319,8 @@ private slots:
         row("negative guard factor",
             positioningFile(noReadings + R"(, "decisionRule": {"guardFactor": -0.5})"), content,
             "tests[0].decisionRule.guardFactor", "expected a number that is not negative");
-        row("negative uncertainty",
-            positioningFile(noReadings + R"(, "uncertainty": {"expanded": {"A": -1}})"), content,
-            "tests[0].uncertainty.expanded.A", "expected a number that is not negative");
+        row("missing approach", positioningFile(R"("targets": [], "runs": [{"deviations": []}])"), content,
+            "tests[0].runs[0]", "the key “%1” is missing");
         row("a day that does not exist", positioningFile(noReadings + R"(, "date": "2023-02-29")"), content,
             "tests[0].date", "expected a date that exists, written YYYY-MM-DD");
         row("a date in French", positioningFile(noReadings + R"(, "date": "28/02/2023")"), content,

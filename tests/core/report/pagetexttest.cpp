@@ -1,7 +1,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "report/attachedfile.h"
 #include "report/pagetext.h"
+#include "report/attachedfile.h"
 #include "report/plaintext.h"
 
 #include <QTest>
@@ -23,7 +23,7 @@ Table smallTable() {
 
 } // namespace
 
-class BlocksTest : public QObject {
+class PageTextTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -99,5 +99,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BlocksTest)
-#include "blocks.moc"
+QTEST_GUILESS_MAIN(PageTextTest)
+#include "pagetexttest.moc"
