@@ -1483,5 +1483,21 @@
         <source>compensation active during the test</source>
         <translation>compensation active pendant l’essai</translation>
     </message>
+    <message>
+        <source>No limit agreed for the others.</source>
+        <translation>Pas de limite convenue pour les autres.</translation>
+    </message>
+    <message>
+        <source>a value or “]”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text cannot hold this character or escape; expected UTF-8 without control characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found a NUL character; expected text</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 </TS>

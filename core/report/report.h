@@ -133,7 +133,7 @@ struct Column {
     bool flexible = false; ///< breaks into lines where the table is too wide; takes what is left over
     double width = 0;      ///< mm; 0: these columns share what the others leave, equally
     int titleSpan = 1;     ///< columns the title spreads over; the titles of those are empty
-    double gapBefore = 0;  ///< mm of paper before the column, without tint, rules through
+    double gapBefore = 0;  ///< mm before the column
     double paddingLeft = 1;
 
     bool operator==(const Column &) const = default;
