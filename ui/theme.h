@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QIcon>
+#include <QObject>
+#include <QString>
+
+class QPalette;
+
+namespace palmer::ui {
+
+/// Colours for which a palette has no role. Light and dark value each.
+enum class Token {
+    ok, ///< conforms
+    okGround,
+    bad, ///< does not conform
+    badGround,
+    unsure, ///< not proven; required statement
+    unsureGround,
+    explanation,
+    accent,
+    secondaryText,
+    line,
+    lineStrong, ///< below the rows of one run
+    hover,      ///< ground of what is under the pointer
+    up,         ///< ↑ lines and text
+    down,       ///< ↓ lines
+    downText,   ///< ↓ as text, which needs more contrast
+};
+
+/// Whether the palette is a dark one: its text lighter than its ground.
+[[nodiscard]] bool isDark(const QPalette &palette);
+
+[[nodiscard]] QColor token(Token token, const QPalette &palette);
+
+/// Sizes of text as factors of the system font.
+enum class TextSize { base, small, tiny, head, title };
+
+/// The system's font in one of the sizes; heads and titles are semi-bold.
+[[nodiscard]] QFont themeFont(TextSize size);
+
+/// The line icon `:/icons/<name>.svg` in the colour of the palette's text at the time it is painted; enabled
+/// and disabled, sharp at any device pixel ratio.
+[[nodiscard]] QIcon lineIcon(const QString &name);
+
+/// Fills the application's one style sheet from its palette, now and whenever the palette changes. Call once.
+void installTheme();
+
+} // namespace palmer::ui
