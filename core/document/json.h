@@ -7,7 +7,7 @@
 
 namespace palmer {
 
-// The JSON of the test file. For the sources of this folder only: nothing else knows the library.
+// The JSON of the test file and of the results. Nothing but document and export knows the library.
 
 /// The value a text says. Throws Error: syntax with `line:column`; duplicate keys, numbers that are not
 /// finite and senseless nesting with their path; more than 10⁷ readings or points before they fill the
@@ -16,9 +16,12 @@ namespace palmer {
 
 /// The text of a value on one line, numbers in their shortest form that says the same.
 [[nodiscard]] std::string compactJson(const nlohmann::json &value);
+[[nodiscard]] std::string compactJson(const nlohmann::ordered_json &value);
 
-/// The text of a file: keys sorted, two spaces a level, arrays of numbers broken at about 100 columns, small
-/// objects on one line, a line break at the end. Throws Error(unwritable) for a number that is not finite.
+/// The text of a file: keys in their order (sorted, unless it is an ordered value), two spaces a level,
+/// arrays of numbers broken at about 100 columns, small objects on one line, a line break at the end. Throws
+/// Error(unwritable) for a number that is not finite.
 [[nodiscard]] std::string printJson(const nlohmann::json &value);
+[[nodiscard]] std::string printJson(const nlohmann::ordered_json &value);
 
 } // namespace palmer

@@ -14,8 +14,6 @@ namespace palmer {
 
 namespace {
 
-using nlohmann::json;
-
 constexpr std::size_t lineLength = 100;
 constexpr std::size_t indentation = 2;
 
@@ -38,28 +36,30 @@ void appendInteger(std::string &text, auto value) {
     text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
 
-void appendScalar(std::string &text, const json &value, const Place &place) {
+template <class Json>
+void appendScalar(std::string &text, const Json &value, const Place &place) {
     switch (value.type()) {
-    case json::value_t::number_float:
-        return appendNumber(text, value.get<double>(), place);
-    case json::value_t::number_integer:
-        return appendInteger(text, value.get<std::int64_t>());
-    case json::value_t::number_unsigned:
-        return appendInteger(text, value.get<std::uint64_t>());
+    case Json::value_t::number_float:
+        return appendNumber(text, value.template get<double>(), place);
+    case Json::value_t::number_integer:
+        return appendInteger(text, value.template get<std::int64_t>());
+    case Json::value_t::number_unsigned:
+        return appendInteger(text, value.template get<std::uint64_t>());
     default:
-        text += value.dump(-1, ' ', false, json::error_handler_t::replace);
+        text += value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     }
 }
 
 void appendKey(std::string &text, const std::string &key) {
-    text += json(key).dump(-1, ' ', false, json::error_handler_t::replace) + ": ";
+    text += nlohmann::json(key).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + ": ";
 }
 
-void appendCompact(std::string &text, const json &value, const Place &place) {
+template <class Json>
+void appendCompact(std::string &text, const Json &value, const Place &place) {
     const char *separator = "";
     if (value.is_object()) {
         text += '{';
-        for (const auto &[key, member] : value.get_ref<const json::object_t &>()) {
+        for (const auto &[key, member] : value.template get_ref<const typename Json::object_t &>()) {
             text += separator;
             appendKey(text, key);
             appendCompact(text, member, Place(place, key));
@@ -79,26 +79,29 @@ void appendCompact(std::string &text, const json &value, const Place &place) {
     }
 }
 
-bool isScalar(const json &value) {
+template <class Json>
+bool isScalar(const Json &value) {
     return !value.is_structured();
 }
 
 // Worth the attempt to print it within a line: a scalar, or a short list of them.
-bool isSmall(const json &value) {
+template <class Json>
+bool isSmall(const Json &value) {
     return isScalar(value) || value.empty() ||
            (value.is_array() && value.size() < lineLength / 2 &&
-            std::all_of(value.begin(), value.end(), isScalar));
+            std::all_of(value.begin(), value.end(), isScalar<Json>));
 }
 
+template <class Json>
 class Printer {
 public:
     std::string take() { return std::move(m_text); }
 
-    void print(const json &value, std::size_t indent, const Place &place) {
+    void print(const Json &value, std::size_t indent, const Place &place) {
         if (value.is_object())
-            printObject(value.get_ref<const json::object_t &>(), indent, place);
+            printObject(value.template get_ref<const typename Json::object_t &>(), indent, place);
         else if (value.is_array())
-            printArray(value.get_ref<const json::array_t &>(), indent, place);
+            printArray(value.template get_ref<const typename Json::array_t &>(), indent, place);
         else
             appendScalar(m_text, value, place);
     }
@@ -112,7 +115,7 @@ private:
 
     [[nodiscard]] std::size_t column() const { return m_text.size() - m_lineBegin; }
 
-    void printObject(const json::object_t &object, std::size_t indent, const Place &place) {
+    void printObject(const typename Json::object_t &object, std::size_t indent, const Place &place) {
         const bool small = indent > 0 && std::all_of(object.begin(), object.end(), [](const auto &member) {
                                return isSmall(member.second);
                            });
@@ -135,7 +138,7 @@ private:
         m_text += '}';
     }
 
-    bool printOnOneLine(const json &object, const Place &place) {
+    bool printOnOneLine(const Json &object, const Place &place) {
         const std::size_t begin = m_text.size();
         appendCompact(m_text, object, place);
         if (column() < lineLength)
@@ -144,8 +147,8 @@ private:
         return false;
     }
 
-    void printArray(const json::array_t &array, std::size_t indent, const Place &place) {
-        const bool scalars = std::all_of(array.begin(), array.end(), isScalar);
+    void printArray(const typename Json::array_t &array, std::size_t indent, const Place &place) {
+        const bool scalars = std::all_of(array.begin(), array.end(), isScalar<Json>);
         if (array.empty()) {
             m_text += "[]";
         } else if (!scalars) {
@@ -163,7 +166,8 @@ private:
     }
 
     // Without indent: on the rest of this line, if they fit; else on lines of their own, filled.
-    bool printScalars(const json::array_t &array, std::optional<std::size_t> indent, const Place &place) {
+    bool printScalars(const typename Json::array_t &array, std::optional<std::size_t> indent,
+                      const Place &place) {
         const std::size_t begin = m_text.size();
         m_text += '[';
         if (indent)
@@ -198,14 +202,26 @@ private:
 
 } // namespace
 
-std::string compactJson(const json &value) {
+std::string compactJson(const nlohmann::json &value) {
     std::string text;
     appendCompact(text, value, {});
     return text;
 }
 
-std::string printJson(const json &value) {
-    Printer printer;
+std::string compactJson(const nlohmann::ordered_json &value) {
+    std::string text;
+    appendCompact(text, value, {});
+    return text;
+}
+
+std::string printJson(const nlohmann::json &value) {
+    Printer<nlohmann::json> printer;
+    printer.print(value, 0, {});
+    return printer.take() + '\n';
+}
+
+std::string printJson(const nlohmann::ordered_json &value) {
+    Printer<nlohmann::ordered_json> printer;
     printer.print(value, 0, {});
     return printer.take() + '\n';
 }

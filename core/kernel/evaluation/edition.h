@@ -76,6 +76,8 @@ struct Edition {
     Text title = {};               ///< the standard's own title; empty where the designation stands alone
     double c = 0;             ///< factor of s (ISO 230-2)
     bool rangeMethod = false; ///< s by the range method allowed
+    Text standardCycle = {};  ///< what the measuring cycles are called (ISO 230-2)
+    Text stepCycle = {};
     std::span<const Row> rows = {};
     std::span<const TargetTerm> targetTerms = {};
     std::span<const Scheme> schemes = {};

@@ -218,13 +218,15 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
         test,          measurement,          surroundings,         edition,          results.targets,
         results.drift, results.positiveRuns, results.negativeRuns, uncertaintyStated};
     results.judgedAsZone = whole.zoneTest();
-    results.stepCycleNotAgreed = measurement.cycle == Cycle::step && !whole.agreed("stepCycle");
 
     const auto scheme =
         std::ranges::find_if(edition.schemes, [&](const Scheme &s) { return s.applies(whole); });
     if (scheme != edition.schemes.end())
         findUnmet(scheme->requirements, whole, evaluation.findings);
     findUnmet(edition.requirements, whole, evaluation.findings);
+    // Editions that allow both cycles (1988) do not ask for an agreement.
+    results.stepCycleNotAgreed =
+        std::ranges::find(evaluation.findings, "cycle", &Finding::id) != evaluation.findings.end();
     explainMissingValues(evaluation, results.targets, results);
     findNotStated(edition, whole, evaluation.findings);
     findNotAgreed(edition, whole, evaluation.findings);

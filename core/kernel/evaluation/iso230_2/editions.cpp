@@ -16,12 +16,19 @@ constexpr Text title2006 =
     REPORT_TEXT("report", "Test code for machine tools — Part 2: Determination of accuracy and "
                           "repeatability of positioning numerically controlled axes");
 
+constexpr Text standardCycle1988 = REPORT_TEXT_FOR("report", "linear cycle", "1988");
+constexpr Text stepCycle1988 = REPORT_TEXT_FOR("report", "pilgrim step cycle", "1988");
+constexpr Text standardCycle2006 = REPORT_TEXT("report", "standard test cycle");
+constexpr Text stepCycle2006 = REPORT_TEXT("report", "step cycle");
+
 Edition iso1988(const char *word) {
     return {.word = word,
             .family = "ISO 230-2:1988",
             .title = title1988,
             .c = 3,
             .rangeMethod = true,
+            .standardCycle = standardCycle1988,
+            .stepCycle = stepCycle1988,
             .rows = rows1988(),
             .targetTerms = targetTerms1988(),
             .schemes = schemes1988(),
@@ -38,6 +45,8 @@ Edition iso1997(const char *word, Text title) {
             .family = "ISO 230-2:1997",
             .title = title,
             .c = 2,
+            .standardCycle = standardCycle2006,
+            .stepCycle = stepCycle2006,
             .rows = rows2006WithoutClauses(),
             .targetTerms = targetTerms2006WithoutClauses(),
             .schemes = schemesWithoutClauses(),
@@ -51,6 +60,8 @@ Edition iso2006() {
             .family = "ISO 230-2:2006",
             .title = title2006,
             .c = 2,
+            .standardCycle = standardCycle2006,
+            .stepCycle = stepCycle2006,
             .rows = rows2006(),
             .targetTerms = targetTerms2006(),
             .schemes = schemes2006(),
@@ -64,6 +75,8 @@ Edition aliasOf2006(const char *word) {
             .family = "ISO 230-2:2006",
             .title = {},
             .c = 2,
+            .standardCycle = standardCycle2006,
+            .stepCycle = stepCycle2006,
             .rows = rows2006WithoutClauses(),
             .targetTerms = targetTerms2006WithoutClauses(),
             .schemes = schemesWithoutClauses(),
@@ -78,6 +91,8 @@ Edition iso2014(const char *word, Text title, std::span<const Row> rows,
             .family = "ISO 230-2:2014",
             .title = title,
             .c = 2,
+            .standardCycle = standardCycle2006,
+            .stepCycle = stepCycle2006,
             .rows = rows,
             .targetTerms = targetTerms,
             .schemes = schemesWithoutClauses(),
@@ -96,6 +111,8 @@ Edition vdi3441() {
             .family = "VDI/DGQ 3441:1977",
             .title = {},
             .c = 3,
+            .standardCycle = standardCycle2006,
+            .stepCycle = stepCycle2006,
             .rows = rowsVdi3441(),
             .targetTerms = targetTerms2006WithoutClauses(),
             .requirements = requirementsVdi3441(),

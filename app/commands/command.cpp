@@ -1,0 +1,186 @@
+#include "commands/command.h"
+
+#include "commands/check.h"
+#include "commands/evaluate.h"
+#include "commands/selftest.h"
+#include "report/plaintext.h"
+
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+// Valid for every command.
+constexpr std::array commonOptions{
+    Option{"language", "fr|en", REPORT_TEXT("report", "language of tables, findings and errors")},
+    Option{"help", "", REPORT_TEXT("report", "this help")},
+};
+
+struct HelpRow {
+    QString left;
+    QString right;
+};
+
+QString rows(const std::vector<HelpRow> &list) {
+    int width = 0;
+    for (const HelpRow &row : list)
+        width = std::max(width, displayWidth(row.left));
+    QString text;
+    for (const HelpRow &row : list) {
+        const int indent = width + 4;
+        const QStringList lines = wrapped(row.right, terminalWidth - indent);
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            const QString left = i == 0 ? QStringLiteral("  ") + row.left : QString();
+            text += left + QString(indent - displayWidth(left), u' ') + lines[i] + u'\n';
+        }
+    }
+    return text;
+}
+
+QString optionName(const Option &option) {
+    QString name = QStringLiteral("--") + QString::fromUtf8(option.name);
+    if (*option.value != 0)
+        name += u' ' + QString::fromUtf8(option.value);
+    return name;
+}
+
+void addOptions(std::vector<HelpRow> &list, std::span<const Option> options, const Language &language) {
+    for (const Option &option : options)
+        list.push_back({optionName(option), language.text(option.description)});
+}
+
+QString commandLine(const Command &command) {
+    return QString::fromUtf8(command.name) + u' ' + QString::fromUtf8(command.arguments);
+}
+
+const Option *findOption(const Command &command, const QString &name) {
+    for (const std::span<const Option> list : {command.options, std::span<const Option>(commonOptions)}) {
+        const auto found = std::ranges::find_if(
+            list, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
+        if (found != list.end())
+            return &*found;
+    }
+    return nullptr;
+}
+
+/// An option with its value, which is `given` ("--name=value") or the next word.
+void take(Invocation &invocation, const Option &option, std::optional<QString> given,
+          const QStringList &words, qsizetype &next) {
+    const bool wantsValue = *option.value != 0;
+    if (wantsValue && !given && next < words.size())
+        given = words[next++];
+    if (wantsValue && !given)
+        throw UsageError({REPORT_TEXT("report", "the option --%1 needs a value (%2)"),
+                          {std::string(option.name), std::string(option.value)}});
+    if (!wantsValue && given)
+        throw UsageError(
+            {REPORT_TEXT("report", "the option --%1 takes no value"), {std::string(option.name)}});
+    invocation.options[QString::fromUtf8(option.name)] = given.value_or(QString());
+}
+
+} // namespace
+
+int worse(int a, int b) {
+    return std::max(a, b); // the codes ascend in their rank; wrong usage never comes from a file
+}
+
+bool Invocation::has(QLatin1StringView option) const {
+    return options.contains(option);
+}
+
+std::optional<QString> Invocation::value(QLatin1StringView option) const {
+    const auto found = options.find(option);
+    return found == options.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::span<const Command> commands() {
+    static const std::array table{evaluateCommand(), checkCommand(), selftestCommand()};
+    return table;
+}
+
+Invocation parseArguments(const Command &command, const QStringList &words, Language language) {
+    Invocation result{std::move(language), false, {}, {}};
+    bool onlyFiles = false;
+    for (qsizetype next = 0; next < words.size();) {
+        const QString &word = words[next++];
+        if (onlyFiles || !word.startsWith(u'-') || word == QLatin1StringView("-")) {
+            result.arguments << word;
+        } else if (word == QLatin1StringView("--")) {
+            onlyFiles = true;
+        } else {
+            const qsizetype mark = word.indexOf(u'=');
+            const QString name =
+                word.startsWith(QLatin1StringView("--")) ? word.mid(2, mark < 0 ? -1 : mark - 2) : QString();
+            const Option *option = findOption(command, name);
+            if (!option)
+                throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),
+                                  {word.toStdString(), std::string(command.name)}});
+            take(result, *option, mark < 0 ? std::nullopt : std::optional(word.mid(mark + 1)), words, next);
+        }
+    }
+    if (const auto chosen = result.value(QLatin1StringView("language"))) {
+        const auto found = Language::fromName(*chosen);
+        if (!found)
+            throw UsageError(
+                {REPORT_TEXT("report", "unknown language %1; known: fr, en"), {chosen->toStdString()}});
+        result.language = *found;
+        result.languageChosen = true;
+    }
+    if (result.has(QLatin1StringView("help")))
+        return result;
+    const bool takesFiles = *command.arguments != 0;
+    if (takesFiles && result.arguments.isEmpty())
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file (%2)"),
+                          {std::string(command.name), std::string(command.arguments)}});
+    if (!takesFiles && !result.arguments.isEmpty())
+        throw UsageError(
+            {REPORT_TEXT("report", "the command %1 takes no file"), {std::string(command.name)}});
+    return result;
+}
+
+std::optional<Language> chosenLanguage(const QStringList &words) {
+    const QLatin1StringView option("--language");
+    std::optional<Language> result;
+    for (qsizetype i = 0; i < words.size() && words[i] != QLatin1StringView("--"); ++i) {
+        QString name;
+        if (words[i] == option)
+            name = words.value(i + 1);
+        else if (words[i].startsWith(option) && words[i].size() > option.size() &&
+                 words[i][option.size()] == u'=')
+            name = words[i].mid(option.size() + 1);
+        if (auto language = Language::fromName(name))
+            result = std::move(language);
+    }
+    return result;
+}
+
+QString programHelp(const Language &language) {
+    std::vector<HelpRow> list;
+    for (const Command &command : commands())
+        list.push_back({commandLine(command).trimmed(), language.text(command.description)});
+    std::vector<HelpRow> options;
+    addOptions(options, commonOptions, language);
+    options.push_back(
+        {QStringLiteral("--version"), language.text(REPORT_TEXT("report", "version of the program"))});
+    return language.text(REPORT_TEXT(
+               "report", "palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2).")) +
+           QStringLiteral("\n\npalmer-cli ") +
+           language.text(REPORT_TEXT("report", "COMMAND [OPTION]… [FILE]…")) + QStringLiteral("\n\n") +
+           rows(list) + u'\n' + rows(options) + u'\n' +
+           language.text(REPORT_TEXT("report", "FILE is a test file (.palmer); - is standard input.")) +
+           u'\n';
+}
+
+QString commandHelp(const Command &command, const Language &language) {
+    std::vector<HelpRow> options;
+    addOptions(options, command.options, language);
+    addOptions(options, commonOptions, language);
+    return QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) +
+           language.text(REPORT_TEXT("report", " [OPTION]… ")) + QString::fromUtf8(command.arguments) +
+           QStringLiteral("\n\n") + wrapped(language.text(command.description), terminalWidth).join(u'\n') +
+           QStringLiteral("\n\n") + rows(options);
+}
+
+} // namespace palmer

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "kernel/words/message.h"
+#include "language/language.h"
+
+#include <QString>
+#include <QStringList>
+#include <map>
+#include <optional>
+#include <span>
+#include <stdexcept>
+
+namespace palmer {
+
+/// Exit codes of the program; of several files the worst wins: cannotRead, difference, done.
+enum ExitCode : int {
+    done = 0,
+    difference = 1, ///< a verdict other than "conforms", an unmet requirement, a value that does not agree
+    wrongUsage = 2,
+    cannotRead = 3, ///< a file cannot be read, written or understood
+};
+
+/// The worse of two codes, by rank and not by number alone.
+[[nodiscard]] int worse(int a, int b);
+
+/// An option of a command: --name, or --name VALUE where `value` stands for something.
+struct Option {
+    const char *name;
+    const char *value; ///< placeholder in the help; empty for a switch
+    Text description;
+};
+
+/// What a command was called with.
+struct Invocation {
+    Language language;
+    bool languageChosen = false; ///< by --language; else it is that of the locale
+    std::map<QString, QString> options;
+    QStringList arguments;
+
+    [[nodiscard]] bool has(QLatin1StringView option) const;
+    [[nodiscard]] std::optional<QString> value(QLatin1StringView option) const;
+};
+
+/// A command of the program; the help is made of these rows.
+struct Command {
+    const char *name;
+    const char *arguments; ///< "FILE…"; empty: takes none
+    Text description;
+    std::span<const Option> options;
+    int (*run)(const Invocation &);
+};
+
+/// Wrong usage: one line on stderr, exit code 2.
+class UsageError : public std::runtime_error {
+public:
+    explicit UsageError(Message sentence)
+        : std::runtime_error(sentence.text.source)
+        , message(std::move(sentence)) {}
+
+    Message message;
+};
+
+/// The commands there are.
+[[nodiscard]] std::span<const Command> commands();
+
+/// Takes the words after the command's name apart. Throws UsageError.
+[[nodiscard]] Invocation parseArguments(const Command &command, const QStringList &words, Language language);
+
+/// The language asked for by --language anywhere among the words, if it is one.
+[[nodiscard]] std::optional<Language> chosenLanguage(const QStringList &words);
+
+/// Help of the whole program, and of one command.
+[[nodiscard]] QString programHelp(const Language &language);
+[[nodiscard]] QString commandHelp(const Command &command, const Language &language);
+
+} // namespace palmer

@@ -1,0 +1,78 @@
+#include "commands/evaluate.h"
+
+#include "commands/eachfile.h"
+#include "export/resultsjson.h"
+#include "report/plaintext.h"
+#include "report/results.h"
+
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::array options{
+    Option{
+        "edition", "E",
+        REPORT_TEXT("report", "evaluate the tests of its kind under another edition (a view: no verdicts)")},
+    Option{"json", "", REPORT_TEXT("report", "results as JSON; of several files one object a line")},
+};
+
+/// Throws UsageError for a word that is no edition.
+std::string editionOf(const Invocation &invocation) {
+    const auto word = invocation.value(QLatin1StringView("edition"));
+    if (!word)
+        return {};
+    if (findEdition(word->toStdString()))
+        return word->toStdString();
+    std::string known;
+    for (const Edition *edition : editions())
+        known += (known.empty() ? "" : ", ") + std::string(edition->word);
+    throw UsageError({REPORT_TEXT("report", "unknown edition %1; known: %2"), {word->toStdString(), known}});
+}
+
+/// A verdict other than "conforms"; where rejection has to be proven, only "does not conform".
+bool isRejected(const Test &test, const TestEvaluation &evaluation) {
+    if (!evaluation.verdict)
+        return false;
+    if (test.decisionRule.rule == Rule::rejectionProven)
+        return *evaluation.verdict == Verdict::doesNotConform;
+    return *evaluation.verdict != Verdict::conforms;
+}
+
+int run(const Invocation &invocation) {
+    const std::string edition = editionOf(invocation);
+    const bool json = invocation.has(QLatin1StringView("json"));
+    const bool several = invocation.arguments.size() > 1;
+    // Scripts read the same names everywhere, unless they ask for others.
+    const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
+    return eachFile(invocation, [&, first = true](const QString &file, Document document) mutable {
+        const EvaluatedDocument evaluated =
+            evaluate(std::make_shared<const Document>(std::move(document)), nullptr, edition);
+        if (json) {
+            printOut(resultsJson(evaluated, file, names, several ? JsonForm::oneLine : JsonForm::pretty));
+        } else {
+            const QString head =
+                several ? (first ? QString() : QStringLiteral("\n")) + file + QStringLiteral("\n\n")
+                        : QString();
+            printOut(head + plainText(composeResults(evaluated, invocation.language)));
+        }
+        first = false;
+        int code = done;
+        for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+            if (isRejected(*evaluated.document->tests[i], *evaluated.tests[i]))
+                code = difference;
+        }
+        return code;
+    });
+}
+
+} // namespace
+
+Command evaluateCommand() {
+    return {"evaluate", "FILE…", REPORT_TEXT("report", "results of the tests as a table or as JSON"), options,
+            run};
+}
+
+} // namespace palmer

@@ -1,0 +1,29 @@
+#include "commands/selftest.h"
+
+#include "commands/streams.h"
+#include "report/plaintext.h"
+#include "report/validationreport.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+int run(const Invocation &invocation) {
+    const std::vector<SetValidation> sets = validateAll();
+    printOut(plainText(composeValidation(sets, invocation.language)));
+    return std::ranges::all_of(sets, &SetValidation::agrees) ? done : difference;
+}
+
+} // namespace
+
+Command selftestCommand() {
+    return {"selftest",
+            "",
+            REPORT_TEXT("report", "evaluates the built-in reference data and compares with the known values"),
+            {},
+            run};
+}
+
+} // namespace palmer

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+
+#include <QByteArray>
+#include <QString>
+
+namespace palmer {
+
+enum class JsonForm {
+    pretty,  ///< indented, for one file
+    oneLine, ///< one object a line, for several
+};
+
+/// The results of all tests as JSON, for scripts: every value unrounded in mm or degrees, null where there is
+/// none, never NaN. Names and sentences in `language`; ids and words are the same in all. `fileName` is
+/// echoed. Ends with a line break.
+[[nodiscard]] QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileName,
+                                     const Language &language, JsonForm form);
+
+} // namespace palmer

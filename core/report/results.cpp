@@ -1,0 +1,472 @@
+#include "report/results.h"
+
+#include "kernel/evaluation/targetvalue.h"
+#include "language/rounding.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr int mostDecimals = 3;              ///< of readings and positions, whatever the file holds
+constexpr std::size_t readingsLooked = 2000; ///< enough to see how many decimals readings have
+
+Text verdictText(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::conforms:
+        return REPORT_TEXT("report", "conforms");
+    case Verdict::notProven:
+        return REPORT_TEXT("report", "not proven");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT("report", "does not conform");
+    }
+    return {};
+}
+
+Text gradeText(Grade grade) {
+    switch (grade) {
+    case Grade::requirement:
+        return REPORT_TEXT("report", "requirement");
+    case Grade::recommendation:
+        return REPORT_TEXT("report", "recommendation");
+    case Grade::note:
+        return REPORT_TEXT("report", "note");
+    }
+    return {};
+}
+
+Text ruleText(Rule rule) {
+    switch (rule) {
+    case Rule::simpleAcceptance:
+        return REPORT_TEXT("report", "simple acceptance");
+    case Rule::iso14253_1:
+        return REPORT_TEXT("report", "ISO 14253-1: conformity to be proven");
+    case Rule::rejectionProven:
+        return REPORT_TEXT("report", "non-conformity to be proven");
+    }
+    return {};
+}
+
+Text correctionText(CorrectionTo20 correction) {
+    switch (correction) {
+    case CorrectionTo20::notStated:
+        return REPORT_TEXT("report", "not stated");
+    case CorrectionTo20::notApplied:
+        return REPORT_TEXT("report", "not applied");
+    case CorrectionTo20::appliedByInstrument:
+        return REPORT_TEXT("report", "applied by the instrument");
+    case CorrectionTo20::appliedHere:
+        return REPORT_TEXT("report", "applied here");
+    }
+    return {};
+}
+
+/// Digits after the point of the shortest form of a number, in the unit it is shown in.
+int decimalsOf(double value, Quantity quantity) {
+    const std::string digits = Decimal(value, quantity).shortest();
+    const auto point = digits.find('.');
+    return point == std::string::npos ? 0 : static_cast<int>(digits.size() - point - 1);
+}
+
+/// The common decimals of positions, at most `mostDecimals`.
+int positionDecimals(const std::vector<double> &targets, Quantity quantity) {
+    int result = 0;
+    for (std::size_t i = 0; i < std::min(targets.size(), readingsLooked); ++i)
+        result = std::max(result, decimalsOf(targets[i], quantity));
+    return std::min(result, mostDecimals);
+}
+
+/// Statistics per target have one digit more than the readings.
+int statisticDecimals(const PositioningMeasurement &measurement, Quantity quantity) {
+    int result = 0;
+    std::size_t looked = 0;
+    for (const Run &run : measurement.runs) {
+        for (const auto &deviation : run.deviations) {
+            if (looked++ == readingsLooked)
+                return std::min(result, mostDecimals) + 1;
+            if (deviation)
+                result = std::max(result, decimalsOf(*deviation, quantity));
+        }
+    }
+    return std::min(result, mostDecimals) + 1;
+}
+
+QString arrow(Direction direction) {
+    return direction == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
+}
+
+Phrase symbolPhrase(const Symbol &symbol, const std::string &index = {}) {
+    std::vector<Span> spans{{QString::fromUtf8(symbol.base), false}};
+    const QString lower = QString::fromUtf8(symbol.subscript) + QString::fromStdString(index);
+    if (!lower.isEmpty())
+        spans.push_back({lower, true});
+    if (*symbol.arrow != 0)
+        spans.push_back({QString::fromUtf8(symbol.arrow), false});
+    return Phrase(std::move(spans));
+}
+
+/// Composes one test after the other; everything in the one language.
+class Composer {
+public:
+    Composer(const Document &document, const Language &language)
+        : m_document(document)
+        , m_language(language) {}
+
+    void addResults(const Test &test, const TestEvaluation &evaluation) {
+        addTitle(test, evaluation);
+        if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
+            addPositioning(test, *m, evaluation);
+        else if (std::holds_alternative<CircularMeasurement>(test.measurement))
+            addCircular(test, evaluation);
+        else if (const auto *drift = std::get_if<DriftMeasurement>(&test.measurement))
+            addDrift(*drift, std::get<DriftResults>(evaluation.results));
+        if (evaluation.edition)
+            m_report.blocks.emplace_back(verdictLine(test, evaluation));
+        addFindings(evaluation);
+    }
+
+    void addFindingsOf(const Test &test, const TestEvaluation &evaluation) {
+        addTitle(test, evaluation);
+        if (evaluation.edition)
+            m_report.blocks.emplace_back(Paragraph{accordance(evaluation)});
+        addFindings(evaluation);
+    }
+
+    [[nodiscard]] Report take() { return std::move(m_report); }
+
+private:
+    [[nodiscard]] QString text(const Text &words) const { return m_language.text(words); }
+    [[nodiscard]] QString say(const Text &words, std::vector<Argument> arguments = {}) const {
+        return m_language.sentence({words, std::move(arguments), {}});
+    }
+
+    // ---- Head ------------------------------------------------------------------------------------------
+
+    [[nodiscard]] QString title(const Test &test) const {
+        if (!test.title.empty())
+            return QString::fromStdString(test.title);
+        if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
+            return say(REPORT_TEXT("report", "Positioning test of axis %1"), {nameOr(m->axis.name)});
+        if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement))
+            return say(REPORT_TEXT("report", "Circular test in the plane %1"),
+                       {nameOr(c->plane.first + c->plane.second)});
+        return say(REPORT_TEXT("report", "Drift test of axis %1"),
+                   {nameOr(std::get<DriftMeasurement>(test.measurement).axis.name)});
+    }
+
+    [[nodiscard]] static std::string nameOr(const std::string &name) { return name.empty() ? "–" : name; }
+
+    void addTitle(const Test &test, const TestEvaluation &evaluation) {
+        QString heading = title(test);
+        if (evaluation.edition)
+            heading += QStringLiteral(" · ") + QString::fromUtf8(evaluation.edition->word);
+        m_report.blocks.emplace_back(Heading{1, heading});
+        const auto *results = std::get_if<PositioningResults>(&evaluation.results);
+        if (results && results->stepCycleNotAgreed)
+            m_report.blocks.emplace_back(
+                Paragraph{text(REPORT_TEXT("report", "step cycle – not an ISO 230-2 acceptance result"))});
+        if (evaluation.view)
+            m_report.blocks.emplace_back(Paragraph{say(
+                REPORT_TEXT("report", "Seen under another edition than that of the test (%1): no verdict."),
+                {test.edition})});
+    }
+
+    [[nodiscard]] QString editionText(const Edition &edition) const {
+        const QString word = QString::fromUtf8(edition.word);
+        return edition.title.empty() ? word : word + u'\n' + text(edition.title);
+    }
+
+    [[nodiscard]] QString axisText(const PositioningMeasurement &m) const {
+        const bool linear = m.axis.motion == Motion::linear;
+        const Quantity along = linear ? Quantity::position : Quantity::angle;
+        QString result = QString::fromStdString(nameOr(m.axis.name)) + QStringLiteral(", ") +
+                         text(linear ? REPORT_TEXT("report", "linear") : REPORT_TEXT("report", "rotary"));
+        if (m.axis.travel)
+            result += QStringLiteral(", ") +
+                      say(REPORT_TEXT("report", "axis travel %1"), {Number{*m.axis.travel, along, -1}});
+        if (!m.targets.empty())
+            result += QStringLiteral(", ") +
+                      say(REPORT_TEXT("report", "measurement travel %1"),
+                          {Number{measurementTravel(m), along, positionDecimals(m.targets, along)}});
+        return result;
+    }
+
+    [[nodiscard]] QString countsText(const PositioningMeasurement &m,
+                                     const PositioningResults &results) const {
+        const auto count = [](auto n) { return Number{static_cast<double>(n), Quantity::count, 0}; };
+        if (results.positiveRuns == results.negativeRuns)
+            return say(REPORT_TEXT("report", "m = %1; n = %2 each way"),
+                       {count(m.targets.size()), count(results.positiveRuns)});
+        return say(REPORT_TEXT("report", "m = %1; n = %2 ↑, %3 ↓"),
+                   {count(m.targets.size()), count(results.positiveRuns), count(results.negativeRuns)});
+    }
+
+    [[nodiscard]] QString ruleOf(const Test &test) const {
+        const QString rule = text(ruleText(test.decisionRule.rule));
+        if (test.decisionRule.rule == Rule::simpleAcceptance)
+            return rule;
+        return rule + QStringLiteral(", ") +
+               say(REPORT_TEXT("report", "guard band %1 U"),
+                   {Number{test.decisionRule.guardFactor, Quantity::number, -1}});
+    }
+
+    [[nodiscard]] KeyValues positioningHead(const Test &test, const PositioningMeasurement &m,
+                                            const TestEvaluation &evaluation,
+                                            const PositioningResults &results) const {
+        const Edition &edition = *evaluation.edition;
+        KeyValues head;
+        const auto add = [&](const Text &key, const QString &value) {
+            head.rows.push_back({text(key), value});
+        };
+        add(REPORT_TEXT("report", "Edition"), editionText(edition));
+        add(REPORT_TEXT("report", "Date of test"), m_language.date(test.date.value_or(std::string())));
+        add(REPORT_TEXT("report", "Axis"), axisText(m));
+        if (results.judgedAsZone)
+            add(REPORT_TEXT("report", "Working zone"), zoneText(m));
+        add(REPORT_TEXT("report", "Cycle"),
+            text(m.cycle == Cycle::standard ? edition.standardCycle : edition.stepCycle));
+        add(REPORT_TEXT("report", "Targets"), countsText(m, results));
+        if (edition.rangeMethod)
+            add(REPORT_TEXT("report", "Standard deviation"),
+                text(results.standardDeviation == DeviationMethod::range
+                         ? REPORT_TEXT("report", "range method")
+                         : REPORT_TEXT("report", "calculation method")));
+        if (m.axis.motion == Motion::linear)
+            add(REPORT_TEXT("report", "Correction to 20 °C"),
+                text(correctionText(m.conditions.common.correctionTo20)));
+        return head;
+    }
+
+    [[nodiscard]] QString zoneText(const PositioningMeasurement &m) const {
+        const Quantity along = m.axis.motion == Motion::linear ? Quantity::position : Quantity::angle;
+        return say(REPORT_TEXT("report", "%1 to %2"),
+                   {Number{m.zone->from, along, -1}, Number{m.zone->to, along, -1}});
+    }
+
+    // ---- Results ---------------------------------------------------------------------------------------
+
+    void addPositioning(const Test &test, const PositioningMeasurement &m, const TestEvaluation &evaluation) {
+        const auto &results = std::get<PositioningResults>(evaluation.results);
+        m_report.blocks.emplace_back(positioningHead(test, m, evaluation, results));
+        addParameters(test, evaluation, results.notCorrected);
+        if (!m.targets.empty() && (results.upward || results.downward)) {
+            m_report.blocks.emplace_back(Heading{2, text(REPORT_TEXT("report", "Results per target"))});
+            m_report.blocks.emplace_back(targetTable(m, *evaluation.edition, results));
+        }
+    }
+
+    void addCircular(const Test &test, const TestEvaluation &evaluation) {
+        if (evaluation.edition)
+            m_report.blocks.emplace_back(
+                KeyValues{{{text(REPORT_TEXT("report", "Edition")), editionText(*evaluation.edition)},
+                           {text(REPORT_TEXT("report", "Date of test")),
+                            m_language.date(test.date.value_or(std::string()))}}});
+        addParameters(test, evaluation, false);
+    }
+
+    void addDrift(const DriftMeasurement &drift, const DriftResults &results) {
+        const Quantity quantity =
+            drift.axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+        m_report.blocks.emplace_back(
+            KeyValues{{{text(REPORT_TEXT("report", "Environmental variation error (max − min)")),
+                        results.range ? m_language.quantity(*results.range, quantity, 2) : QString()}}});
+    }
+
+    [[nodiscard]] bool isPrinted(const Parameter &parameter) const {
+        const auto &include = m_document.report.include;
+        return parameter.term.printed == Printed::always ||
+               std::ranges::find(include, ReportExtra::meanRepeatability) != include.end();
+    }
+
+    /// The finest that any instrument of the test shows, in mm or degrees.
+    [[nodiscard]] std::optional<double> resolution(const Test &test) const {
+        std::optional<double> result;
+        for (const std::string &id : test.instruments) {
+            const auto found = std::ranges::find(m_document.instruments, id, &Instrument::id);
+            if (found != m_document.instruments.end() && found->resolution)
+                result = std::min(result.value_or(*found->resolution), *found->resolution);
+        }
+        return result;
+    }
+
+    [[nodiscard]] static int decimals(const Parameter &parameter, std::optional<double> resolution) {
+        const Quantity quantity = parameter.term.quantity;
+        int result = decimalsWithoutUncertainty;
+        if (parameter.expandedUncertainty)
+            result = decimalsWithUncertainty(*parameter.expandedUncertainty, quantity, resolution);
+        if (parameter.value && parameter.limit && parameter.limit->value)
+            result =
+                decimalsShowingSide(std::abs(*parameter.value), *parameter.limit->value, quantity, result);
+        return result;
+    }
+
+    [[nodiscard]] static QString rulingText(const Parameter &parameter) {
+        QStringList ends;
+        for (const auto &ruling : parameter.ruling) {
+            if (ruling)
+                ends << QString::number(ruling->target) +
+                            (ruling->approach ? arrow(*ruling->approach) : QString());
+        }
+        return ends.join(QStringLiteral(" – "));
+    }
+
+    [[nodiscard]] QString nameOf(const Parameter &parameter, const Edition &edition,
+                                 bool notCorrected) const {
+        QString name = text(parameter.term.name);
+        const auto row = std::ranges::find(edition.rows, std::string_view(parameter.term.id),
+                                           [](const Row &r) { return std::string_view(r.term.id); });
+        if (notCorrected && row != edition.rows.end() && row->dependsOnTemperature)
+            name += QStringLiteral(" (") + text(REPORT_TEXT("report", "not corrected to 20 °C")) + u')';
+        return name;
+    }
+
+    void addParameters(const Test &test, const TestEvaluation &evaluation, bool notCorrected) {
+        Table table;
+        const std::optional<double> finest = resolution(test);
+        char group = 0;
+        QString unit;
+        for (const Parameter &parameter : evaluation.parameters) {
+            if (!isPrinted(parameter))
+                continue;
+            const Quantity quantity = parameter.term.quantity;
+            const int digits = decimals(parameter, finest);
+            const auto shown = [&](std::optional<double> value, int places) {
+                return value ? Phrase(m_language.number(*value, quantity, places)) : Phrase();
+            };
+            unit = m_language.unit(quantity);
+            if (group != 0 && group != *parameter.term.id)
+                table.rulesAfter.push_back(table.rows.size() - 1);
+            group = *parameter.term.id;
+            table.rows.push_back(
+                {symbolPhrase(parameter.term.symbol, parameter.index),
+                 nameOf(parameter, *evaluation.edition, notCorrected), rulingText(parameter),
+                 shown(parameter.value, digits),
+                 parameter.expandedUncertainty
+                     ? Phrase(m_language.uncertainty(*parameter.expandedUncertainty, quantity, digits))
+                     : Phrase(),
+                 shown(parameter.limit ? parameter.limit->value : std::nullopt, -1),
+                 parameter.verdict ? Phrase(text(verdictText(*parameter.verdict))) : Phrase()});
+        }
+        if (table.rows.empty())
+            return;
+        table.columns = {{{}, {}, Alignment::left, false},
+                         {text(REPORT_TEXT("report", "Result")), {}, Alignment::left, true},
+                         {text(REPORT_TEXT("report", "Targets i")), {}, Alignment::left, false},
+                         {text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false},
+                         {QStringLiteral("U (k = 2)"), unit, Alignment::decimal, false},
+                         {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false},
+                         {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false}};
+        m_report.blocks.emplace_back(Heading{2, text(REPORT_TEXT("report", "Results"))});
+        m_report.blocks.emplace_back(std::move(table));
+    }
+
+    /// Whether the column of a quantity per target says anything about this test.
+    [[nodiscard]] static bool isShown(std::string_view id, const PositioningResults &results) {
+        const bool scatter = std::max(results.positiveRuns, results.negativeRuns) > 1;
+        if (id.starts_with("range") && results.standardDeviation != DeviationMethod::range)
+            return false;
+        if (!scatter && (id.starts_with("s") || id.starts_with("R")))
+            return false;
+        if (id.ends_with('+'))
+            return results.upward;
+        if (id.ends_with('-'))
+            return results.downward;
+        return results.upward && results.downward;
+    }
+
+    [[nodiscard]] Table targetTable(const PositioningMeasurement &m, const Edition &edition,
+                                    const PositioningResults &results) const {
+        const bool linear = m.axis.motion == Motion::linear;
+        const Quantity along = linear ? Quantity::position : Quantity::angle;
+        const Quantity deviation = linear ? Quantity::deviation : Quantity::angularDeviation;
+        const int places = positionDecimals(m.targets, along);
+        const int digits = statisticDecimals(m, deviation);
+        Table table;
+        table.columns = {{QStringLiteral("i"), {}, Alignment::right, false},
+                         {Phrase({{QStringLiteral("P"), false}, {QStringLiteral("i"), true}}),
+                          m_language.unit(along), Alignment::decimal, false}};
+        std::vector<const char *> ids;
+        for (const TargetTerm &term : edition.targetTerms) {
+            if (!isShown(term.id, results))
+                continue;
+            ids.push_back(term.id);
+            table.columns.push_back(
+                {symbolPhrase(term.symbol), m_language.unit(deviation), Alignment::decimal, false});
+        }
+        for (std::size_t i = 0; i < results.targets.size(); ++i) {
+            std::vector<Phrase> row{QString::number(i + 1), m_language.number(m.targets[i], along, places)};
+            for (const char *id : ids) {
+                const auto value = targetValue(id, results.targets[i], edition.c);
+                row.push_back(value ? Phrase(m_language.number(*value, deviation, digits)) : Phrase());
+            }
+            table.rows.push_back(std::move(row));
+        }
+        return table;
+    }
+
+    // ---- Verdict and findings --------------------------------------------------------------------------
+
+    [[nodiscard]] QString accordance(const TestEvaluation &evaluation) const {
+        const auto unmet = std::ranges::count(evaluation.findings, Grade::requirement, &Finding::grade);
+        const std::string word = evaluation.edition->word;
+        if (unmet == 0)
+            return say(REPORT_TEXT("report", "In accordance with %1."), {word});
+        return m_language.sentence(
+            {REPORT_TEXT_COUNTED("report", "NOT in accordance with %1: %n requirement(s) not met."),
+             {word},
+             static_cast<int>(unmet)});
+    }
+
+    [[nodiscard]] VerdictLine verdictLine(const Test &test, const TestEvaluation &evaluation) const {
+        QString limits = text(REPORT_TEXT("report", "Limits: no verdict."));
+        if (evaluation.verdict)
+            limits = say(REPORT_TEXT("report", "Limits: %1 (%2)."),
+                         {verdictText(*evaluation.verdict), ruleOf(test).toStdString()});
+        else if (test.limits.empty())
+            limits = text(REPORT_TEXT("report", "Limits: none agreed, no verdict."));
+        return {evaluation.verdict, limits, evaluation.inAccordance(), accordance(evaluation)};
+    }
+
+    void addFindings(const TestEvaluation &evaluation) {
+        if (evaluation.findings.empty()) {
+            m_report.blocks.emplace_back(Paragraph{text(REPORT_TEXT("report", "No findings."))});
+            return;
+        }
+        FindingsBlock block;
+        for (const Grade grade : {Grade::requirement, Grade::recommendation, Grade::note}) {
+            for (const Finding &finding : evaluation.findings) {
+                if (finding.grade == grade)
+                    block.lines.push_back({grade, text(gradeText(grade)),
+                                           QString::fromStdString(finding.clause),
+                                           m_language.sentence(finding.message)});
+            }
+        }
+        m_report.blocks.emplace_back(Heading{2, text(REPORT_TEXT("report", "Findings"))});
+        m_report.blocks.emplace_back(std::move(block));
+    }
+
+    const Document &m_document;
+    const Language &m_language;
+    Report m_report;
+};
+
+} // namespace
+
+Report composeResults(const EvaluatedDocument &evaluated, const Language &language) {
+    Composer composer(*evaluated.document, language);
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
+        composer.addResults(*evaluated.document->tests[i], *evaluated.tests[i]);
+    return composer.take();
+}
+
+Report composeFindings(const EvaluatedDocument &evaluated, const Language &language) {
+    Composer composer(*evaluated.document, language);
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
+        composer.addFindingsOf(*evaluated.document->tests[i], *evaluated.tests[i]);
+    return composer.take();
+}
+
+} // namespace palmer

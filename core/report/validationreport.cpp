@@ -1,0 +1,89 @@
+#include "report/validationreport.h"
+
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr int digitsOfDifference = 2;
+
+Text sourceText(ExpectationSource source) {
+    switch (source) {
+    case ExpectationSource::published:
+        return REPORT_TEXT("report", "published");
+    case ExpectationSource::recomputed:
+        return REPORT_TEXT("report", "recomputed");
+    case ExpectationSource::exact:
+        return REPORT_TEXT("report", "exact");
+    case ExpectationSource::certified:
+        return REPORT_TEXT("report", "certified");
+    }
+    return {};
+}
+
+/// Rounded to two significant digits: a difference tells its size only.
+double rounded(double value) {
+    return QString::number(value, 'g', digitsOfDifference).toDouble();
+}
+
+std::vector<Phrase> row(const Comparison &comparison, Quantity quantity, const Language &language) {
+    const Expectation &expected = comparison.expectation;
+    const Quantity ofDifference = expected.relative ? Quantity::number : quantity;
+    const auto shown = [&](std::optional<double> value) {
+        return value ? Phrase(language.number(*value, quantity)) : Phrase();
+    };
+    return {QString::fromStdString(expected.edition),
+            comparison.symbol,
+            language.text(sourceText(expected.source)),
+            shown(expected.value),
+            shown(comparison.computed),
+            comparison.difference ? Phrase(language.number(rounded(*comparison.difference), ofDifference))
+                                  : Phrase(),
+            language.number(expected.tolerance, ofDifference),
+            language.text(comparison.agrees ? REPORT_TEXT("report", "agrees")
+                                            : REPORT_TEXT("report", "DOES NOT AGREE"))};
+}
+
+Table table(const SetValidation &set, const Language &language) {
+    const QString unit = set.quantity == Quantity::number ? QString() : language.unit(set.quantity);
+    const auto title = [&](const Text &words) { return Phrase(language.text(words)); };
+    Table result;
+    result.columns = {{title(REPORT_TEXT("report", "Edition")), {}, Alignment::left, false},
+                      {title(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false},
+                      {title(REPORT_TEXT("report", "Source")), {}, Alignment::left, false},
+                      {title(REPORT_TEXT("report", "Expected")), unit, Alignment::decimal, false},
+                      {title(REPORT_TEXT("report", "Computed")), unit, Alignment::decimal, false},
+                      {title(REPORT_TEXT("report", "Difference")), unit, Alignment::right, false},
+                      {title(REPORT_TEXT("report", "Tolerance")), unit, Alignment::right, false},
+                      {{}, {}, Alignment::left, false}};
+    for (const Comparison &comparison : set.comparisons)
+        result.rows.push_back(row(comparison, set.quantity, language));
+    return result;
+}
+
+} // namespace
+
+Report composeValidation(const std::vector<SetValidation> &sets, const Language &language) {
+    Report report;
+    std::size_t values = 0;
+    std::size_t different = 0;
+    for (const SetValidation &set : sets) {
+        report.blocks.emplace_back(Heading{1, set.name});
+        report.blocks.emplace_back(Paragraph{set.origin});
+        report.blocks.emplace_back(table(set, language));
+        values += set.comparisons.size();
+        for (const Comparison &comparison : set.comparisons)
+            different += comparison.agrees ? 0 : 1;
+    }
+    const Number all{static_cast<double>(values), Quantity::count, 0};
+    const Number bad{static_cast<double>(different), Quantity::count, 0};
+    report.blocks.emplace_back(Paragraph{language.sentence(
+        different == 0
+            ? Message{REPORT_TEXT("report", "All %1 values agree with the reference data."), {all}}
+            : Message{REPORT_TEXT("report", "Values that do NOT agree with the reference data: %1 of %2."),
+                      {bad, all}})});
+    return report;
+}
+
+} // namespace palmer

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "validation/referenceset.h"
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+namespace palmer {
+
+/// A computed value beside the expected one, in the unit of the set (mm, or none).
+struct Comparison {
+    Expectation expectation;
+    QString symbol; ///< "A↑", "R10"
+    std::optional<double> computed;
+    std::optional<double> difference; ///< computed − expected; relative where the tolerance is
+    bool agrees = false;
+};
+
+struct SetValidation {
+    QString name;
+    QString origin;
+    Quantity quantity = Quantity::deviation;
+    std::vector<Comparison> comparisons;
+
+    [[nodiscard]] bool agrees() const;
+};
+
+/// Evaluates a reference set, as any test is evaluated, under the editions it has expectations for.
+[[nodiscard]] SetValidation validate(const ReferenceSet &set);
+
+/// Evaluates all embedded reference data: what `selftest` and the help show. Throws Error if one cannot be
+/// read.
+[[nodiscard]] std::vector<SetValidation> validateAll();
+
+} // namespace palmer
