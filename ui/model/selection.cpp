@@ -13,6 +13,13 @@ void Selection::setTest(std::size_t test) {
     emit testChanged(test);
 }
 
+void Selection::setPage(Page page) {
+    if (m_page == page)
+        return;
+    m_page = page;
+    emit pageChanged(page);
+}
+
 void Selection::setTarget(std::optional<std::size_t> target) {
     if (m_target == target)
         return;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/model/page.h"
+
 #include <QObject>
 #include <QString>
 #include <cstddef>
@@ -28,6 +30,10 @@ public:
     [[nodiscard]] std::size_t test() const { return m_test; }
     void setTest(std::size_t test);
 
+    /// The page of the middle that is in view.
+    [[nodiscard]] Page page() const { return m_page; }
+    void setPage(Page page);
+
     /// The target in view; a current reading makes its target the current one.
     [[nodiscard]] std::optional<std::size_t> target() const { return m_target; }
     void setTarget(std::optional<std::size_t> target);
@@ -46,6 +52,7 @@ public:
 
 signals:
     void testChanged(std::size_t test);
+    void pageChanged(palmer::ui::Page page);
     void targetChanged();
     void readingChanged();
     void hoveredChanged();
@@ -53,6 +60,7 @@ signals:
 
 private:
     std::size_t m_test = 0;
+    Page m_page = Page::readings;
     std::optional<std::size_t> m_target;
     std::optional<ReadingPlace> m_reading;
     std::optional<ReadingPlace> m_hovered;
