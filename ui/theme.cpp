@@ -59,6 +59,15 @@ QColor mixed(const QColor &colour, const QColor &ground, double strength) {
                   part(colour.blue(), ground.blue()));
 }
 
+void renderIcon(QPainter &painter, const QRectF &area, const QString &name, const QColor &colour) {
+    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+    if (!file.open(QIODevice::ReadOnly))
+        return;
+    QByteArray picture = file.readAll();
+    picture.replace("currentColor", colour.name().toLatin1());
+    QSvgRenderer(picture).render(&painter, area);
+}
+
 /// Draws `:/icons/<name>.svg` anew for every size and colour; the picture is a few strokes.
 class LineIconEngine : public QIconEngine {
 public:
@@ -67,12 +76,7 @@ public:
         , m_role(role) {}
 
     void paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State) override {
-        QFile file(QStringLiteral(":/icons/%1.svg").arg(m_name));
-        if (!file.open(QIODevice::ReadOnly))
-            return;
-        QByteArray picture = file.readAll();
-        picture.replace("currentColor", colour(mode).name().toLatin1());
-        QSvgRenderer(picture).render(painter, rect);
+        renderIcon(*painter, rect, m_name, colour(mode));
     }
 
     QPixmap pixmap(const QSize &size, QIcon::Mode mode, QIcon::State state) override {
@@ -238,6 +242,13 @@ QFont themeFont(TextSize size) {
 
 QIcon lineIcon(const QString &name, QPalette::ColorRole role) {
     return QIcon(new LineIconEngine(name, role));
+}
+
+void drawLineIcon(QPainter &painter, const QRect &area, const QString &name, const QColor &colour) {
+    QRectF square(0, 0, 16, 16);
+    square.moveCenter(QRectF(area).center());
+    square.moveTopLeft(square.topLeft().toPoint());
+    renderIcon(painter, square, name, colour);
 }
 
 void installTheme() {

@@ -6,6 +6,8 @@
 #include <QPalette>
 #include <QString>
 
+class QPainter;
+
 namespace palmer::ui {
 
 /// Colours for which a palette has no role. Light and dark value each.
@@ -44,6 +46,9 @@ enum class TextSize { base, small, tiny, head, title };
 /// The line icon `:/icons/<name>.svg` in the colour the palette has for `role` at the time it is painted;
 /// enabled and disabled, sharp at any device pixel ratio.
 [[nodiscard]] QIcon lineIcon(const QString &name, QPalette::ColorRole role = QPalette::WindowText);
+
+/// Draws a line icon centred in `area`, in 16 × 16.
+void drawLineIcon(QPainter &painter, const QRect &area, const QString &name, const QColor &colour);
 
 /// Fills the application's one style sheet from its palette, now and whenever the palette changes. Call once.
 void installTheme();
