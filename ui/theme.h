@@ -3,10 +3,10 @@
 #include <QColor>
 #include <QFont>
 #include <QIcon>
-#include <QObject>
+#include <QPalette>
 #include <QString>
 
-class QPalette;
+class QPainter;
 
 namespace palmer::ui {
 
@@ -34,15 +34,21 @@ enum class Token {
 
 [[nodiscard]] QColor token(Token token, const QPalette &palette);
 
+/// The ground of what is selected or current.
+[[nodiscard]] QColor selectedGround(const QPalette &palette);
+
 /// Sizes of text as factors of the system font.
 enum class TextSize { base, small, tiny, head, title };
 
 /// The system's font in one of the sizes; heads and titles are semi-bold.
 [[nodiscard]] QFont themeFont(TextSize size);
 
-/// The line icon `:/icons/<name>.svg` in the colour of the palette's text at the time it is painted; enabled
-/// and disabled, sharp at any device pixel ratio.
-[[nodiscard]] QIcon lineIcon(const QString &name);
+/// The line icon `:/icons/<name>.svg` in the colour the palette has for `role` at the time it is painted;
+/// enabled and disabled, sharp at any device pixel ratio.
+[[nodiscard]] QIcon lineIcon(const QString &name, QPalette::ColorRole role = QPalette::WindowText);
+
+/// Draws a line icon centred in `area`, in 16 × 16.
+void drawLineIcon(QPainter &painter, const QRect &area, const QString &name, const QColor &colour);
 
 /// Fills the application's one style sheet from its palette, now and whenever the palette changes. Call once.
 void installTheme();
