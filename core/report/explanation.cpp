@@ -116,6 +116,8 @@ public:
                 if (step)
                     result.steps.push_back(filled(step));
             }
+            result.result = result.symbol.plain() + QStringLiteral(" = ") +
+                            m_language.quantity(*m_parameter.value, m_parameter.term.quantity, m_decimals);
         }
         for (const auto &ruling : m_parameter.ruling) {
             if (ruling)

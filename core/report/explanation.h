@@ -29,6 +29,7 @@ struct Explanation {
     Formula formula;              ///< in symbols
     std::vector<Formula> steps;   ///< with the numbers of this test put in; the last ends in the result
     QStringList words;            ///< sentences: what rules it, what weighs, what to know
+    QString result;               ///< "R = 10,26 µm"; empty without a value
     QString source;               ///< "ISO 230-2:2006, 2.17 and 2.19"
     std::vector<Ruling> ruling;   ///< targets (from 1) and directions that rule it
     std::optional<TargetBars> bars;

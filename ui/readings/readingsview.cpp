@@ -5,6 +5,7 @@
 #include "ui/readings/readingsheader.h"
 #include "ui/theme.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHeaderView>
 #include <QMouseEvent>
