@@ -646,5 +646,670 @@
         <source>which of the results are required</source>
         <translation>résultats demandés</translation>
     </message>
+    <message>
+        <source>“{”</source>
+        <translation>«&#xa0;{&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>la fin du fichier</translation>
+    </message>
+    <message>
+        <source>more values than a test file can have</source>
+        <translation>plus de valeurs qu’un fichier d’essai ne peut en contenir</translation>
+    </message>
+    <message>
+        <source>a key in quotation marks or “}”</source>
+        <translation>une clé entre guillemets ou «&#xa0;}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a key in quotation marks</source>
+        <translation>une clé entre guillemets</translation>
+    </message>
+    <message>
+        <source>this key stands here twice; expected it once</source>
+        <translation>cette clé figure ici deux fois&#x202f;; attendu&#xa0;: une seule fois</translation>
+    </message>
+    <message>
+        <source>more keys than a test file can have</source>
+        <translation>plus de clés qu’un fichier d’essai ne peut en contenir</translation>
+    </message>
+    <message>
+        <source>“:”</source>
+        <translation>«&#xa0;:&#xa0;»</translation>
+    </message>
+    <message>
+        <source>“,” or “}”</source>
+        <translation>«&#xa0;,&#xa0;» ou «&#xa0;}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>“,” or “]”</source>
+        <translation>«&#xa0;,&#xa0;» ou «&#xa0;]&#xa0;»</translation>
+    </message>
+    <message>
+        <source>more than 10 000 000 readings or points</source>
+        <translation>plus de 10&#x202f;000&#x202f;000 de relevés ou de points</translation>
+    </message>
+    <message>
+        <source>nested deeper than a test file can be</source>
+        <translation>imbrication plus profonde qu’un fichier d’essai ne l’admet</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>une valeur</translation>
+    </message>
+    <message>
+        <source>this number is too large; expected a finite number</source>
+        <translation>ce nombre est trop grand&#x202f;; attendu&#xa0;: un nombre fini</translation>
+    </message>
+    <message>
+        <source>the file ends inside this text; expected a quotation mark</source>
+        <translation>le fichier s’arrête à l’intérieur de ce texte&#x202f;; attendu&#xa0;: un guillemet</translation>
+    </message>
+    <message>
+        <source>a text cannot hold this character; expected UTF-8 without line breaks and control characters</source>
+        <translation>un texte ne peut pas contenir ce caractère&#x202f;; attendu&#xa0;: de l’UTF-8 sans saut de ligne ni caractère de commande</translation>
+    </message>
+    <message>
+        <source>the file ends here; expected %1</source>
+        <translation>le fichier s’arrête ici&#x202f;; attendu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>this is no character of UTF-8; expected a test file in UTF-8</source>
+        <translation>ceci n’est pas un caractère UTF-8&#x202f;; attendu&#xa0;: un fichier d’essai en UTF-8</translation>
+    </message>
+    <message>
+        <source>found “%1”; expected %2</source>
+        <translation>trouvé&#xa0;: «&#xa0;%1&#xa0;»&#x202f;; attendu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>a file cannot hold a number that is not finite</source>
+        <translation>un fichier ne peut pas contenir un nombre qui n’est pas fini</translation>
+    </message>
+    <message>
+        <source>this key is unknown; what others want to add goes into “extensions”</source>
+        <translation>cette clé est inconnue&#x202f;; ce que d’autres veulent ajouter se place dans «&#xa0;extensions&#xa0;»</translation>
+    </message>
+    <message>
+        <source>expected “from” to be less than “to”</source>
+        <translation>attendu&#xa0;: «&#xa0;from&#xa0;» inférieur à «&#xa0;to&#xa0;»</translation>
+    </message>
+    <message>
+        <source>expected targets that ascend strictly</source>
+        <translation>attendu&#xa0;: des points visés strictement croissants</translation>
+    </message>
+    <message>
+        <source>expected one of the %1 runs, counted from 1</source>
+        <translation>attendu&#xa0;: un numéro de parcours de 1 à %1</translation>
+    </message>
+    <message>
+        <source>expected one of the %1 targets, counted from 1</source>
+        <translation>attendu&#xa0;: un numéro de point visé de 1 à %1</translation>
+    </message>
+    <message>
+        <source>expected null, for this reading stands in “excluded”</source>
+        <translation>attendu&#xa0;: null, car ce relevé figure dans «&#xa0;excluded&#xa0;»</translation>
+    </message>
+    <message>
+        <source>this reading is excluded twice; expected it once</source>
+        <translation>ce relevé est écarté deux fois&#x202f;; attendu&#xa0;: une seule fois</translation>
+    </message>
+    <message>
+        <source>unknown edition “%1”; expected a designation such as ISO 230-2:1988</source>
+        <translation>édition «&#xa0;%1&#xa0;» inconnue&#x202f;; attendu&#xa0;: une désignation telle que ISO 230-2:1988</translation>
+    </message>
+    <message>
+        <source>expected at least one language</source>
+        <translation>attendu&#xa0;: au moins une langue</translation>
+    </message>
+    <message>
+        <source>unknown parameter “%1”; expected one of this kind of test, such as %2</source>
+        <translation>paramètre «&#xa0;%1&#xa0;» inconnu&#x202f;; attendu&#xa0;: un paramètre de ce type d’essai, tel que %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not for this kind of test</source>
+        <translation>«&#xa0;%1&#xa0;» ne concerne pas ce type d’essai</translation>
+    </message>
+    <message>
+        <source>unknown point “%1”; expected one that this kind of test agrees on</source>
+        <translation>point «&#xa0;%1&#xa0;» inconnu&#x202f;; attendu&#xa0;: un point faisant l’objet d’un accord pour ce type d’essai</translation>
+    </message>
+    <message>
+        <source>“%1” stands here twice; expected it once</source>
+        <translation>«&#xa0;%1&#xa0;» figure ici deux fois&#x202f;; attendu&#xa0;: une seule fois</translation>
+    </message>
+    <message>
+        <source>expected the id of an instrument of this file; “%1” is none</source>
+        <translation>attendu&#xa0;: l’identifiant d’un instrument de ce fichier&#x202f;; «&#xa0;%1&#xa0;» n’en est pas un</translation>
+    </message>
+    <message>
+        <source>expected the id of a drift test of this file; “%1” is none</source>
+        <translation>attendu&#xa0;: l’identifiant d’un essai de dérive de ce fichier&#x202f;; «&#xa0;%1&#xa0;» n’en est pas un</translation>
+    </message>
+    <message>
+        <source>the key “%1” is missing</source>
+        <translation>la clé «&#xa0;%1&#xa0;» manque</translation>
+    </message>
+    <message>
+        <source>expected one of the words: %1</source>
+        <translation>attendu&#xa0;: l’un des mots suivants&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>unknown word “%1”; expected one of: %2</source>
+        <translation>mot «&#xa0;%1&#xa0;» inconnu&#x202f;; attendu&#xa0;: l’un des mots suivants&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>expected an object, in braces</source>
+        <translation>attendu&#xa0;: un objet, entre accolades</translation>
+    </message>
+    <message>
+        <source>expected a list, in square brackets</source>
+        <translation>attendu&#xa0;: une liste, entre crochets</translation>
+    </message>
+    <message>
+        <source>expected a number</source>
+        <translation>attendu&#xa0;: un nombre</translation>
+    </message>
+    <message>
+        <source>expected a number greater than 0</source>
+        <translation>attendu&#xa0;: un nombre supérieur à 0</translation>
+    </message>
+    <message>
+        <source>expected a number that is not negative</source>
+        <translation>attendu&#xa0;: un nombre positif ou nul</translation>
+    </message>
+    <message>
+        <source>expected a whole number</source>
+        <translation>attendu&#xa0;: un nombre entier</translation>
+    </message>
+    <message>
+        <source>expected true or false</source>
+        <translation>attendu&#xa0;: true ou false</translation>
+    </message>
+    <message>
+        <source>expected a text, in quotation marks</source>
+        <translation>attendu&#xa0;: un texte, entre guillemets</translation>
+    </message>
+    <message>
+        <source>expected a date that exists, written YYYY-MM-DD</source>
+        <translation>attendu&#xa0;: une date qui existe, écrite AAAA-MM-JJ</translation>
+    </message>
+    <message>
+        <source>expected a time of day, written HH:MM</source>
+        <translation>attendu&#xa0;: une heure, écrite HH:MM</translation>
+    </message>
+    <message>
+        <source>expected bytes in base64</source>
+        <translation>attendu&#xa0;: des octets en base64</translation>
+    </message>
+    <message>
+        <source>expected a number or null</source>
+        <translation>attendu&#xa0;: un nombre ou null</translation>
+    </message>
+    <message>
+        <source>expected a whole number or null</source>
+        <translation>attendu&#xa0;: un nombre entier ou null</translation>
+    </message>
+    <message>
+        <source>expected true, false or null</source>
+        <translation>attendu&#xa0;: true, false ou null</translation>
+    </message>
+    <message>
+        <source>expected a text, in quotation marks, or null</source>
+        <translation>attendu&#xa0;: un texte, entre guillemets, ou null</translation>
+    </message>
+    <message>
+        <source>expected an object, in braces, or null</source>
+        <translation>attendu&#xa0;: un objet, entre accolades, ou null</translation>
+    </message>
+    <message>
+        <source>this is not a test file of Palmer; expected %1</source>
+        <translation>ceci n’est pas un fichier d’essai de Palmer&#x202f;; attendu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>expected a whole number from 1 on</source>
+        <translation>attendu&#xa0;: un nombre entier à partir de 1</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version of Palmer (format %1); this one reads up to format %2: install a newer Palmer</source>
+        <translation>le fichier a été écrit par une version plus récente de Palmer (format %1)&#x202f;; celle-ci lit jusqu’au format %2&#xa0;: installez une version plus récente de Palmer</translation>
+    </message>
+    <message>
+        <source>this is a folder; expected the name of a file to save to</source>
+        <translation>ceci est un dossier&#x202f;; attendu&#xa0;: le nom du fichier à enregistrer</translation>
+    </message>
+    <message>
+        <source>the folder does not exist; create it or save in another folder</source>
+        <translation>le dossier n’existe pas&#x202f;; créez-le ou enregistrez dans un autre dossier</translation>
+    </message>
+    <message>
+        <source>this is a folder; expected a test file</source>
+        <translation>ceci est un dossier&#x202f;; attendu&#xa0;: un fichier d’essai</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n’existe pas</translation>
+    </message>
+    <message>
+        <source>the file cannot be read (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GiB</source>
+        <translation>le fichier dépasse 1&#x202f;Gio</translation>
+    </message>
+    <message>
+        <source>bidirectional</source>
+        <translation>bidirectionnel</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>relevés</translation>
+    </message>
+    <message>
+        <source>Positioning deviations of the %1 axis</source>
+        <translation>Écarts de position de l’axe %1</translation>
+    </message>
+    <message>
+        <source>Positional deviations of the %1 axis</source>
+        <translation>Écarts de position de l’axe %1</translation>
+    </message>
+    <message>
+        <source>Positioning deviation</source>
+        <translation>Écart de position</translation>
+    </message>
+    <message>
+        <source>Positional deviation</source>
+        <translation>Écart de position</translation>
+    </message>
+    <message>
+        <source>Target position</source>
+        <translation>Point visé</translation>
+    </message>
+    <message>
+        <source>linear cycle</source>
+        <comment>1988</comment>
+        <translation>cycle linéaire</translation>
+    </message>
+    <message>
+        <source>pilgrim step cycle</source>
+        <comment>1988</comment>
+        <translation>cycle en pas de pèlerin</translation>
+    </message>
+    <message>
+        <source>standard test cycle</source>
+        <translation>cycle d’essai normal</translation>
+    </message>
+    <message>
+        <source>conforms</source>
+        <translation>conforme</translation>
+    </message>
+    <message>
+        <source>not proven</source>
+        <translation>non prouvé</translation>
+    </message>
+    <message>
+        <source>does not conform</source>
+        <translation>non conforme</translation>
+    </message>
+    <message>
+        <source>requirement</source>
+        <translation>exigence</translation>
+    </message>
+    <message>
+        <source>recommendation</source>
+        <translation>recommandation</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>note</translation>
+    </message>
+    <message>
+        <source>simple acceptance</source>
+        <translation>acceptation simple</translation>
+    </message>
+    <message>
+        <source>ISO 14253-1: conformity to be proven</source>
+        <translation>ISO 14253-1&#xa0;: conformité à prouver</translation>
+    </message>
+    <message>
+        <source>non-conformity to be proven</source>
+        <translation>non-conformité à prouver</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiquée</translation>
+    </message>
+    <message>
+        <source>not applied</source>
+        <translation>non appliquée</translation>
+    </message>
+    <message>
+        <source>applied by the instrument</source>
+        <translation>appliquée par l’instrument</translation>
+    </message>
+    <message>
+        <source>applied here</source>
+        <translation>appliquée ici</translation>
+    </message>
+    <message>
+        <source>Positioning test of axis %1</source>
+        <translation>Essai de positionnement de l’axe %1</translation>
+    </message>
+    <message>
+        <source>Circular test in the plane %1</source>
+        <translation>Essai de circularité dans le plan %1</translation>
+    </message>
+    <message>
+        <source>Drift test of axis %1</source>
+        <translation>Essai de dérive de l’axe %1</translation>
+    </message>
+    <message>
+        <source>step cycle – not an ISO 230-2 acceptance result</source>
+        <translation>cycle en pas – résultat non utilisable en référence à l’ISO 230-2</translation>
+    </message>
+    <message>
+        <source>Seen under another edition than that of the test (%1): no verdict.</source>
+        <translation>Vu selon une autre édition que celle de l’essai (%1)&#xa0;: pas de verdict.</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>rotary</source>
+        <translation>rotatif</translation>
+    </message>
+    <message>
+        <source>axis travel %1</source>
+        <translation>longueur d’axe %1</translation>
+    </message>
+    <message>
+        <source>measurement travel %1</source>
+        <translation>course de mesurage %1</translation>
+    </message>
+    <message>
+        <source>m = %1; n = %2 each way</source>
+        <translation>m = %1&#x202f;; n = %2 par sens</translation>
+    </message>
+    <message>
+        <source>m = %1; n = %2 ↑, %3 ↓</source>
+        <translation>m = %1&#x202f;; n = %2 ↑, %3 ↓</translation>
+    </message>
+    <message>
+        <source>guard band %1 U</source>
+        <translation>bande de garde %1 U</translation>
+    </message>
+    <message>
+        <source>Edition</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Date of test</source>
+        <translation>Date de l’essai</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Working zone</source>
+        <translation>Zone de travail</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Cycle</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Points visés</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Écart-type</translation>
+    </message>
+    <message>
+        <source>range method</source>
+        <translation>méthode de l’étendue</translation>
+    </message>
+    <message>
+        <source>calculation method</source>
+        <translation>méthode de calcul</translation>
+    </message>
+    <message>
+        <source>Correction to 20 °C</source>
+        <translation>Correction à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Results per target</source>
+        <translation>Résultats par point visé</translation>
+    </message>
+    <message>
+        <source>Environmental variation error (max − min)</source>
+        <translation>Erreur de variation environnementale (max − min)</translation>
+    </message>
+    <message>
+        <source>not corrected to 20 °C</source>
+        <translation>non corrigé à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Targets i</source>
+        <translation>Points i</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>In accordance with %1.</source>
+        <translation>Essai conforme à l’édition %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>NOT in accordance with %1: %n requirement(s) not met.</source>
+        <translation>
+            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigence non satisfaite.</numerusform>
+            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigences non satisfaites.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Limits: no verdict.</source>
+        <translation>Limites&#xa0;: pas de verdict.</translation>
+    </message>
+    <message>
+        <source>Limits: %1 (%2).</source>
+        <translation>Limites&#xa0;: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Limits: none agreed, no verdict.</source>
+        <translation>Limites&#xa0;: aucune convenue, pas de verdict.</translation>
+    </message>
+    <message>
+        <source>No findings.</source>
+        <translation>Aucune constatation.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constatations</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>publiée</translation>
+    </message>
+    <message>
+        <source>recomputed</source>
+        <translation>recalculée</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exacte</translation>
+    </message>
+    <message>
+        <source>certified</source>
+        <translation>certifiée</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>concorde</translation>
+    </message>
+    <message>
+        <source>DOES NOT AGREE</source>
+        <translation>NE CONCORDE PAS</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Attendue</translation>
+    </message>
+    <message>
+        <source>Computed</source>
+        <translation>Calculée</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Différence</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>All %1 values agree with the reference data.</source>
+        <translation>Les %1 valeurs concordent avec les données de référence.</translation>
+    </message>
+    <message>
+        <source>Values that do NOT agree with the reference data: %1 of %2.</source>
+        <translation>Valeurs qui ne concordent PAS avec les données de référence&#xa0;: %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>expected reference data of this program</source>
+        <translation>des données de référence de ce programme étaient attendues</translation>
+    </message>
+    <message>
+        <source>findings only: what the edition asks for and the test lacks</source>
+        <translation>constatations seules&#xa0;: ce que l’édition demande et qui manque à l’essai</translation>
+    </message>
+    <message>
+        <source>language of tables, findings and errors</source>
+        <translation>langue des tableaux, constatations et erreurs</translation>
+    </message>
+    <message>
+        <source>this help</source>
+        <translation>cette aide</translation>
+    </message>
+    <message>
+        <source>the option --%1 needs a value (%2)</source>
+        <translation>l’option --%1 demande une valeur (%2)</translation>
+    </message>
+    <message>
+        <source>the option --%1 takes no value</source>
+        <translation>l’option --%1 ne prend pas de valeur</translation>
+    </message>
+    <message>
+        <source>unknown option %1 of the command %2</source>
+        <translation>option inconnue %1 de la commande %2</translation>
+    </message>
+    <message>
+        <source>unknown language %1; known: fr, en</source>
+        <translation>langue inconnue %1&#x202f;; connues&#xa0;: fr, en</translation>
+    </message>
+    <message>
+        <source>the command %1 needs a file (%2)</source>
+        <translation>la commande %1 demande un fichier (%2)</translation>
+    </message>
+    <message>
+        <source>the command %1 takes no file</source>
+        <translation>la commande %1 ne prend pas de fichier</translation>
+    </message>
+    <message>
+        <source>version of the program</source>
+        <translation>version du programme</translation>
+    </message>
+    <message>
+        <source>palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2).</source>
+        <translation>palmer-cli évalue des essais de machines-outils&#xa0;: positionnement d’axes (ISO 230-2).</translation>
+    </message>
+    <message>
+        <source>COMMAND [OPTION]… [FILE]…</source>
+        <translation>COMMANDE [OPTION]… [FICHIER]…</translation>
+    </message>
+    <message>
+        <source>FILE is a test file (.palmer); - is standard input.</source>
+        <translation>FICHIER est un fichier d’essai (.palmer)&#x202f;; - est l’entrée standard.</translation>
+    </message>
+    <message>
+        <source>evaluate the tests of its kind under another edition (a view: no verdicts)</source>
+        <translation>évaluer les essais de ce type selon une autre édition (une vue&#xa0;: pas de verdict)</translation>
+    </message>
+    <message>
+        <source>results as JSON; of several files one object a line</source>
+        <translation>résultats en JSON&#x202f;; pour plusieurs fichiers, un objet par ligne</translation>
+    </message>
+    <message>
+        <source>unknown edition %1; known: %2</source>
+        <translation>édition inconnue %1&#x202f;; connues&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>results of the tests as a table or as JSON</source>
+        <translation>résultats des essais en tableau ou en JSON</translation>
+    </message>
+    <message>
+        <source>evaluates the built-in reference data and compares with the known values</source>
+        <translation>évalue les données de référence intégrées et compare aux valeurs connues</translation>
+    </message>
+    <message>
+        <source>standard output cannot be written</source>
+        <translation>la sortie standard ne peut pas être écrite</translation>
+    </message>
+    <message>
+        <source>a command is missing; palmer-cli --help lists them</source>
+        <translation>il manque une commande&#x202f;; palmer-cli --help les énumère</translation>
+    </message>
+    <message>
+        <source>unknown command %1; palmer-cli --help lists them</source>
+        <translation>commande inconnue %1&#x202f;; palmer-cli --help les énumère</translation>
+    </message>
+    <message>
+        <source>unknown escape in a text; expected one that JSON knows</source>
+        <translation>séquence d’échappement inconnue dans un texte&#x202f;; attendu&#xa0;: une séquence que JSON connaît</translation>
+    </message>
+    <message>
+        <source>number of values found: %1; expected: %2</source>
+        <translation>nombre de valeurs trouvées&#xa0;: %1&#x202f;; attendu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>the file could not be saved, for want of permission or space; what was there before is unchanged: save it under another name or in another folder</source>
+        <translation>le fichier n’a pas pu être enregistré, faute de droits ou de place&#x202f;; l’ancien fichier est inchangé&#xa0;: enregistrez sous un autre nom ou dans un autre dossier</translation>
+    </message>
+    <message>
+        <source>the file cannot be read; check its permissions and the medium it is on</source>
+        <translation>le fichier ne peut pas être lu&#x202f;; vérifiez ses droits d’accès et le support sur lequel il se trouve</translation>
+    </message>
 </context>
 </TS>

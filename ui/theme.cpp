@@ -154,6 +154,7 @@ QComboBox QAbstractItemView { background: @base; border: 1px solid @field; selec
 *[card="true"] { background: @base; border: 1px solid @line; border-radius: 6px; }
 *[ground="window"] { background: @window; }
 *[ground="base"] { background: @base; }
+QFrame[rule="true"] { background: @line; border: none; }
 QLabel[secondary="true"] { color: @secondary; }
 )";
 

@@ -177,10 +177,10 @@ QString commandHelp(const Command &command, const Language &language) {
     std::vector<HelpRow> options;
     addOptions(options, command.options, language);
     addOptions(options, commonOptions, language);
-    return QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) +
-           language.text(REPORT_TEXT("report", " [OPTION]… ")) + QString::fromUtf8(command.arguments) +
-           QStringLiteral("\n\n") + wrapped(language.text(command.description), terminalWidth).join(u'\n') +
-           QStringLiteral("\n\n") + rows(options);
+    return QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) + QStringLiteral(" [OPTION]… ") +
+           QString::fromUtf8(command.arguments) + QStringLiteral("\n\n") +
+           wrapped(language.text(command.description), terminalWidth).join(u'\n') + QStringLiteral("\n\n") +
+           rows(options);
 }
 
 } // namespace palmer

@@ -125,7 +125,7 @@ void fields(Visit &visit, T &choice) {
 
 template <class Visit, Like<Run> T>
 void fields(Visit &visit, T &run) {
-    visit("approach", run.approach);
+    visit("approach", run.approach, obligatory);
     visit("deviations", run.deviations, obligatory);
 }
 
@@ -207,39 +207,41 @@ void fields(Visit &visit, T &conditions) {
     visit("recentredBetweenRuns", conditions.recentredBetweenRuns);
 }
 
+// Uncertainties may be anything: what makes no sense, such as a negative range, is a finding of the evaluation.
+
 template <class Visit, Like<DeviceUncertainty> T>
 void fields(Visit &visit, T &device) {
     visit("kind", device.kind);
-    visit("fixed", device.fixed, notNegative);
-    visit("perMetre", device.perMetre, notNegative);
+    visit("fixed", device.fixed);
+    visit("perMetre", device.perMetre);
     visit("coverageFactor", device.coverageFactor, positive);
 }
 
 template <class Visit, Like<MachineAndInstrument> T>
 void fields(Visit &visit, T &pair) {
-    visit("machine", pair.machine, notNegative);
-    visit("instrument", pair.instrument, notNegative);
+    visit("machine", pair.machine);
+    visit("instrument", pair.instrument);
 }
 
 template <class Visit, Like<PositioningUncertaintyInputs> T>
 void fields(Visit &visit, T &uncertainty) {
     visit("method", uncertainty.method);
     visit("device", uncertainty.device);
-    visit("misalignmentRange", uncertainty.misalignmentRange, notNegative);
+    visit("misalignmentRange", uncertainty.misalignmentRange);
     visit("temperatureRange", uncertainty.temperatureRange);
     visit("expansionRange", uncertainty.expansionRange);
-    visit("environmentalVariation", uncertainty.environmentalVariation, notNegative);
+    visit("environmentalVariation", uncertainty.environmentalVariation);
     visit("driftTest", uncertainty.driftTest);
     visit("driftModel", uncertainty.driftModel);
-    visit("length", uncertainty.length, positive);
+    visit("length", uncertainty.length);
     visit("trials", uncertainty.trials, positive);
     visit("seed", uncertainty.seed);
-    visit("expanded", uncertainty.expanded, notNegative);
+    visit("expanded", uncertainty.expanded);
 }
 
 template <class Visit, Like<ExpandedValue> T>
 void fields(Visit &visit, T &value) {
-    visit("expanded", value.expanded, notNegative);
+    visit("expanded", value.expanded);
     visit("coverageFactor", value.coverageFactor, positive);
 }
 
@@ -247,18 +249,18 @@ template <class Visit, Like<CircularUncertaintyInputs> T>
 void fields(Visit &visit, T &uncertainty) {
     visit("method", uncertainty.method);
     visit("displacement", uncertainty.displacement);
-    visit("resolution", uncertainty.resolution, notNegative);
-    visit("pointNoise", uncertainty.pointNoise, notNegative);
-    visit("repeatability", uncertainty.repeatability, notNegative);
-    visit("environmentalVariation", uncertainty.environmentalVariation, notNegative);
+    visit("resolution", uncertainty.resolution);
+    visit("pointNoise", uncertainty.pointNoise);
+    visit("repeatability", uncertainty.repeatability);
+    visit("environmentalVariation", uncertainty.environmentalVariation);
     visit("driftTest", uncertainty.driftTest);
-    visit("centring", uncertainty.centring, notNegative);
+    visit("centring", uncertainty.centring);
     visit("sameSensor", uncertainty.sameSensor);
     visit("temperatureStandardUncertainty", uncertainty.temperatureStandardUncertainty);
     visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty);
     visit("trials", uncertainty.trials, positive);
     visit("seed", uncertainty.seed);
-    visit("expanded", uncertainty.expanded, notNegative);
+    visit("expanded", uncertainty.expanded);
 }
 
 template <class Visit, Like<AgreedPoint> T>
@@ -305,13 +307,13 @@ void fields(Visit &visit, T &plane) {
 template <class Visit, Like<ReferenceLength> T>
 void fields(Visit &visit, T &length) {
     visit("calibrated", length.calibrated);
-    visit("expandedUncertainty", length.expandedUncertainty, notNegative);
+    visit("expandedUncertainty", length.expandedUncertainty);
     visit("coverageFactor", length.coverageFactor, positive);
 }
 
 template <class Visit, Like<Arc> T>
 void fields(Visit &visit, T &arc) {
-    visit("sense", arc.sense);
+    visit("sense", arc.sense, obligatory);
     visit("angleReference", arc.angleReference);
     visit("angles", arc.angles, obligatory);
     visit("radialDeviations", arc.radialDeviations, obligatory);

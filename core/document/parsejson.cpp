@@ -363,7 +363,7 @@ private:
     }
 
     [[noreturn]] void refuseEscape() const {
-        refuseHere(REPORT_TEXT("report", "unknown escape; expected one of JSON, such as \\n or \\u00e9"));
+        refuseHere(REPORT_TEXT("report", "unknown escape in a text; expected one that JSON knows"));
     }
 
     [[noreturn]] static void refuse(Error::Kind kind, const Place &place, Text text) {

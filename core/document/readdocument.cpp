@@ -102,7 +102,8 @@ private:
 
 void demandEqual(std::size_t found, std::size_t expected, const Place &place) {
     if (found != expected)
-        refuse(place, REPORT_TEXT("report", "found %1 values; expected %2"), {count(found), count(expected)});
+        refuse(place, REPORT_TEXT("report", "number of values found: %1; expected: %2"),
+               {count(found), count(expected)});
 }
 
 template <class T>

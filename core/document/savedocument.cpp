@@ -8,27 +8,27 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
-#include <algorithm>
-
 namespace palmer {
 
 namespace {
 
 constexpr qint64 sizeLimit = qint64(1) << 30;
 
-[[noreturn]] void refuse(Error::Kind kind, Text text, const QString &reason = {}) {
-    std::vector<Argument> arguments;
-    if (!reason.isEmpty())
-        arguments.emplace_back(reason.toStdString());
-    throw Error(kind, {text, std::move(arguments), {}});
+[[noreturn]] void refuse(Error::Kind kind, Text text) {
+    throw Error(kind, {text, {}, {}});
 }
 
-[[noreturn]] void refuseSaving(const QFileDevice &file) {
+// The system's own words would be in another language than the rest.
+[[noreturn]] void refuseSaving() {
     refuse(Error::Kind::unwritable,
            REPORT_TEXT("report",
-                       "the file could not be saved (%1); what was there before is unchanged: save it "
-                       "under another name or in another folder"),
-           file.errorString());
+                       "the file could not be saved, for want of permission or space; what was there before "
+                       "is unchanged: save it under another name or in another folder"));
+}
+
+[[noreturn]] void refuseReading() {
+    refuse(Error::Kind::unreadable,
+           REPORT_TEXT("report", "the file cannot be read; check its permissions and the medium it is on"));
 }
 
 } // namespace
@@ -46,12 +46,12 @@ void saveDocument(const Document &document, const QString &path) {
         // Renaming would replace the device itself.
         QFile device(path);
         if (!device.open(QIODevice::WriteOnly) || device.write(bytes) != bytes.size() || !device.flush())
-            refuseSaving(device);
+            refuseSaving();
         return;
     }
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        refuseSaving(file);
+        refuseSaving();
 }
 
 Document openDocument(const QString &path) {
@@ -62,20 +62,22 @@ Document openDocument(const QString &path) {
         refuse(Error::Kind::unreadable, REPORT_TEXT("report", "there is no such file"));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        refuse(Error::Kind::unreadable, REPORT_TEXT("report", "the file cannot be read (%1)"),
-               file.errorString());
+        refuseReading();
+    const auto demandSize = [](qint64 size) {
+        if (size > sizeLimit)
+            refuse(Error::Kind::tooLarge, REPORT_TEXT("report", "the file is larger than 1 GiB"));
+    };
+    demandSize(file.size());
     QByteArray bytes;
+    bytes.reserve(static_cast<qsizetype>(file.size()));
     // Pipes do not tell their size, and files may grow: read no further than the limit.
     constexpr qint64 blockSize = qint64(1) << 24;
-    bytes.reserve(static_cast<qsizetype>(std::clamp<qint64>(file.size(), 0, sizeLimit)));
     for (QByteArray block = file.read(blockSize); !block.isEmpty(); block = file.read(blockSize)) {
         bytes += block;
-        if (bytes.size() > sizeLimit)
-            refuse(Error::Kind::tooLarge, REPORT_TEXT("report", "the file is larger than 1 GiB"));
+        demandSize(bytes.size());
     }
     if (file.error() != QFileDevice::NoError)
-        refuse(Error::Kind::unreadable, REPORT_TEXT("report", "the file cannot be read (%1)"),
-               file.errorString());
+        refuseReading();
     return readDocument(bytes);
 }
 

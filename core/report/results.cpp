@@ -79,19 +79,21 @@ int positionDecimals(const std::vector<double> &targets, Quantity quantity) {
     return std::min(result, mostDecimals);
 }
 
-/// Statistics per target have one digit more than the readings.
+/// Statistics per target have one digit more than the readings. Angles in degrees have no short form in arc
+/// seconds: there 0.01″ has to do.
 int statisticDecimals(const PositioningMeasurement &measurement, Quantity quantity) {
+    const int most = quantity == Quantity::angularDeviation ? 1 : mostDecimals;
     int result = 0;
     std::size_t looked = 0;
     for (const Run &run : measurement.runs) {
         for (const auto &deviation : run.deviations) {
             if (looked++ == readingsLooked)
-                return std::min(result, mostDecimals) + 1;
+                return std::min(result, most) + 1;
             if (deviation)
                 result = std::max(result, decimalsOf(*deviation, quantity));
         }
     }
-    return std::min(result, mostDecimals) + 1;
+    return std::min(result, most) + 1;
 }
 
 QString arrow(Direction direction) {

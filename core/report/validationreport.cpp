@@ -7,6 +7,7 @@ namespace palmer {
 namespace {
 
 constexpr int digitsOfDifference = 2;
+constexpr int digitsShown = 12; ///< the difference tells the rest
 
 Text sourceText(ExpectationSource source) {
     switch (source) {
@@ -22,24 +23,24 @@ Text sourceText(ExpectationSource source) {
     return {};
 }
 
-/// Rounded to two significant digits: a difference tells its size only.
-double rounded(double value) {
-    return QString::number(value, 'g', digitsOfDifference).toDouble();
+double rounded(double value, int digits) {
+    return QString::number(value, 'g', digits).toDouble();
 }
 
 std::vector<Phrase> row(const Comparison &comparison, Quantity quantity, const Language &language) {
     const Expectation &expected = comparison.expectation;
     const Quantity ofDifference = expected.relative ? Quantity::number : quantity;
     const auto shown = [&](std::optional<double> value) {
-        return value ? Phrase(language.number(*value, quantity)) : Phrase();
+        return value ? Phrase(language.number(rounded(*value, digitsShown), quantity)) : Phrase();
     };
     return {QString::fromStdString(expected.edition),
             comparison.symbol,
             language.text(sourceText(expected.source)),
             shown(expected.value),
             shown(comparison.computed),
-            comparison.difference ? Phrase(language.number(rounded(*comparison.difference), ofDifference))
-                                  : Phrase(),
+            comparison.difference
+                ? Phrase(language.number(rounded(*comparison.difference, digitsOfDifference), ofDifference))
+                : Phrase(),
             language.number(expected.tolerance, ofDifference),
             language.text(comparison.agrees ? REPORT_TEXT("report", "agrees")
                                             : REPORT_TEXT("report", "DOES NOT AGREE"))};

@@ -134,7 +134,8 @@ void CataloguesTest::holdTheTextsOfTheSources() {
     QStringList arguments = QString(OPTIONS).split(u'|');
     if (plurals)
         arguments += "-pluralonly";
-    arguments += {SOURCES, "-ts", copy, "-target-language", plurals ? "en" : "fr"};
+    arguments += QString(SOURCES).split(u'|');
+    arguments += {"-ts", copy, "-target-language", plurals ? "en" : "fr"};
     QProcess lupdate;
     lupdate.start(LUPDATE, arguments);
     QVERIFY2(lupdate.waitForFinished(120'000), qPrintable(lupdate.errorString()));

@@ -9,7 +9,6 @@
 #include <QPdfWriter>
 #include <QRegularExpression>
 #include <QSvgGenerator>
-#include <algorithm>
 #include <stdexcept>
 
 namespace palmer::ui {
@@ -47,7 +46,8 @@ QByteArray withoutDate(const QByteArray &pdf) {
            moved(pdf.mid(start + 10, pdf.indexOf('\n', start + 10) - start - 10).trimmed()) + "\n%%EOF\n";
 }
 
-/// QSvgGenerator writes dashes as multiples of the width in whole units: brings them back to the true width.
+/// QSvgGenerator takes lines thinner than half a unit for one unit wide when it writes their dashes: shortens
+/// them.
 QByteArray withTrueDashes(const QByteArray &svg) {
     static const QRegularExpression dashed(QStringLiteral(
         R"re(stroke-dasharray="([^"]*)" stroke-dashoffset="([^"]*)" stroke-width="([^"]*)")re"));
@@ -57,9 +57,10 @@ QByteArray withTrueDashes(const QByteArray &svg) {
     for (auto matches = dashed.globalMatch(text); matches.hasNext();) {
         const QRegularExpressionMatch match = matches.next();
         const double width = match.captured(3).toDouble();
+        const double factor = qRound(width) == 0 ? width : 1;
         QStringList lengths;
         for (const QString &length : match.captured(1).split(QLatin1Char(',')))
-            lengths += QString::number(length.toDouble() * width / std::max(1, qRound(width)));
+            lengths += QString::number(length.toDouble() * factor);
         result += text.mid(end, match.capturedStart() - end);
         result += QStringLiteral(R"(stroke-dasharray="%1" stroke-dashoffset="%2" stroke-width="%3")")
                       .arg(lengths.join(QLatin1Char(',')), match.captured(2), match.captured(3));

@@ -32,8 +32,8 @@ std::optional<double> expandedUncertainty(const PositioningMeasurement &measurem
     if (measurement.uncertainty.method != UncertaintyMethod::direct)
         return std::nullopt;
     const auto found = measurement.uncertainty.expanded.find(std::string(id));
-    if (found == measurement.uncertainty.expanded.end())
-        return std::nullopt;
+    if (found == measurement.uncertainty.expanded.end() || found->second < 0)
+        return std::nullopt; // a negative U would turn the guard band round: no number
     return found->second / (measurement.axis.motion == Motion::linear ? 1000.0 : 3600.0); // µm, arc seconds
 }
 

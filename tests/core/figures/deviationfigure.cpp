@@ -8,6 +8,7 @@
 #include <random>
 
 using namespace palmer;
+using namespace Qt::StringLiterals;
 using namespace palmer::testdata;
 
 namespace {
@@ -109,7 +110,7 @@ void DeviationFigure::workedExample() {
     QCOMPARE(figure.bands.size(), std::size_t{2});
     QCOMPARE(figure.readings.size(), std::size_t{110});
     // From the plot outwards; R stands there because the last target rules it.
-    QCOMPARE(dimensionIds(figure), (QStringList{"R", "M", "E", "A", "B"}));
+    QCOMPARE(dimensionIds(figure), (QStringList{u"R"_s, u"M"_s, u"E"_s, u"A"_s, u"B"_s}));
     for (const Dimension &shown : figure.dimensions) {
         const Parameter *meant = parameter(evaluation, shown.id.toStdString());
         QVERIFY(meant);
@@ -126,36 +127,37 @@ void DeviationFigure::workedExample() {
     QVERIFY(std::abs(dimension(figure, "B")->upper - 5.40) < 1e-12);
     QVERIFY(std::abs(dimension(figure, "B")->lower - 0.92) < 1e-12);
     QCOMPARE(legendTexts(figure),
-             (QStringList{"x̄↑ ±\u202f2s↑", "x̄↓ ±\u202f2s↓", "x̄ bidirectional", "readings"}));
-    QCOMPARE(labels(figure.x),
-             (QStringList{"0", "250", "500", "750", "1\u202f000", "1\u202f250", "1\u202f500"}));
-    QCOMPARE(labels(figure.y), (QStringList{"−10", "−8", "−6", "−4", "−2", "0", "2", "4", "6"}));
+             (QStringList{u"x̄↑ ±\u202f2s↑"_s, u"x̄↓ ±\u202f2s↓"_s, u"x̄ bidirectional"_s, u"readings"_s}));
+    QCOMPARE(labels(figure.x), (QStringList{u"0"_s, u"250"_s, u"500"_s, u"750"_s, u"1\u202f000"_s,
+                                            u"1\u202f250"_s, u"1\u202f500"_s}));
+    QCOMPARE(labels(figure.y),
+             (QStringList{u"−10"_s, u"−8"_s, u"−6"_s, u"−4"_s, u"−2"_s, u"0"_s, u"2"_s, u"4"_s, u"6"_s}));
 }
 
 void DeviationFigure::editionsDiffer() {
     const CurveFigure old = figureOf(example1988("ISO 230-2:1988"));
-    QCOMPARE(dimensionIds(old), (QStringList{"R", "A"})); // 1988 knows no M, E, B
-    QCOMPARE(legendTexts(old).first(), QString("x̄↑ ±\u202f3s↑"));
+    QCOMPARE(dimensionIds(old), (QStringList{u"R"_s, u"A"_s})); // 1988 knows no M, E, B
+    QCOMPARE(legendTexts(old).first(), u"x̄↑ ±\u202f3s↑"_s);
     // Published: A = 18.03 = 6.89 − (−11.14) µm; print tolerance.
     QVERIFY(std::abs(dimension(old, "A")->upper - 6.89) < 0.015);
     QVERIFY(std::abs(dimension(old, "A")->lower + 11.14) < 0.015);
     const CurveFigure newest = figureOf(example1988("ISO 230-2:2014"));
-    QCOMPARE(newest.y.quantity, QString("Positioning deviation"));
-    QCOMPARE(newest.title, QString("Positioning deviations of the X axis"));
-    QCOMPARE(old.y.quantity, QString("Positional deviation"));
+    QCOMPARE(newest.y.quantity, u"Positioning deviation"_s);
+    QCOMPARE(newest.title, u"Positioning deviations of the X axis"_s);
+    QCOMPARE(old.y.quantity, u"Positional deviation"_s);
 }
 
 void DeviationFigure::languages() {
     const Test test = example1988("ISO 230-2:2006");
     const CurveFigure english = figureOf(test);
     const CurveFigure french = figureOf(test, Language::Id::french);
-    QCOMPARE(english.x.quantity, QString("Target position"));
-    QCOMPARE(french.x.quantity, QString("Point visé"));
-    QCOMPARE(french.y.quantity, QString("Écart de position"));
-    QCOMPARE(french.title, QString("Écarts de position de l’axe X"));
-    QCOMPARE(legendTexts(french).mid(2), (QStringList{"x̄ bidirectionnel", "relevés"}));
-    QCOMPARE(french.y.unit, QString("µm"));
-    QCOMPARE(french.x.unit, QString("mm"));
+    QCOMPARE(english.x.quantity, u"Target position"_s);
+    QCOMPARE(french.x.quantity, u"Point visé"_s);
+    QCOMPARE(french.y.quantity, u"Écart de position"_s);
+    QCOMPARE(french.title, u"Écarts de position de l’axe X"_s);
+    QCOMPARE(legendTexts(french).mid(2), (QStringList{u"x̄ bidirectionnel"_s, u"relevés"_s}));
+    QCOMPARE(french.y.unit, u"µm"_s);
+    QCOMPARE(french.x.unit, u"mm"_s);
     // The picture is the same, only its words are not.
     QCOMPARE(french.curves, english.curves);
     QCOMPARE(french.dimensions, english.dimensions);
@@ -175,26 +177,26 @@ void DeviationFigure::oneDirection() {
     QCOMPARE(curveLengths(up, CurveRole::up), QList<int>{4});
     QVERIFY(curveLengths(up, CurveRole::down).isEmpty());
     QVERIFY(curveLengths(up, CurveRole::mean).isEmpty());
-    QCOMPARE(dimensionIds(up), (QStringList{"R+", "E+", "A+"}));
-    QCOMPARE(up.dimensions.front().label, QString("R↑"));
-    QCOMPARE(legendTexts(up), (QStringList{"x̄↑ ±\u202f2s↑", "readings"}));
+    QCOMPARE(dimensionIds(up), (QStringList{u"R+"_s, u"E+"_s, u"A+"_s}));
+    QCOMPARE(up.dimensions.front().label, u"R↑"_s);
+    QCOMPARE(legendTexts(up), (QStringList{u"x̄↑ ±\u202f2s↑"_s, u"readings"_s}));
     const CurveFigure down = figureOf(simpleTest({0, 100, 200, 300}, 5, false, true));
-    QCOMPARE(dimensionIds(down), (QStringList{"R-", "E-", "A-"}));
-    QCOMPARE(legendTexts(down), (QStringList{"x̄↓ ±\u202f2s↓", "readings"}));
+    QCOMPARE(dimensionIds(down), (QStringList{u"R-"_s, u"E-"_s, u"A-"_s}));
+    QCOMPARE(legendTexts(down), (QStringList{u"x̄↓ ±\u202f2s↓"_s, u"readings"_s}));
 }
 
 void DeviationFigure::oneRunHasNoLimits() {
     const CurveFigure figure = figureOf(simpleTest({0, 100, 200, 300}, 1));
     QVERIFY(figure.bands.empty());
     QVERIFY(figure.readings.empty()); // they are the curves
-    QCOMPARE(dimensionIds(figure), (QStringList{"M", "E", "B"}));
-    QCOMPARE(legendTexts(figure), (QStringList{"x̄↑", "x̄↓", "x̄ bidirectional"}));
+    QCOMPARE(dimensionIds(figure), (QStringList{u"M"_s, u"E"_s, u"B"_s}));
+    QCOMPARE(legendTexts(figure), (QStringList{u"x̄↑"_s, u"x̄↓"_s, u"x̄ bidirectional"_s}));
 }
 
 void DeviationFigure::longAxis() {
     Test test = simpleTest({0, 1000, 2000, 3000}, 5);
     QVERIFY(figureOf(test).bands.empty());
-    QCOMPARE(dimensionIds(figureOf(test)), (QStringList{"M", "E", "B"}));
+    QCOMPARE(dimensionIds(figureOf(test)), (QStringList{u"M"_s, u"E"_s, u"B"_s}));
     // The travel of the axis decides, not that of the measurement.
     Test part = simpleTest({0, 500, 1000, 1500}, 5);
     QCOMPARE(figureOf(part).bands.size(), std::size_t{2});
@@ -203,7 +205,7 @@ void DeviationFigure::longAxis() {
     // An agreed zone of it is judged as a short axis.
     measurement(part).zone = Interval{0, 1500};
     QCOMPARE(figureOf(part).bands.size(), std::size_t{2});
-    QVERIFY(dimensionIds(figureOf(part)).contains("A"));
+    QVERIFY(dimensionIds(figureOf(part)).contains(u"A"_s));
 }
 
 void DeviationFigure::rotaryAxis() {
@@ -214,9 +216,10 @@ void DeviationFigure::rotaryAxis() {
             deviation = *deviation * 1000 / 3600; // as many arc seconds as there were micrometres
     }
     const CurveFigure figure = figureOf(test);
-    QCOMPARE(figure.x.unit, QString("°"));
-    QCOMPARE(figure.y.unit, QString("″"));
-    QCOMPARE(labels(figure.x), (QStringList{"0", "60", "120", "180", "240", "300", "360"}));
+    QCOMPARE(figure.x.unit, u"°"_s);
+    QCOMPARE(figure.y.unit, u"″"_s);
+    QCOMPARE(labels(figure.x),
+             (QStringList{u"0"_s, u"60"_s, u"120"_s, u"180"_s, u"240"_s, u"300"_s, u"360"_s}));
     const FigurePoint last = figure.curves.front().points.back();
     QCOMPARE(last.x, 360.0);
     QVERIFY(std::abs(last.y - 4.2) < 1e-12); // 4 and, in two runs of five, half an arc second
@@ -278,7 +281,7 @@ void DeviationFigure::nothingMeasured() {
     const CurveFigure single = figureOf(simpleTest({100}, 5));
     QCOMPARE(curveLengths(single, CurveRole::up), QList<int>{1});
     QVERIFY(single.x.from < 100 && single.x.to > 100);
-    QVERIFY(!dimensionIds(single).contains("M")); // zero: nothing to show
+    QVERIFY(!dimensionIds(single).contains(u"M"_s)); // zero: nothing to show
     Test equal = simpleTest({0, 100}, 2);
     for (Run &run : measurement(equal).runs)
         run.deviations = {0.002, 0.002};
@@ -294,9 +297,9 @@ void DeviationFigure::otherRanges() {
     const CurveFigure zoomed = withRanges(figure, {595, 605}, {-8.4, -7.3}, french);
     QCOMPARE(zoomed.curves, figure.curves);
     QCOMPARE(zoomed.x.from, 595.0);
-    QCOMPARE(labels(zoomed.x), (QStringList{"596", "598", "600", "602", "604"}));
-    QCOMPARE(labels(zoomed.y).first(), QString("−8,4"));
-    QCOMPARE(labels(zoomed.y).last(), QString("−7,3"));
+    QCOMPARE(labels(zoomed.x), (QStringList{u"596"_s, u"598"_s, u"600"_s, u"602"_s, u"604"_s}));
+    QCOMPARE(labels(zoomed.y).first(), u"−8,4"_s);
+    QCOMPARE(labels(zoomed.y).last(), u"−7,3"_s);
 }
 
 void DeviationFigure::everythingLiesInTheRanges() {

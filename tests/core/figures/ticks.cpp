@@ -5,6 +5,7 @@
 #include <cmath>
 
 using namespace palmer;
+using namespace Qt::StringLiterals;
 
 /// Round ticks and their labels.
 class Ticks : public QObject {
@@ -56,12 +57,13 @@ void Ticks::labels_data() {
     QTest::addColumn<QStringList>("labels");
 
     QTest::newRow("French writes a decimal comma and a minus")
-        << true << -0.6 << 0.6 << QStringList{"−0,5", "0,0", "0,5"};
+        << true << -0.6 << 0.6 << QStringList{u"−0,5"_s, u"0,0"_s, u"0,5"_s};
     QTest::newRow("English writes a decimal point")
-        << false << -0.6 << 0.6 << QStringList{"−0.5", "0.0", "0.5"};
+        << false << -0.6 << 0.6 << QStringList{u"−0.5"_s, u"0.0"_s, u"0.5"_s};
     QTest::newRow("thousands are kept apart by a narrow space")
-        << true << -100.0 << 2100.0 << QStringList{"0", "1\u202f000", "2\u202f000"};
-    QTest::newRow("whole steps have no decimals") << false << 9.5 << 12.5 << QStringList{"10", "11", "12"};
+        << true << -100.0 << 2100.0 << QStringList{u"0"_s, u"1\u202f000"_s, u"2\u202f000"_s};
+    QTest::newRow("whole steps have no decimals")
+        << false << 9.5 << 12.5 << QStringList{u"10"_s, u"11"_s, u"12"_s};
 }
 
 void Ticks::labels() {

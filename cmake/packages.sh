@@ -1,0 +1,44 @@
+# Read by run and check: the Debian packages, and how to build. POSIX shell.
+
+buildPackages="g++ cmake ninja-build git ccache libeigen3-dev nlohmann-json3-dev libbenchmark-dev
+qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev
+qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
+fontconfig fonts-liberation2 fonts-dejavu-core"
+
+testPackages="python3 python3-jsonschema poppler-utils qpdf xvfb xauth openbox xdotool x11-utils imagemagick xclip
+libpdfbox2-java libcommons-io-java libactivation-java libjaxb-api-java default-jre-headless
+clang-14 libclang-rt-14-dev"
+
+# Installs those of the packages that are missing; says nothing when all are there.
+needPackages() {
+    # shellcheck disable=SC2086 # a list of words
+    installed=" $(dpkg-query -W -f '${db:Status-Status}:${Package} ' $1 2>/dev/null || true)"
+    missing=""
+    for package in $1; do
+        case "$installed" in
+        *" installed:$package "*) ;;
+        *) missing="$missing $package" ;;
+        esac
+    done
+    [ -z "$missing" ] && return 0
+    if [ "$(id -u)" = 0 ]; then
+        asRoot="env"
+    elif command -v sudo >/dev/null; then
+        asRoot="sudo env"
+    else
+        echo "Missing packages, and neither root nor sudo to install them:$missing" >&2
+        return 1
+    fi
+    echo "Installing:$missing" >&2
+    $asRoot DEBIAN_FRONTEND=noninteractive apt-get update -q >&2
+    # shellcheck disable=SC2086 # a list of words
+    $asRoot DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing >&2
+}
+
+# Configures a preset once (ninja does it again when it has to) and builds it; speaks only when there is work.
+configureAndBuild() {
+    if [ ! -f "build/$1/build.ninja" ]; then
+        cmake --preset "$1" >&2
+    fi
+    ninja -C "build/$1" >&2
+}

@@ -1,0 +1,225 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Result {
+    int code = -1;
+    QString out;
+    QString err;
+};
+
+Result run(const QStringList &arguments, const QByteArray &input = {}, const QString &locale = "C") {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("LC_ALL", locale);
+    process.setProcessEnvironment(environment);
+    process.start(PALMER_CLI, arguments);
+    process.write(input);
+    process.closeWriteChannel();
+    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+        qFatal("palmer-cli did not end by itself");
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QString example(const QString &name) {
+    return EXAMPLES + name + ".palmer";
+}
+
+QByteArray contents(const QString &name) {
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("cannot read %s", qPrintable(name));
+    return file.readAll();
+}
+
+/// A small test with A = 4 µm, and what is put beside it.
+QByteArray smallTest(const QByteArray &more) {
+    return R"({"format": "palmer test report", "version": 1, "tests": [{"kind": "positioning", "id": "x",
+        "edition": "ISO 230-2:2006", "targets": [0, 100], "runs": [
+        {"approach": "positive", "deviations": [0, 0.004]}, {"approach": "negative", "deviations": [0, 0.004]},
+        {"approach": "positive", "deviations": [0, 0.004]}, {"approach": "negative", "deviations": [0, 0.004]}])" +
+           more + "}]}";
+}
+
+} // namespace
+
+class PalmerCliTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void endsWithItsCode_data();
+    void endsWithItsCode();
+    void refusesDamagedFilesInOneLine_data();
+    void refusesDamagedFilesInOneLine();
+    void worksOnEachFile();
+    void writesJson();
+    void readsStandardInput();
+    void evaluatesUnderAnotherEdition();
+    void namesTheEditionsItKnows();
+    void speaksBothLanguages();
+    void saysWhenItCannotWrite();
+    void listsOnlyWhatItDoes();
+    void agreesWithTheReferenceData();
+};
+
+void PalmerCliTest::endsWithItsCode_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QByteArray>("input");
+    QTest::addColumn<int>("code");
+    const QStringList evaluate{"evaluate", "-"};
+    QTest::newRow("no limit, no verdict") << evaluate << smallTest("") << 0;
+    QTest::newRow("a limit that is kept")
+        << evaluate << smallTest(R"(, "limits": {"A": {"value": 0.004}})") << 0;
+    QTest::newRow("a limit that is not kept")
+        << evaluate << smallTest(R"(, "limits": {"A": {"value": 0.003}})") << 1;
+    QTest::newRow("not proven")
+        << evaluate
+        << smallTest(R"(, "limits": {"A": {"value": 0.1}}, "decisionRule": {"rule": "ISO 14253-1"})") << 1;
+    QTest::newRow("not proven, where rejection has to be")
+        << evaluate
+        << smallTest(R"(, "limits": {"A": {"value": 0.003}}, "decisionRule": {"rule": "rejection proven"})")
+        << 0;
+    QTest::newRow("under another edition there is no verdict")
+        << QStringList{"evaluate", "--edition", "ISO 230-2:1988", "-"}
+        << smallTest(R"(, "limits": {"A": {"value": 0.003}})") << 0;
+    QTest::newRow("an edition of a kind no test has")
+        << QStringList{"evaluate", "--edition=ISO 230-4:2005", "-"} << smallTest("") << 0;
+    QTest::newRow("a requirement is not met") << QStringList{"check", "-"} << smallTest("") << 1;
+    QTest::newRow("help") << QStringList{"--help"} << QByteArray() << 0;
+    QTest::newRow("help of a command") << QStringList{"evaluate", "--help"} << QByteArray() << 0;
+    QTest::newRow("version") << QStringList{"--version"} << QByteArray() << 0;
+    QTest::newRow("no command") << QStringList{} << QByteArray() << 2;
+    QTest::newRow("unknown command") << QStringList{"measure"} << QByteArray() << 2;
+    QTest::newRow("no file") << QStringList{"evaluate"} << QByteArray() << 2;
+    QTest::newRow("a file too many") << QStringList{"selftest", "x"} << QByteArray() << 2;
+    QTest::newRow("unknown option") << QStringList{"evaluate", "--jason", "-"} << smallTest("") << 2;
+    QTest::newRow("option of another command") << QStringList{"check", "--json", "-"} << smallTest("") << 2;
+    QTest::newRow("option without its value")
+        << QStringList{"evaluate", "-", "--edition"} << smallTest("") << 2;
+    QTest::newRow("switch with a value") << QStringList{"evaluate", "--json=yes", "-"} << smallTest("") << 2;
+    QTest::newRow("unknown language")
+        << QStringList{"evaluate", "--language", "de", "-"} << smallTest("") << 2;
+    QTest::newRow("no such file") << QStringList{"evaluate", "/nowhere/x.palmer"} << QByteArray() << 3;
+    QTest::newRow("a folder") << QStringList{"evaluate", "/"} << QByteArray() << 3;
+}
+
+void PalmerCliTest::endsWithItsCode() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QByteArray, input);
+    QFETCH(int, code);
+    const Result result = run(arguments, input);
+    QVERIFY2(result.code == code, qPrintable(QString::number(result.code) + ' ' + result.err));
+    QCOMPARE(result.err.count('\n'), code >= 2 ? 1 : 0);
+    QCOMPARE(result.out.isEmpty(), code >= 2);
+    QVERIFY(code < 2 || result.err.startsWith("palmer-cli: "));
+}
+
+void PalmerCliTest::refusesDamagedFilesInOneLine_data() {
+    QTest::addColumn<QByteArray>("input");
+    QTest::addColumn<QString>("start");
+    QTest::newRow("nothing") << QByteArray() << "palmer-cli: -: ";
+    QTest::newRow("not JSON") << QByteArray("hello\nworld") << "palmer-cli: -: 1:1: ";
+    QTest::newRow("cut off") << smallTest("").chopped(3) << "palmer-cli: -: ";
+    QTest::newRow("unknown key") << smallTest(R"(, "feeed": 1)") << "palmer-cli: -: tests[0]";
+    QTest::newRow("wrong type") << smallTest(R"(, "title": 3)") << "palmer-cli: -: tests[0].title: ";
+    QTest::newRow("nesting") << QByteArray(100'000, '[') << "palmer-cli: -: ";
+}
+
+void PalmerCliTest::refusesDamagedFilesInOneLine() {
+    QFETCH(QByteArray, input);
+    QFETCH(QString, start);
+    const Result result = run({"evaluate", "-"}, input);
+    QCOMPARE(result.code, 3);
+    QVERIFY(result.out.isEmpty());
+    QVERIFY2(result.err.startsWith(start) && result.err.count('\n') == 1, qPrintable(result.err));
+}
+
+void PalmerCliTest::worksOnEachFile() {
+    const Result result =
+        run({"evaluate", "--json", "/nowhere", example("rotary-axis"), example("one-direction")});
+    QCOMPARE(result.code, 3);
+    QVERIFY(result.err.startsWith("palmer-cli: /nowhere: "));
+    QCOMPARE(result.err.count('\n'), 1);
+    const QStringList lines = result.out.split('\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), 2);
+    for (const QString &line : lines)
+        QVERIFY(QJsonDocument::fromJson(line.toUtf8()).isObject());
+    QCOMPARE(QJsonDocument::fromJson(lines[1].toUtf8())["file"].toString(), example("one-direction"));
+}
+
+void PalmerCliTest::writesJson() {
+    const Result result = run({"evaluate", "--json", example("iso230-2-1988-example")}, {}, "fr_FR.UTF-8");
+    QCOMPARE(result.code, 0);
+    const QJsonObject accuracy =
+        QJsonDocument::fromJson(result.out.toUtf8())["tests"][0]["parameters"][0].toObject();
+    QCOMPARE(accuracy["id"].toString(), "A");
+    QCOMPARE(accuracy["name"].toString(), "accuracy of an axis");        // English unless asked for otherwise
+    QVERIFY(std::abs(accuracy["value"].toDouble() - 0.01803) <= 1.5e-5); // mm, as printed in the standard
+}
+
+void PalmerCliTest::readsStandardInput() {
+    const QString name = example("rotary-axis");
+    QCOMPARE(run({"evaluate", "-"}, contents(name)).out, run({"evaluate", name}).out);
+}
+
+void PalmerCliTest::evaluatesUnderAnotherEdition() {
+    const Result result =
+        run({"evaluate", "--json", "--edition", "ISO 230-2:2006", example("iso230-2-1988-example")});
+    const auto test = QJsonDocument::fromJson(result.out.toUtf8())["tests"][0];
+    QCOMPARE(test["edition"].toString(), "ISO 230-2:2006");
+    QVERIFY(std::abs(test["parameters"][0]["value"].toDouble() - 0.01623207) <=
+            1e-8); // mm, recomputed elsewhere
+}
+
+void PalmerCliTest::namesTheEditionsItKnows() {
+    const Result result = run({"evaluate", "--edition", "ISO 230-2:2025", example("rotary-axis")});
+    QCOMPARE(result.code, 2);
+    QVERIFY(result.err.contains("ISO 230-2:2025") && result.err.contains("ISO 230-2:2014, ") &&
+            result.err.contains("ISO 230-4:2005"));
+}
+
+void PalmerCliTest::speaksBothLanguages() {
+    const QString name = example("rotary-axis");
+    const QString english = run({"evaluate", name}, {}, "C").out;
+    const QString french = run({"evaluate", "--language", "fr", name}, {}, "C").out;
+    QVERIFY(english.contains("8.1") && !english.contains("8,1"));
+    QVERIFY(french.contains("8,1") && !french.contains("8.1"));
+    QVERIFY(french.simplified().contains("20 novembre 2026"));
+    QCOMPARE(run({"evaluate", name}, {}, "fr_CA").out, french);
+    QCOMPARE(run({"--language=en", "evaluate", name}, {}, "fr_FR.UTF-8").out, english);
+}
+
+void PalmerCliTest::saysWhenItCannotWrite() {
+    QProcess process;
+    process.setStandardOutputFile("/dev/full");
+    process.start(PALMER_CLI, {"evaluate", example("rotary-axis")});
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitCode(), 3);
+    QCOMPARE(process.readAllStandardError().count('\n'), 1);
+}
+
+void PalmerCliTest::listsOnlyWhatItDoes() {
+    const QString help = run({"--help"}).out;
+    for (const char *command : {"evaluate", "check", "selftest"}) {
+        QVERIFY(help.contains(QString("  ") + command));
+        QCOMPARE(run({command, "--help"}).code, 0);
+    }
+}
+
+void PalmerCliTest::agreesWithTheReferenceData() {
+    const Result result = run({"selftest"});
+    QCOMPARE(result.code, 0);
+    QVERIFY(result.out.contains("NIST StRD NumAcc4") && !result.out.contains("DOES NOT AGREE"));
+}
+
+QTEST_GUILESS_MAIN(PalmerCliTest)
+#include "palmerclitest.moc"

@@ -1,0 +1,14 @@
+"""Validates documents, one JSON text a line in the file of the second argument, against the schema in the file of
+the first. Prints 1 or 0 a line."""
+import json
+import sys
+
+import jsonschema
+
+with open(sys.argv[1], encoding="utf-8") as file:
+    schema = json.load(file)
+jsonschema.Draft202012Validator.check_schema(schema)
+validator = jsonschema.Draft202012Validator(schema)
+with open(sys.argv[2], encoding="utf-8") as documents:
+    for document in documents:
+        print(int(validator.is_valid(json.loads(document))))

@@ -1,0 +1,116 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "report/results.h"
+#include "document/savedocument.h"
+#include "report/plaintext.h"
+
+#include <QDir>
+#include <QTest>
+
+using namespace palmer;
+
+namespace {
+
+QString resultsText(Document document, Language::Id language = Language::Id::english) {
+    return plainText(
+        composeResults(evaluate(std::make_shared<const Document>(std::move(document))), Language(language)));
+}
+
+Document example(const QString &name) {
+    return openDocument(EXAMPLES + name + ".palmer");
+}
+
+/// The example with its first test changed.
+template <typename Change>
+Document changed(Document document, Change change) {
+    auto test = std::make_shared<Test>(*document.tests.front());
+    change(*test, std::get<PositioningMeasurement>(test->measurement));
+    document.tests.front() = test;
+    return document;
+}
+
+} // namespace
+
+class ResultsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void fitsATerminal_data();
+    void fitsATerminal();
+    void saysWhatIsStandInIn1988();
+    void titlesAStepCycleNotAgreed();
+    void saysNotCorrected();
+    void showsTheSideOfTheLimit();
+    void printsADashForWhatIsMissing();
+};
+
+void ResultsTest::fitsATerminal_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("language");
+    for (const QString &file : QDir(EXAMPLES).entryList({"*.palmer"})) {
+        const QString name = file.chopped(7);
+        QTest::addRow("%s in English", qPrintable(name)) << name << int(Language::Id::english);
+        QTest::addRow("%s in French", qPrintable(name)) << name << int(Language::Id::french);
+    }
+}
+
+void ResultsTest::fitsATerminal() {
+    QFETCH(QString, name);
+    QFETCH(int, language);
+    const QString text = resultsText(example(name), Language::Id(language));
+    QVERIFY(text.size() > 1000);
+    for (const QString &line : text.split('\n'))
+        QVERIFY2(displayWidth(line) <= terminalWidth, qPrintable(line));
+    QVERIFY(!text.contains("nan") && !text.contains("null"));
+}
+
+void ResultsTest::saysWhatIsStandInIn1988() {
+    QString text = resultsText(example("iso230-2-1988-example"));
+    QVERIFY(text.contains(" 18.0 ") && text.contains("2↓ – 9↑"));
+    QVERIFY(text.simplified().contains("ten readings are stand-ins"));
+}
+
+void ResultsTest::titlesAStepCycleNotAgreed() {
+    const QString words = "step cycle – not an ISO 230-2 acceptance result";
+    const auto step = [](Test &, PositioningMeasurement &m) { m.cycle = Cycle::step; };
+    QVERIFY(resultsText(changed(example("rotary-axis"), step)).contains(words));
+    // 1988 knows both cycles: they are to be stated, not agreed.
+    const QString text = resultsText(changed(example("iso230-2-1988-example"), step));
+    QVERIFY(!text.contains(words) && text.contains("pilgrim step cycle"));
+}
+
+void ResultsTest::saysNotCorrected() {
+    const QString words = "(not corrected to 20 °C)";
+    const Document document = changed(example("long-axis-with-zone"), [](Test &, PositioningMeasurement &m) {
+        m.conditions.common.correctionTo20 = CorrectionTo20::notApplied;
+    });
+    QCOMPARE(resultsText(example("long-axis-with-zone")).simplified().count(words), 0);
+    QVERIFY(resultsText(document).simplified().count(words) > 0);
+}
+
+void ResultsTest::showsTheSideOfTheLimit() {
+    const Document document =
+        changed(example("iso230-2-1988-example"), [](Test &test, PositioningMeasurement &) {
+            test.limits["A"].value = 0.018; // A is 18.03 µm
+        });
+    const QString text = resultsText(document);
+    QVERIFY2(text.contains("18.03") && text.contains("does not conform"), qPrintable(text.left(2000)));
+}
+
+void ResultsTest::printsADashForWhatIsMissing() {
+    const Document document =
+        changed(example("iso230-2-1988-example"), [](Test &, PositioningMeasurement &m) {
+            for (Run &run : m.runs)
+                if (run.approach == Direction::negative)
+                    run.deviations[4] = std::nullopt;
+        });
+    const QString text = resultsText(document);
+    const auto lines = text.split('\n');
+    const auto row =
+        std::find_if(lines.begin(), lines.end(), [](const QString &l) { return l.startsWith(" 5 "); });
+    QVERIFY(row != lines.end());
+    QVERIFY2(row->contains("–") && row->contains("−7.32"), qPrintable(*row));
+}
+
+QTEST_GUILESS_MAIN(ResultsTest)
+#include "resultstest.moc"
