@@ -892,7 +892,7 @@
     </message>
     <message>
         <source>the file cannot be read (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier ne peut pas être lu (%1)</translation>
     </message>
     <message>
         <source>the file is larger than 1 GiB</source>
@@ -1145,11 +1145,11 @@
     </message>
     <message>
         <source>No findings.</source>
-        <translation>Aucune constatation.</translation>
+        <translation>Aucun constat.</translation>
     </message>
     <message>
         <source>Findings</source>
-        <translation>Constatations</translation>
+        <translation>Constats</translation>
     </message>
     <message>
         <source>published</source>
@@ -1217,7 +1217,7 @@
     </message>
     <message>
         <source>language of tables, findings and errors</source>
-        <translation>langue des tableaux, constatations et erreurs</translation>
+        <translation>langue des tableaux, constats et erreurs</translation>
     </message>
     <message>
         <source>this help</source>

@@ -1,8 +1,8 @@
 #include "ui/fonts.h"
 
-#include <QFile>
 #include <QFontDatabase>
 #include <QRawFont>
+#include <QResource>
 #include <stdexcept>
 
 namespace palmer::ui {
@@ -14,10 +14,12 @@ bool load() {
     const QString signs = QStringLiteral("µ±↑↓\u0304°″′éèàùâêîôûçœÉÀ«»’−–—·×²³√α"
                                          "θ\u00a0\u202f");
     for (const char *face : {"Regular", "Bold", "Italic", "BoldItalic"}) {
-        QFile file(QStringLiteral(":/fonts/LiberationSans-%1.ttf").arg(QLatin1String(face)));
-        if (!file.open(QIODevice::ReadOnly))
+        const QResource file(QStringLiteral(":/fonts/LiberationSans-%1.ttf").arg(QLatin1String(face)));
+        if (!file.isValid() || file.compressionAlgorithm() != QResource::NoCompression)
             throw std::runtime_error("the font of the reports is missing");
-        const QByteArray data = file.readAll();
+        // Read in place: the program holds it as long as it runs.
+        const QByteArray data =
+            QByteArray::fromRawData(reinterpret_cast<const char *>(file.data()), qsizetype(file.size()));
         const int id = QFontDatabase::addApplicationFontFromData(data);
         if (id < 0 || QFontDatabase::applicationFontFamilies(id).value(0) != paperFamily())
             throw std::runtime_error("the font of the reports is damaged");

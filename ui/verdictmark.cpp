@@ -14,7 +14,8 @@ VerdictMark verdictMark(std::optional<Verdict> verdict) {
     case Verdict::notProven:
         return {QStringLiteral("ques"), Token::unsure, language.text(REPORT_TEXT("report", "not proven"))};
     case Verdict::doesNotConform:
-        return {QStringLiteral("cross"), Token::bad, language.text(REPORT_TEXT("report", "does not conform"))};
+        return {QStringLiteral("cross"), Token::bad,
+                language.text(REPORT_TEXT("report", "does not conform"))};
     }
     return {};
 }

@@ -20,10 +20,10 @@ public:
         if (event->type() != QEvent::Wheel)
             return false;
         const auto *widget = qobject_cast<QWidget *>(watched);
-        const bool field = qobject_cast<const QComboBox *>(widget) || qobject_cast<const QTabBar *>(widget) ||
-                           qobject_cast<const QAbstractSpinBox *>(widget) ||
-                           (qobject_cast<const QAbstractSlider *>(widget) &&
-                            !qobject_cast<const QScrollBar *>(widget));
+        const bool field =
+            qobject_cast<const QComboBox *>(widget) || qobject_cast<const QTabBar *>(widget) ||
+            qobject_cast<const QAbstractSpinBox *>(widget) ||
+            (qobject_cast<const QAbstractSlider *>(widget) && !qobject_cast<const QScrollBar *>(widget));
         if (!field || widget->hasFocus())
             return false;
         event->ignore(); // goes on to the parent

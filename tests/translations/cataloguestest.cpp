@@ -67,7 +67,7 @@ QString catalogue(const char *name) {
 
 /// Words that are the same in both languages.
 const QSet<QString> sameInBoth{"Date",       "Machine",     "Signature", "Signatures", "Verdict",
-                               "Instrument", "Instruments", "Position",  "minimum",    "maximum"};
+                               "Instrument", "Instruments", "Position",  "minimum",    "maximum", "note"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {

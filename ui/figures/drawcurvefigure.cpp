@@ -287,10 +287,10 @@ private:
         }
     }
 
+    /// Where targets are dense, smaller and paler: the curves above them must stay the first thing seen.
     void drawReadings() {
         const double shift = shiftOfReadings();
-        const double size =
-            std::clamp(pitch() / (6 * dotRadius), 0.5, 1.0); // smaller where targets are dense
+        const double size = std::clamp(pitch() / (6 * dotRadius), 0.5, 1.0);
         for (const ReadingMark &reading : m_figure.readings) {
             if (!shows(reading.x, reading.y))
                 continue;
@@ -301,7 +301,11 @@ private:
 
     void drawReading(QPointF at, CurveRole role, double size) {
         const double strength = 0.4 + 1.2 * (size - 0.5); // of the colour: 1 at full size
-        if (role == CurveRole::up) {
+        if (size < 0.6) { // too small for a shape: quickly drawn, thousands of them
+            const double half = 0.9 * dotRadius * size;
+            p.fillRect(QRectF(at - QPointF(half, half), at + QPointF(half, half)),
+                       paler(colour(role == CurveRole::up ? FigureRole::up : FigureRole::down), strength));
+        } else if (role == CurveRole::up) {
             p.setPen(Qt::NoPen);
             p.setBrush(paler(colour(FigureRole::up), strength));
             p.drawEllipse(at, dotRadius * size, dotRadius * size);
@@ -489,7 +493,9 @@ private:
             p.drawLine(box.topLeft(), box.topRight());
             p.drawLine(box.bottomLeft(), box.bottomRight());
         }
-        p.setPen(pen(up ? FigureRole::up : FigureRole::down));
+        QPen line = pen(up ? FigureRole::up : FigureRole::down);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
         p.drawLine(middle - half, middle + half);
         drawMarker(middle, up ? CurveRole::up : CurveRole::down);
     }

@@ -6,7 +6,6 @@ void Selection::setTest(std::size_t test) {
     if (m_test == test)
         return;
     setParameter({});
-    setField({});
     setHovered({});
     setReading({});
     setTarget({});
@@ -49,12 +48,6 @@ void Selection::setParameter(const QString &id) {
         return;
     m_parameter = id;
     emit parameterChanged();
-}
-
-void Selection::setField(const QString &id) {
-    m_field = id;
-    if (!id.isEmpty())
-        emit fieldChosen(id);
 }
 
 } // namespace palmer::ui

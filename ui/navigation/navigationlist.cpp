@@ -27,10 +27,12 @@ public:
             return {NavigationList::railWidth, head ? 8 : 40};
         if (head)
             return {NavigationList::fullWidth, index.row() == 0 ? 36 : 32};
-        return {NavigationList::fullWidth, index.data(NavigationModel::detailRole).toString().isEmpty() ? 28 : 44};
+        return {NavigationList::fullWidth,
+                index.data(NavigationModel::detailRole).toString().isEmpty() ? 28 : 44};
     }
 
-    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override {
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override {
         painter->save();
         if (index.data(NavigationModel::headRole).toBool())
             paintHead(*painter, option, index);
@@ -94,8 +96,8 @@ private:
             return;
         }
         const QString detail = index.data(NavigationModel::detailRole).toString();
-        const QRect top(option.rect.left(), option.rect.top() + (detail.isEmpty() ? 0 : 4), option.rect.width(),
-                        detail.isEmpty() ? option.rect.height() : 20);
+        const QRect top(option.rect.left(), option.rect.top() + (detail.isEmpty() ? 0 : 4),
+                        option.rect.width(), detail.isEmpty() ? option.rect.height() : 20);
         drawLineIcon(painter, QRect(margin, top.top(), iconWidth, top.height()), icon, text);
         QFont font = themeFont(TextSize::base);
         if (selected)
@@ -104,9 +106,9 @@ private:
         painter.setPen(text);
         const int right = mark.isEmpty() && count == 0 ? margin / 2 : markWidth;
         const QRect nameArea = top.adjusted(textLeft, 0, -right, 0);
-        painter.drawText(nameArea, Qt::AlignLeft | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(index.data().toString(), Qt::ElideRight,
-                                                          nameArea.width()));
+        painter.drawText(
+            nameArea, Qt::AlignLeft | Qt::AlignVCenter,
+            painter.fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, nameArea.width()));
         const QRect markArea(option.rect.right() - markWidth + 4, top.top(), 20, top.height());
         if (!mark.isEmpty())
             drawLineIcon(painter, markArea, mark, markColour);

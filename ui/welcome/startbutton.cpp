@@ -31,7 +31,8 @@ void StartButton::paintEvent(QPaintEvent *) {
     const QColor accent = token(Token::accent, palette());
     const double width = hasFocus() ? 2 : 1;
     painter.setPen(QPen(hasFocus() ? accent : token(Token::line, palette()), width));
-    painter.setBrush(underMouse() || isDown() ? token(Token::hover, palette()) : palette().color(QPalette::Base));
+    painter.setBrush(underMouse() || isDown() ? token(Token::hover, palette())
+                                              : palette().color(QPalette::Base));
     painter.drawRoundedRect(QRectF(rect()).adjusted(width / 2, width / 2, -width / 2, -width / 2), 6, 6);
     drawLineIcon(painter, QRect(8, 0, 36, height()), m_icon, accent);
     const QRect upper(48, 8, this->width() - 60, 20), lower(48, 28, this->width() - 60, 20);

@@ -17,7 +17,8 @@ public:
         return {200, StartList::rowHeight};
     }
 
-    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override {
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override {
         painter->save();
         const QRect area = option.rect;
         if (option.state.testFlag(QStyle::State_MouseOver))
@@ -48,9 +49,9 @@ public:
              index.data(StartModel::detailRole).toString());
         const QString mark = index.data(StartModel::markRole).toString();
         if (!mark.isEmpty()) {
-            drawLineIcon(*painter, QRect(area.right() - 28, lower.top(), 16, lower.height()), mark,
-                         token(static_cast<Token>(index.data(StartModel::markColourRole).toInt()),
-                               option.palette));
+            drawLineIcon(
+                *painter, QRect(area.right() - 28, lower.top(), 16, lower.height()), mark,
+                token(static_cast<Token>(index.data(StartModel::markColourRole).toInt()), option.palette));
         }
         painter->restore();
     }

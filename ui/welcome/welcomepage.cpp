@@ -141,7 +141,8 @@ WelcomePage::WelcomePage(QWidget *parent)
     row->addWidget(content, 1000);
     row->addStretch(1);
 
-    setTabOrder({m_open, m_recentList, m_examplesList});
+    setTabOrder(m_open, m_recentList);
+    setTabOrder(m_recentList, m_examplesList);
     connect(m_open, &QAbstractButton::clicked, this, &WelcomePage::openAsked);
     connect(m_recentList, &StartList::chosen, this, &WelcomePage::fileChosen);
     connect(m_examplesList, &StartList::chosen, this, &WelcomePage::fileChosen);
@@ -153,10 +154,11 @@ void WelcomePage::refresh() {
     for (const RecentFile &file : recentFiles()) {
         QStringList detail{file.machine, file.axes};
         detail.removeAll(QString());
-        recent.push_back({file.path, kindIcon(file.circular), QFileInfo(file.path).fileName(),
-                          detail.join(QStringLiteral(" · ")),
-                          file.date.isValid() ? QLocale().toString(file.date, QLocale::ShortFormat) : QString(),
-                          verdictMark(file.verdict)});
+        recent.push_back(
+            {file.path, kindIcon(file.circular), QFileInfo(file.path).fileName(),
+             detail.join(QStringLiteral(" · ")),
+             file.date.isValid() ? QLocale().toString(file.date, QLocale::ShortFormat) : QString(),
+             verdictMark(file.verdict)});
     }
     m_noRecent->setVisible(recent.empty());
     m_recentList->setVisible(!recent.empty());
@@ -164,7 +166,8 @@ void WelcomePage::refresh() {
 
     std::vector<StartEntry> carried;
     for (const Example &example : examples())
-        carried.push_back({example.path, kindIcon(example.circular), example.name, example.detail, example.year, {}});
+        carried.push_back(
+            {example.path, kindIcon(example.circular), example.name, example.detail, example.year, {}});
     m_examples.setEntries(std::move(carried));
 }
 

@@ -6,7 +6,6 @@
 
 class QLabel;
 
-
 namespace palmer::ui {
 
 class StartButton;

@@ -25,8 +25,8 @@ LanguageSwitch::LanguageSwitch(Names names, QWidget *parent)
     }
     m_french->setObjectName(QStringLiteral("french"));
     m_english->setObjectName(QStringLiteral("english"));
-    m_french->setProperty("segment", "first");
-    m_english->setProperty("segment", "last");
+    m_french->setProperty("segment", QStringLiteral("first"));
+    m_english->setProperty("segment", QStringLiteral("last"));
     // Names of languages are the same in every language.
     m_french->setText(names == Names::codes ? QStringLiteral("FR") : QStringLiteral("Français"));
     m_english->setText(names == Names::codes ? QStringLiteral("EN") : QStringLiteral("English"));

@@ -8,9 +8,9 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int height = 40;
-constexpr int padding = 4;  ///< the line reaches this far beyond the word
-constexpr int space = 16;   ///< between two tabs
+constexpr int tabHeight = 40;
+constexpr int padding = 4; ///< the line reaches this far beyond the word
+constexpr int space = 16;  ///< between two tabs
 constexpr int badgeSize = 20;
 constexpr int badgeGap = 6;
 
@@ -48,7 +48,7 @@ QSize PageTabs::tabSizeHint(int index) const {
     int width = QFontMetrics(tabFont(true)).horizontalAdvance(shown) + 2 * padding;
     if (count(index) > 0)
         width += badgeGap + badgeSize;
-    return {width + space - 2 * padding, height};
+    return {width + space - 2 * padding, tabHeight};
 }
 
 QSize PageTabs::minimumTabSizeHint(int index) const {

@@ -15,7 +15,9 @@
 namespace palmer::ui {
 
 QString testSummary(const Test &test) {
-    const auto say = [](const char *text) { return QCoreApplication::translate("palmer::ui::TestHead", text); };
+    const auto say = [](const char *text) {
+        return QCoreApplication::translate("palmer::ui::TestHead", text);
+    };
     const Language &language = windowLanguage();
     QStringList parts;
     const auto addAxis = [&](const Axis &axis) {
@@ -25,8 +27,8 @@ QString testSummary(const Test &test) {
         parts += axis.motion == Motion::linear ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "linear"))
                                                : say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "rotary"));
         if (axis.travel)
-            parts += language.quantity(*axis.travel, axis.motion == Motion::linear ? Quantity::position
-                                                                                   : Quantity::angle);
+            parts += language.quantity(*axis.travel,
+                                       axis.motion == Motion::linear ? Quantity::position : Quantity::angle);
     };
     if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
         addAxis(positioning->axis);

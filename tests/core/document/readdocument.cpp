@@ -320,7 +320,7 @@ private slots:
             positioningFile(noReadings + R"(, "decisionRule": {"guardFactor": -0.5})"), content,
             "tests[0].decisionRule.guardFactor", "expected a number that is not negative");
         row("missing approach", positioningFile(R"("targets": [], "runs": [{"deviations": []}])"), content,
-            "tests[0].runs[0]", "the key “approach” is missing");
+            "tests[0].runs[0]", "the key “%1” is missing");
         row("a day that does not exist", positioningFile(noReadings + R"(, "date": "2023-02-29")"), content,
             "tests[0].date", "expected a date that exists, written YYYY-MM-DD");
         row("a date in French", positioningFile(noReadings + R"(, "date": "28/02/2023")"), content,
