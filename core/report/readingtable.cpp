@@ -73,21 +73,21 @@ std::vector<StatisticColumn> statisticColumns(const TestEvaluation &evaluation, 
 ReadingTexts::ReadingTexts(const PositioningMeasurement &measurement, const Language &language,
                            ReadingUnit unit)
     : m_measurement(&measurement)
-    , m_language(&language)
+    , m_language(language)
     , m_unit(unit)
     , m_positionDecimals(positionDecimals(measurement))
     , m_readingDecimals(readingDecimals(measurement)) {}
 
 QString ReadingTexts::position(std::size_t target) const {
-    return m_language->number(m_measurement->targets[target], positionQuantity(m_measurement->axis),
+    return m_language.number(m_measurement->targets[target], positionQuantity(m_measurement->axis),
                               m_positionDecimals);
 }
 
 QString ReadingTexts::shown(double deviation, std::size_t target) const {
     if (m_unit == ReadingUnit::deviations)
-        return m_language->number(deviation, deviationQuantity(m_measurement->axis), m_readingDecimals);
+        return m_language.number(deviation, deviationQuantity(m_measurement->axis), m_readingDecimals);
     const bool linear = m_measurement->axis.motion == Motion::linear;
-    return m_language->number(m_measurement->targets[target] + deviation,
+    return m_language.number(m_measurement->targets[target] + deviation,
                               positionQuantity(m_measurement->axis),
                               m_readingDecimals + (linear ? digitsOfMicrometre : digitsOfSecond));
 }
@@ -109,7 +109,7 @@ ShownReading ReadingTexts::reading(std::size_t run, std::size_t target) const {
 }
 
 QString ReadingTexts::statistic(std::optional<double> value) const {
-    return m_language->number(value.value_or(std::numeric_limits<double>::quiet_NaN()),
+    return m_language.number(value.value_or(std::numeric_limits<double>::quiet_NaN()),
                               deviationQuantity(m_measurement->axis), m_readingDecimals + 1);
 }
 
@@ -129,10 +129,10 @@ QString ReadingTexts::label(std::size_t run, std::size_t target) const {
 }
 
 QString ReadingTexts::positionUnit() const {
-    return m_language->unit(positionQuantity(m_measurement->axis));
+    return m_language.unit(positionQuantity(m_measurement->axis));
 }
 QString ReadingTexts::deviationUnit() const {
-    return m_language->unit(deviationQuantity(m_measurement->axis));
+    return m_language.unit(deviationQuantity(m_measurement->axis));
 }
 QString ReadingTexts::readingUnit() const {
     return m_unit == ReadingUnit::deviations ? deviationUnit() : positionUnit();
@@ -157,8 +157,8 @@ QString ReadingTexts::summary(std::span<const std::pair<std::size_t, std::size_t
     const Quantity quantity = deviationQuantity(m_measurement->axis);
     if (count == 1)
         return places.size() == 1 ? label(places[0].first, places[0].second)
-                                  : m_language->quantity(sum, quantity, m_readingDecimals);
-    return m_language->sentence({REPORT_TEXT("report", "%1 readings: mean %2, range %3"),
+                                  : m_language.quantity(sum, quantity, m_readingDecimals);
+    return m_language.sentence({REPORT_TEXT("report", "%1 readings: mean %2, range %3"),
                                  {Number{static_cast<double>(count), Quantity::count, 0},
                                   Number{sum / count, quantity, m_readingDecimals + 1},
                                   Number{most - least, quantity, m_readingDecimals}},

@@ -56,7 +56,7 @@ struct ShownReading {
     bool operator==(const ShownReading &) const = default;
 };
 
-/// Texts of the cells of a table of readings. Borrows measurement and language.
+/// Texts of the cells of a table of readings. Borrows the measurement.
 class ReadingTexts {
 public:
     ReadingTexts(const PositioningMeasurement &measurement, const Language &language, ReadingUnit unit);
@@ -82,7 +82,7 @@ private:
     [[nodiscard]] QString arrowAndNumber(std::size_t run) const;
 
     const PositioningMeasurement *m_measurement;
-    const Language *m_language;
+    Language m_language;
     ReadingUnit m_unit;
     int m_positionDecimals;
     int m_readingDecimals;

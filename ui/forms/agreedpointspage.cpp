@@ -22,7 +22,7 @@ constexpr int letterWidth = 26;
 
 } // namespace
 
-AgreedPointsPage::AgreedPointsPage(QWidget *parent)
+AgreedPointsPage::AgreedPointsPage(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_chip(new Chip(this))
     , m_source(new QLabel(this))
@@ -35,7 +35,7 @@ AgreedPointsPage::AgreedPointsPage(QWidget *parent)
     m_scroll->setFocusPolicy(Qt::NoFocus);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *content = new QWidget(m_scroll);
-    content->setProperty("ground", "base");
+    content->setProperty("ground", QStringLiteral("base"));
     m_body = new QVBoxLayout(content);
     m_body->setContentsMargins(pageMargin, 4, pageMargin, pageMargin);
     m_body->setSpacing(4);
@@ -50,6 +50,7 @@ AgreedPointsPage::AgreedPointsPage(QWidget *parent)
     layout->setSpacing(0);
     layout->addLayout(bar);
     layout->addWidget(m_scroll, 1);
+    connect(&selection, &Selection::fieldChosen, this, [this](const QString &id) { focusField(id); });
 }
 
 void AgreedPointsPage::build(const Edition &edition) {
@@ -77,7 +78,7 @@ void AgreedPointsPage::build(const Edition &edition) {
         row.text->setReadOnly(true);
         row.text->setFixedHeight(fieldHeight);
         row.text->setObjectName(QStringLiteral("field.agreedPoints.") + QString::fromLatin1(point.point));
-        const char *places[]{"first", "middle", "last"};
+        const QString places[]{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("last")};
         QToolButton *buttons[]{row.agreed, row.notAgreed, row.notApplicable};
         auto *head = new QHBoxLayout;
         head->setSpacing(0);
@@ -85,7 +86,7 @@ void AgreedPointsPage::build(const Edition &edition) {
         head->addSpacing(8);
         head->addWidget(row.name, 1);
         for (std::size_t k = 0; k < 3; ++k) {
-            buttons[k]->setProperty("segment", QString::fromLatin1(places[k]));
+            buttons[k]->setProperty("segment", places[k]);
             buttons[k]->setCheckable(true);
             buttons[k]->setAttribute(Qt::WA_TransparentForMouseEvents); // shown here, changed nowhere yet
             buttons[k]->setFocusPolicy(Qt::NoFocus);

@@ -2,6 +2,7 @@
 
 #include "document/evaluateddocument.h"
 #include "language/language.h"
+#include "ui/model/selection.h"
 
 #include <QWidget>
 #include <vector>
@@ -22,7 +23,7 @@ class AgreedPointsPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit AgreedPointsPage(QWidget *parent = nullptr);
+    explicit AgreedPointsPage(Selection &selection, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);

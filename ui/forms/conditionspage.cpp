@@ -180,8 +180,9 @@ QString feed(const FormSource &source) {
 
 } // namespace
 
-ConditionsPage::ConditionsPage(QWidget *parent)
+ConditionsPage::ConditionsPage(Selection &selection, QWidget *parent)
     : Form(context, Page::conditions, parent) {
+    follow(selection);
     setObjectName(QStringLiteral("conditionsPage"));
     const QString celsius = QStringLiteral("°C");
     const QString alpha = QStringLiteral("µm/(m·°C)");

@@ -9,7 +9,7 @@ class ConditionsPage : public Form {
     Q_OBJECT
 
 public:
-    explicit ConditionsPage(QWidget *parent = nullptr);
+    explicit ConditionsPage(Selection &selection, QWidget *parent = nullptr);
 };
 
 } // namespace palmer::ui

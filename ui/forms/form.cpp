@@ -29,7 +29,7 @@ Form::Form(const char *context, Page page, QWidget *parent)
     , m_scroll(new QScrollArea(this)) {
     m_chip->setObjectName(QStringLiteral("missingChip"));
     auto *content = new QWidget(m_scroll);
-    content->setProperty("ground", "base");
+    content->setProperty("ground", QStringLiteral("base"));
     m_body = new QVBoxLayout(content);
     m_body->setContentsMargins(pageMargin, 8, pageMargin, pageMargin);
     m_body->setSpacing(fieldGap);
@@ -175,6 +175,13 @@ bool Form::focusField(const QString &id) {
     m_scroll->ensureWidgetVisible(found->field);
     found->field->edit()->setFocus(Qt::OtherFocusReason);
     return true;
+}
+
+void Form::follow(Selection &selection) {
+    connect(&selection, &Selection::fieldChosen, this, [this, &selection](const QString &id) {
+        if (selection.page() == m_page)
+            focusField(id);
+    });
 }
 
 void Form::changeEvent(QEvent *event) {

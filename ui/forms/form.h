@@ -3,7 +3,7 @@
 #include "document/evaluateddocument.h"
 #include "language/language.h"
 #include "ui/forms/field.h"
-#include "ui/model/page.h"
+#include "ui/model/selection.h"
 
 #include <QScrollArea>
 #include <functional>
@@ -46,6 +46,8 @@ public:
     void setLanguage(const Language &language);
     /// Moves the focus to the field of a finding; false: it has none here.
     bool focusField(const QString &id);
+    /// Moves the focus to fields that are chosen while the page is in view.
+    void follow(Selection &selection);
 
 protected:
     // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP of the context.

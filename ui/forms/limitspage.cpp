@@ -35,8 +35,9 @@ QString rule(const FormSource &source) {
 
 } // namespace
 
-LimitsPage::LimitsPage(QWidget *parent)
+LimitsPage::LimitsPage(Selection &selection, QWidget *parent)
     : Form(context, Page::limits, parent) {
+    follow(selection);
     setObjectName(QStringLiteral("limitsPage"));
     refresh();
 }

@@ -9,7 +9,7 @@ class LimitsPage : public Form {
     Q_OBJECT
 
 public:
-    explicit LimitsPage(QWidget *parent = nullptr);
+    explicit LimitsPage(Selection &selection, QWidget *parent = nullptr);
 
 protected:
     void prepare() override;
