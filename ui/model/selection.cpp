@@ -6,6 +6,7 @@ void Selection::setTest(std::size_t test) {
     if (m_test == test)
         return;
     setParameter({});
+    setField({});
     setHovered({});
     setReading({});
     setTarget({});
@@ -48,6 +49,12 @@ void Selection::setParameter(const QString &id) {
         return;
     m_parameter = id;
     emit parameterChanged();
+}
+
+void Selection::setField(const QString &id) {
+    m_field = id;
+    if (!id.isEmpty())
+        emit fieldChosen(id);
 }
 
 } // namespace palmer::ui

@@ -50,6 +50,11 @@ public:
     [[nodiscard]] QString parameter() const { return m_parameter; }
     void setParameter(const QString &id);
 
+    /// The statement to bring into view on the page, by the id of its finding; empty: none. Set again, it is
+    /// told again.
+    [[nodiscard]] QString field() const { return m_field; }
+    void setField(const QString &id);
+
 signals:
     void testChanged(std::size_t test);
     void pageChanged(palmer::ui::Page page);
@@ -57,6 +62,7 @@ signals:
     void readingChanged();
     void hoveredChanged();
     void parameterChanged();
+    void fieldChosen(const QString &id);
 
 private:
     std::size_t m_test = 0;
@@ -65,6 +71,7 @@ private:
     std::optional<ReadingPlace> m_reading;
     std::optional<ReadingPlace> m_hovered;
     QString m_parameter;
+    QString m_field;
 };
 
 } // namespace palmer::ui

@@ -154,7 +154,7 @@ void TestHead::elide() {
 }
 
 void TestHead::retranslate() {
-    m_editionLabel->setText(tr("&Edition"));
+    m_editionLabel->setText(tr("E&dition"));
     m_edition->setAccessibleName(tr("Edition the test is evaluated under"));
     m_edition->setToolTip(tr("Shows the results under another edition; the file stays as it is"));
     m_set->setText(tr("&Set as edition of the test"));

@@ -3,10 +3,8 @@
 #include "ui/figures/figureview.h"
 #include "ui/forms/agreedpointspage.h"
 #include "ui/forms/conditionspage.h"
-#include "ui/forms/identificationpage.h"
-#include "ui/forms/instrumentspage.h"
 #include "ui/forms/limitspage.h"
-#include "ui/forms/machinepage.h"
+#include "ui/forms/reportpages.h"
 #include "ui/navigation/navigationlist.h"
 #include "ui/readings/readingspage.h"
 #include "ui/readings/targetcard.h"
@@ -85,16 +83,14 @@ QWidget *Workplace::makeCentre() {
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->addTab(QString());
     m_readings = new ReadingsPage(m_selection, centre);
-    m_conditions = new ConditionsPage(centre);
-    m_agreedPoints = new AgreedPointsPage(centre);
-    m_limits = new LimitsPage(centre);
-    m_identification = new IdentificationPage(centre);
-    m_machine = new MachinePage(centre);
-    m_instruments = new InstrumentsPage(centre);
+    m_conditions = new ConditionsPage(m_selection, centre);
+    m_agreedPoints = new AgreedPointsPage(m_selection, centre);
+    m_limits = new LimitsPage(m_selection, centre);
+    m_reportPages = new ReportPages(centre);
     m_pages = new QStackedWidget(centre);
-    for (QWidget *page : std::initializer_list<QWidget *>{m_identification, m_machine, m_instruments,
-                                                          m_readings, m_conditions, m_agreedPoints, m_limits})
-        m_pages->addWidget(page); // in the order of Page
+    for (QWidget *page : std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits,
+                                                          m_reportPages})
+        m_pages->addWidget(page);
     m_target = new TargetCard(m_selection, centre);
     m_explanation = new ExplanationCard(m_selection, centre);
     auto *card = new QFrame(centre);
@@ -159,7 +155,7 @@ void Workplace::connectParts() {
     });
     connect(m_findings, &FindingsPanel::activated, this, [this](Page page, const QString &id) {
         showPage(page);
-        focusField(id);
+        m_selection.setField(id);
     });
     connect(m_figure, &FigureView::maximiseWanted, this, [this] { setFigureMaximised(!m_maximised); });
     for (QSplitter *splitter : {m_outer, m_inner})
@@ -199,9 +195,7 @@ void Workplace::present() {
 
 void Workplace::presentTest() {
     const std::size_t test = m_selection.test();
-    m_identification->show(m_evaluated, test);
-    m_machine->show(m_evaluated, test);
-    m_instruments->show(m_evaluated, test);
+    m_reportPages->show(m_evaluated);
     if (test >= m_evaluated.tests.size())
         return;
     m_readings->show(m_evaluated, test);
@@ -227,15 +221,17 @@ void Workplace::presentPage() {
     const Page page = m_selection.page();
     const int tab = tabOf(page);
     m_tabs->setVisible(tab >= 0);
-    m_pages->setCurrentIndex(static_cast<int>(page));
     if (tab >= 0) {
         m_tabs->setCurrentIndex(tab);
+        m_pages->setCurrentIndex(tab);
         if (m_selection.test() < m_evaluated.tests.size())
             m_head->show(m_evaluated, m_selection.test());
         m_navigation->setCurrentRow(m_navigationModel.indexOfTest(m_selection.test()));
     } else {
+        m_pages->setCurrentWidget(m_reportPages);
+        m_reportPages->showPage(page);
         const QModelIndex row = m_navigationModel.indexOf(page);
-        m_head->showTitle(row.data().toString(), QString::fromStdString(m_evaluated.document->report.title));
+        m_head->showTitle(row.data().toString(), m_reportPages->subtitle());
         m_navigation->setCurrentRow(row);
     }
     m_findings->setPage(page);
@@ -298,43 +294,15 @@ bool Workplace::showNextMissing(bool forward) {
         return false;
     // Page by page, so that the walk does not jump to and fro.
     std::ranges::stable_sort(missing, {}, &std::pair<Page, QString>::first);
-    const auto now = std::ranges::find(missing, std::pair(m_selection.page(), m_field));
+    const auto now = std::ranges::find(missing, std::pair(m_selection.page(), m_selection.field()));
     std::size_t next = forward ? 0 : missing.size() - 1;
     if (now != missing.end()) {
         const auto at = static_cast<std::size_t>(now - missing.begin());
         next = forward ? (at + 1) % missing.size() : (at + missing.size() - 1) % missing.size();
     }
     showPage(missing[next].first);
-    m_field = missing[next].second;
-    focusField(m_field);
+    m_selection.setField(missing[next].second);
     return true;
-}
-
-void Workplace::focusField(const QString &id) {
-    if (id.isEmpty())
-        return;
-    switch (m_selection.page()) {
-    case Page::identification:
-        m_identification->focusField(id);
-        break;
-    case Page::machine:
-        m_machine->focusField(id);
-        break;
-    case Page::instruments:
-        m_instruments->focusField(id);
-        break;
-    case Page::conditions:
-        m_conditions->focusField(id);
-        break;
-    case Page::agreedPoints:
-        m_agreedPoints->focusField(id);
-        break;
-    case Page::limits:
-        m_limits->focusField(id);
-        break;
-    case Page::readings:
-        break;
-    }
 }
 
 void Workplace::setFigureMaximised(bool maximised) {
@@ -422,9 +390,6 @@ void Workplace::retranslate() {
     m_tabs->setTabText(2, tr("&Agreed points"));
     m_tabs->setTabText(3, tr("&Limits"));
     const Language &language = windowLanguage();
-    m_identification->setLanguage(language);
-    m_machine->setLanguage(language);
-    m_instruments->setLanguage(language);
     m_readings->setLanguage(language);
     m_conditions->setLanguage(language);
     m_agreedPoints->setLanguage(language);
