@@ -1311,5 +1311,141 @@
         <source>the file cannot be read; check its permissions and the medium it is on</source>
         <translation>le fichier ne peut pas être lu&#x202f;; vérifiez ses droits d’accès et le support sur lequel il se trouve</translation>
     </message>
+    <message>
+        <source>Largest at target %1, smallest at target %2.</source>
+        <translation>Maximum au point visé %1, minimum au point visé %2.</translation>
+    </message>
+    <message>
+        <source>Target %1 rules it.</source>
+        <translation>Imposé par le point visé %1.</translation>
+    </message>
+    <message>
+        <source>Mean over %1 targets: none rules it alone.</source>
+        <translation>Moyenne sur %1 points visés&#xa0;: aucun ne l’impose seul.</translation>
+    </message>
+    <message>
+        <source>s by the range method: s = W / k(n).</source>
+        <translation>s par la méthode de l’étendue&#xa0;: s = W / k(n).</translation>
+    </message>
+    <message>
+        <source>With the correction to 20 °C applied here.</source>
+        <translation>Avec la correction à 20&#xa0;°C appliquée ici.</translation>
+    </message>
+    <message>
+        <source>Not corrected to 20 °C.</source>
+        <translation>Non corrigé à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>The scatter of one direction alone is the largest form.</source>
+        <translation>La dispersion d’un seul sens est la plus grande des trois formes.</translation>
+    </message>
+    <message>
+        <source>What weighs: |B| %1 (%2), %3 %4 (%5), %6 %7 (%8).</source>
+        <translation>Ce qui pèse&#xa0;: |B| %1 (%2), %3 %4 (%5), %6 %7 (%8).</translation>
+    </message>
+    <message>
+        <source>%1, clause %2</source>
+        <translation>%1, article %2</translation>
+    </message>
+    <message>
+        <source>%1, clauses %2 and %3</source>
+        <translation>%1, articles %2 et %3</translation>
+    </message>
+    <message>
+        <source>%1 readings: mean %2, range %3</source>
+        <translation>%1 relevés&#xa0;: moyenne %2, étendue %3</translation>
+    </message>
+    <message>
+        <source>accuracy</source>
+        <comment>1988</comment>
+        <translation>précision</translation>
+    </message>
+    <message>
+        <source>accuracy</source>
+        <translation>exactitude</translation>
+    </message>
+    <message>
+        <source>systematic deviation</source>
+        <translation>écart systématique</translation>
+    </message>
+    <message>
+        <source>systematic error</source>
+        <translation>écart systématique</translation>
+    </message>
+    <message>
+        <source>range of x̄</source>
+        <translation>étendue de x̄</translation>
+    </message>
+    <message>
+        <source>repeatability</source>
+        <translation>répétabilité</translation>
+    </message>
+    <message>
+        <source>reversal value</source>
+        <translation>réversibilité</translation>
+    </message>
+    <message>
+        <source>reversal error</source>
+        <translation>réversibilité</translation>
+    </message>
+    <message>
+        <source>mean reversal value</source>
+        <comment>1988</comment>
+        <translation>erreur moy. de réversibilité</translation>
+    </message>
+    <message>
+        <source>signed mean</source>
+        <translation>moyenne signée</translation>
+    </message>
+    <message>
+        <source>unidirectional</source>
+        <translation>unidirectionnelle</translation>
+    </message>
+    <message>
+        <source>unidirectional</source>
+        <comment>masculine</comment>
+        <translation>unidirectionnel</translation>
+    </message>
+    <message>
+        <source>smaller of R↑, R↓</source>
+        <translation>min. de R↑ et R↓</translation>
+    </message>
+    <message>
+        <source>positional uncertainty</source>
+        <translation>incertitude de position</translation>
+    </message>
+    <message>
+        <source>positional deviation</source>
+        <comment>VDI</comment>
+        <translation>écart de position</translation>
+    </message>
+    <message>
+        <source>scatter, largest</source>
+        <translation>dispersion maximale</translation>
+    </message>
+    <message>
+        <source>scatter, mean</source>
+        <translation>dispersion moyenne</translation>
+    </message>
+    <message>
+        <source>reversal range, largest</source>
+        <translation>réversibilité maximale</translation>
+    </message>
+    <message>
+        <source>reversal range, mean</source>
+        <translation>réversibilité moyenne</translation>
+    </message>
+    <message>
+        <source>ISO 14253-1</source>
+        <translation>ISO 14253-1</translation>
+    </message>
+    <message>
+        <source>rejection proven</source>
+        <translation>refus prouvé</translation>
+    </message>
+    <message>
+        <source>Symbol</source>
+        <translation>Symbole</translation>
+    </message>
 </context>
 </TS>

@@ -12,14 +12,16 @@ namespace {
 constexpr int mostOfLengths = 3;
 constexpr int mostOfAngles = 4;
 constexpr int mostOfReadings = 3;
+constexpr int finest = 9; ///< beyond stand the rounding errors of conversions
 constexpr std::size_t looked = 2000; ///< enough to see how many decimals numbers have
 
 } // namespace
 
 int decimalsOf(double value, Quantity quantity) {
-    const std::string digits = Decimal(value, quantity).shortest();
+    const std::string digits = Decimal(value, quantity).rounded(finest);
+    const auto last = digits.find_last_not_of('0');
     const auto point = digits.find('.');
-    return point == std::string::npos ? 0 : static_cast<int>(digits.size() - point - 1);
+    return point == std::string::npos || last <= point ? 0 : static_cast<int>(last - point);
 }
 
 int positionDecimals(const PositioningMeasurement &measurement) {

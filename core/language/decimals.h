@@ -12,7 +12,7 @@ namespace palmer {
 
 // How many digits after the point numbers of a test are shown with, in the unit they are shown in.
 
-/// Digits after the point of the shortest form of a number.
+/// Digits after the point that a number has, at most 9: 5.4/1000 mm is 5.4 µm, whatever the last bits say.
 [[nodiscard]] int decimalsOf(double value, Quantity quantity);
 
 /// The common decimals of target positions: those they have, at most 3 (mm) or 4 (degrees).
