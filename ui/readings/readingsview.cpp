@@ -45,8 +45,8 @@ ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *
     m_frozen->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_frozen->setFrameShape(QFrame::NoFrame);
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen}) {
+        view->setItemDelegate(new ReadingsDelegate(view)); // before the model, which tells of its current cell
         view->setModel(&model);
-        view->setItemDelegate(new ReadingsDelegate(view));
         view->setHorizontalHeader(new ReadingsHeader(model, view));
         view->verticalHeader()->hide();
         view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
