@@ -85,9 +85,17 @@ std::optional<Verdict> EvaluatedDocument::verdict() const {
 
 EvaluatedDocument evaluate(std::shared_ptr<const Document> document, const EvaluatedDocument *previous,
                            std::string_view edition) {
-    const Edition *other = edition.empty() ? nullptr : findEdition(edition);
+    const std::vector<std::string> editions(document->tests.size(), std::string(edition));
+    return evaluateUnder(std::move(document), editions, previous);
+}
+
+EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
+                                std::span<const std::string> editions, const EvaluatedDocument *previous) {
     EvaluatedDocument result;
-    for (const TestPointer &test : document->tests) {
+    for (std::size_t i = 0; i < document->tests.size(); ++i) {
+        const TestPointer &test = document->tests[i];
+        const Edition *other =
+            i < editions.size() && !editions[i].empty() ? findEdition(editions[i]) : nullptr;
         const Surroundings around = surroundings(*document, *test);
         const Edition *used = editionFor(*test, other);
         TestEvaluationPointer evaluation = previous ? unchanged(*previous, test, around, used) : nullptr;

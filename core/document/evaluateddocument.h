@@ -4,6 +4,8 @@
 #include "kernel/evaluation/testevaluation.h"
 
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,5 +29,10 @@ struct EvaluatedDocument {
 [[nodiscard]] EvaluatedDocument evaluate(std::shared_ptr<const Document> document,
                                          const EvaluatedDocument *previous = nullptr,
                                          std::string_view edition = {});
+
+/// The same, each test under the edition of its own word in `editions`; empty or none: the test's.
+[[nodiscard]] EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
+                                              std::span<const std::string> editions,
+                                              const EvaluatedDocument *previous = nullptr);
 
 } // namespace palmer

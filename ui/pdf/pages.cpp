@@ -185,9 +185,9 @@ public:
         , m_size(size)
         , m_width(size.width() - leftMargin - rightMargin) {}
 
-    [[nodiscard]] Page page(const PageStrips &content, const Strip *next, std::size_t number,
+    [[nodiscard]] PrintedPage page(const PageStrips &content, const Strip *next, std::size_t number,
                             std::size_t count) const {
-        Page result;
+        PrintedPage result;
         result.size = m_size;
         if (content.running)
             addRunningHead(result, *content.running);
@@ -201,7 +201,7 @@ private:
         return strip.section && strip.gap >= sectionGap ? largestGap : strip.gap;
     }
 
-    void addStrips(Page &page, const PageStrips &content, const Strip *next) const {
+    void addStrips(PrintedPage &page, const PageStrips &content, const Strip *next) const {
         const double free = m_size.height() - bottomMargin - content.top() - content.used();
         double extra = 0;
         for (const Strip &strip : content.strips) {
@@ -227,7 +227,7 @@ private:
         }
     }
 
-    void addRunningHead(Page &page, const RunningHead &running) const {
+    void addRunningHead(PrintedPage &page, const RunningHead &running) const {
         const TextBlock right = elided(running.right, 0.7 * m_width);
         const TextBlock left = elided(running.left, m_width - right.width() - 5 * mm);
         page.parts.push_back({{leftMargin, topMargin}, [=, width = m_width](QPainter &painter, QPointF at) {
@@ -238,7 +238,7 @@ private:
                               }});
     }
 
-    void addFooter(Page &page, std::size_t number, std::size_t count) const {
+    void addFooter(PrintedPage &page, std::size_t number, std::size_t count) const {
         QString pageNumber = m_report.footerRight;
         pageNumber.replace(QLatin1String("%1"), QString::number(number));
         pageNumber.replace(QLatin1String("%2"), QString::number(count));
@@ -313,7 +313,7 @@ Pages layoutPages(const Report &report) {
     return pages;
 }
 
-void drawPage(QPainter &painter, const Page &page) {
+void drawPage(QPainter &painter, const PrintedPage &page) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::TextAntialiasing);

@@ -18,12 +18,12 @@ struct PagePart {
 };
 
 /// A page ready to be drawn; it needs nothing of the report it was made from. Size in points.
-struct Page {
+struct PrintedPage {
     QSizeF size;
     std::vector<PagePart> parts; ///< in the order of reading; running head first, footer last
 };
 
-using Pages = std::vector<Page>;
+using Pages = std::vector<PrintedPage>;
 
 /// The report as pages, with running heads, footers and the numbers of pages put in. A section never starts
 /// in the last 25 mm, a figure keeps its caption, the results with their verdict stay whole, heads of split
@@ -32,6 +32,6 @@ using Pages = std::vector<Page>;
 
 /// Draws a page on paper, in a preview or into a file. One unit of the painter is a point; the page is not
 /// filled.
-void drawPage(QPainter &painter, const Page &page);
+void drawPage(QPainter &painter, const PrintedPage &page);
 
 } // namespace palmer::ui

@@ -26,7 +26,7 @@ QByteArray pagesAsPdf(const Pages &pages) {
         QPageLayout::Portrait, QMarginsF(0, 0, 0, 0), QPageLayout::Point));
     QPainter painter(&writer);
     bool first = true;
-    for (const Page &page : pages) {
+    for (const PrintedPage &page : pages) {
         if (!first)
             writer.newPage();
         first = false;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "figures/figure.h"
+#include "kernel/evaluation/testevaluation.h"
+#include "kernel/measurement/test.h"
+#include "language/language.h"
+
+#include <optional>
+#include <vector>
+
+namespace palmer {
+
+/// A run's reading of the target, in the unit of the axis.
+struct StripReading {
+    double value = 0;
+    std::size_t run = 0; ///< index in the measurement
+
+    bool operator==(const StripReading &) const = default;
+};
+
+/// The readings of one direction in the order they were taken, with x̄ and x̄ ± c·s where they exist.
+struct StripLane {
+    CurveRole role = CurveRole::up;
+    std::vector<StripReading> readings;
+    std::optional<double> mean;
+    std::optional<double> lower;
+    std::optional<double> upper;
+
+    bool operator==(const StripLane &) const = default;
+};
+
+/// All readings of one target on one scale: what scatters, and how far the directions lie apart.
+struct TargetStrip {
+    FigureAxis axis; ///< deviations, horizontally
+    std::vector<StripLane> lanes;
+    QString reversal; ///< "B −4,48"; empty without one
+
+    bool operator==(const TargetStrip &) const = default;
+};
+
+/// The strip of a target (index from 0) of a positioning test, in µm or seconds of arc; readings with the
+/// correction to 20 °C where it is applied. `evaluation` is that of `test`, which holds a
+/// PositioningMeasurement; else std::bad_variant_access.
+[[nodiscard]] TargetStrip targetStrip(const Test &test, const TestEvaluation &evaluation, std::size_t target,
+                                      const Language &language);
+
+} // namespace palmer

@@ -1,0 +1,75 @@
+#include "language/decimals.h"
+
+#include "language/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr int mostOfLengths = 3;
+constexpr int mostOfAngles = 4;
+constexpr int mostOfReadings = 3;
+constexpr int finest = 9; ///< beyond stand the rounding errors of conversions
+constexpr std::size_t looked = 2000; ///< enough to see how many decimals numbers have
+
+} // namespace
+
+int decimalsOf(double value, Quantity quantity) {
+    const std::string digits = Decimal(value, quantity).rounded(finest);
+    const auto last = digits.find_last_not_of('0');
+    const auto point = digits.find('.');
+    return point == std::string::npos || last <= point ? 0 : static_cast<int>(last - point);
+}
+
+int positionDecimals(const PositioningMeasurement &measurement) {
+    const bool linear = measurement.axis.motion == Motion::linear;
+    const int most = linear ? mostOfLengths : mostOfAngles;
+    int result = 0;
+    for (std::size_t i = 0; i < std::min(measurement.targets.size(), looked); ++i)
+        result = std::max(result, decimalsOf(measurement.targets[i], positionQuantity(measurement.axis)));
+    return std::min(result, most);
+}
+
+int readingDecimals(const PositioningMeasurement &measurement) {
+    int result = 1;
+    std::size_t seen = 0;
+    for (const Run &run : measurement.runs) {
+        for (const auto &deviation : run.deviations) {
+            if (seen++ == looked)
+                return result;
+            if (deviation)
+                result = std::min(
+                    mostOfReadings,
+                    std::max(result, decimalsOf(*deviation, deviationQuantity(measurement.axis))));
+        }
+    }
+    return result;
+}
+
+int statisticDecimals(const PositioningMeasurement &measurement) {
+    return readingDecimals(measurement) + 1;
+}
+
+std::optional<double> finestResolution(std::span<const Instrument> instruments, const Test &test) {
+    std::optional<double> result;
+    for (const Instrument &instrument : instruments) {
+        if (instrument.resolution && std::ranges::count(test.instruments, instrument.id) > 0)
+            result = std::min(result.value_or(*instrument.resolution), *instrument.resolution);
+    }
+    return result;
+}
+
+int resultDecimals(const Parameter &parameter, std::optional<double> resolution) {
+    const Quantity quantity = parameter.term.quantity;
+    int result = decimalsWithoutUncertainty;
+    if (parameter.expandedUncertainty)
+        result = decimalsWithUncertainty(*parameter.expandedUncertainty, quantity, resolution);
+    if (parameter.value && parameter.limit && parameter.limit->value)
+        result = decimalsShowingSide(std::abs(*parameter.value), *parameter.limit->value, quantity, result);
+    return result;
+}
+
+} // namespace palmer

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "kernel/evaluation/parameter.h"
+#include "kernel/measurement/machine.h"
+#include "kernel/measurement/test.h"
+#include "kernel/words/quantity.h"
+
+#include <optional>
+#include <span>
+
+namespace palmer {
+
+// How many digits after the point numbers of a test are shown with, in the unit they are shown in.
+
+/// Digits after the point that a number has, at most 9: 5.4/1000 mm is 5.4 µm, whatever the last bits say.
+[[nodiscard]] int decimalsOf(double value, Quantity quantity);
+
+/// The common decimals of target positions: those they have, at most 3 (mm) or 4 (degrees).
+[[nodiscard]] int positionDecimals(const PositioningMeasurement &measurement);
+
+/// The common decimals of the readings as deviations: those they have, at least 1 and at most 3.
+[[nodiscard]] int readingDecimals(const PositioningMeasurement &measurement);
+
+/// Statistics per target: one more than the readings.
+[[nodiscard]] int statisticDecimals(const PositioningMeasurement &measurement);
+
+/// The finest resolution of the instruments a test names, mm or degrees; null where none states one.
+[[nodiscard]] std::optional<double> finestResolution(std::span<const Instrument> instruments,
+                                                     const Test &test);
+
+/// Value, U and verdict of a parameter: by U and resolution, more where rounding would hide the verdict.
+[[nodiscard]] int resultDecimals(const Parameter &parameter, std::optional<double> resolution);
+
+/// Quantities of the positions and deviations of an axis.
+[[nodiscard]] inline Quantity positionQuantity(const Axis &axis) {
+    return axis.motion == Motion::linear ? Quantity::position : Quantity::angle;
+}
+[[nodiscard]] inline Quantity deviationQuantity(const Axis &axis) {
+    return axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+}
+
+} // namespace palmer

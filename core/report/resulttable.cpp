@@ -1,0 +1,256 @@
+#include "report/resulttable.h"
+
+#include "kernel/evaluation/conformity.h"
+#include "language/decimals.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace palmer {
+
+namespace {
+
+/// What the window calls the parameters of each term: the standards' own names are too long for a column.
+struct ShortName {
+    Text term;
+    Text name;
+};
+
+// clang-format off
+constexpr std::array shortNames{
+    ShortName{REPORT_TEXT_FOR("report", "accuracy of an axis", "A"), REPORT_TEXT_FOR("report", "accuracy", "1988")},
+    ShortName{REPORT_TEXT("report", "bi-directional accuracy of positioning of an axis"), REPORT_TEXT("report", "accuracy")},
+    ShortName{REPORT_TEXT("report", "bi-directional positioning accuracy of an axis"), REPORT_TEXT("report", "accuracy")},
+    ShortName{REPORT_TEXT("report", "bi-directional systematic positional deviation of an axis"), REPORT_TEXT("report", "systematic deviation")},
+    ShortName{REPORT_TEXT("report", "bi-directional systematic positioning error of an axis"), REPORT_TEXT("report", "systematic error")},
+    ShortName{REPORT_TEXT("report", "range of the mean bi-directional positional deviation of an axis"), REPORT_TEXT("report", "range of x̄")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional positioning error of an axis"), REPORT_TEXT("report", "range of x̄")},
+    ShortName{REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), REPORT_TEXT("report", "repeatability")},
+    ShortName{REPORT_TEXT("report", "bi-directional positioning repeatability of an axis"), REPORT_TEXT("report", "repeatability")},
+    ShortName{REPORT_TEXT("report", "reversal value of an axis"), REPORT_TEXT("report", "reversal value")},
+    ShortName{REPORT_TEXT("report", "reversal error of an axis"), REPORT_TEXT("report", "reversal error")},
+    ShortName{REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), REPORT_TEXT_FOR("report", "mean reversal value", "1988")},
+    ShortName{REPORT_TEXT("report", "mean reversal value of an axis"), REPORT_TEXT("report", "signed mean")},
+    ShortName{REPORT_TEXT("report", "mean reversal error of an axis"), REPORT_TEXT("report", "signed mean")},
+    ShortName{REPORT_TEXT_FOR("report", "accuracy of an axis", "A↑, A↓"), REPORT_TEXT("report", "unidirectional")},
+    ShortName{REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), REPORT_TEXT("report", "unidirectional")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), REPORT_TEXT("report", "unidirectional")},
+    ShortName{REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine")},
+    ShortName{REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine")},
+    ShortName{REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), REPORT_TEXT("report", "unidirectional")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), REPORT_TEXT("report", "unidirectional")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), REPORT_TEXT("report", "smaller of R↑, R↓")},
+    ShortName{REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), REPORT_TEXT("report", "positional uncertainty")},
+    ShortName{REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), REPORT_TEXT_FOR("report", "positional deviation", "VDI")},
+    ShortName{REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), largest"), REPORT_TEXT("report", "scatter, largest")},
+    ShortName{REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), REPORT_TEXT("report", "scatter, mean")},
+    ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), REPORT_TEXT("report", "reversal range, largest")},
+    ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), REPORT_TEXT("report", "reversal range, mean")},
+};
+// clang-format on
+
+Text shortName(const Text &term) {
+    const auto found = std::ranges::find(shortNames, term, &ShortName::term);
+    return found == shortNames.end() ? term : found->name;
+}
+
+Text ruleName(Rule rule) {
+    switch (rule) {
+    case Rule::simpleAcceptance:
+        return REPORT_TEXT("report", "simple acceptance");
+    case Rule::iso14253_1:
+        return REPORT_TEXT("report", "ISO 14253-1");
+    case Rule::rejectionProven:
+        return REPORT_TEXT("report", "rejection proven");
+    }
+    return {};
+}
+
+QString ruling(const Parameter &parameter) {
+    QStringList ends;
+    for (const auto &end : parameter.ruling) {
+        if (!end)
+            continue;
+        QString text = QString::number(end->target);
+        if (end->approach)
+            text += *end->approach == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
+        ends << text;
+    }
+    return ends.join(QStringLiteral(" – "));
+}
+
+bool isShown(const Parameter &parameter, const Document &document) {
+    const auto &include = document.report.include;
+    return parameter.term.printed == Printed::always ||
+           std::ranges::count(include, ReportExtra::meanRepeatability) > 0;
+}
+
+/// What A, A+ and A-, B and Bmean, Psmax and Psmean have in common.
+std::string_view familyOf(std::string_view id) {
+    for (const std::string_view end : {"+", "-", "mean", "max"}) {
+        if (id.ends_with(end))
+            return id.substr(0, id.size() - end.size());
+    }
+    return id;
+}
+
+/// What a spreadsheet reads as a number.
+QString plainNumber(QString text) {
+    return text.remove(QChar(u'\u202F')).remove(QChar(u'\u00A0')).replace(QChar(u'\u2212'), u'-');
+}
+
+struct Head {
+    QString symbol, name, value, uncertainty, limit, verdict;
+};
+
+Head head(const ResultTable &table, const Language &language) {
+    const auto withUnit = [&](const Text &text) {
+        return language.text(text) + QStringLiteral(" (") + table.unit + u')';
+    };
+    QString uncertainty = QStringLiteral("U (") + table.unit;
+    if (!table.coverage.isEmpty())
+        uncertainty += QStringLiteral(", ") + table.coverage;
+    return {language.text(REPORT_TEXT("report", "Symbol")), language.text(REPORT_TEXT("report", "Result")),
+            withUnit(REPORT_TEXT("report", "Value")),       uncertainty + u')',
+            withUnit(REPORT_TEXT("report", "Limit")),       language.text(REPORT_TEXT("report", "Verdict"))};
+}
+
+} // namespace
+
+std::optional<DecisionScale> decisionScale(const Parameter &parameter) {
+    if (!parameter.value || !parameter.limit || !parameter.limit->value || !(*parameter.limit->value > 0))
+        return std::nullopt;
+    const double limit = *parameter.limit->value;
+    DecisionScale scale;
+    scale.band = parameter.guardBand && *parameter.guardBand > 0;
+    const double half = scale.band ? *parameter.guardBand / DecisionScale::guard : limit;
+    const double place = (std::abs(*parameter.value) - limit) / half;
+    scale.below = place < -1;
+    scale.above = place > 1;
+    scale.value = std::clamp(place, -1.0, 1.0);
+    return scale;
+}
+
+QString verdictWord(Verdict verdict, const Language &language) {
+    switch (verdict) {
+    case Verdict::conforms:
+        return language.text(REPORT_TEXT("report", "conforms"));
+    case Verdict::notProven:
+        return language.text(REPORT_TEXT("report", "not proven"));
+    case Verdict::doesNotConform:
+        return language.text(REPORT_TEXT("report", "does not conform"));
+    }
+    return {};
+}
+
+bool isUnfinished(const Test &test) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (!measurement)
+        return false;
+    std::ptrdiff_t missing = 0;
+    for (const Run &run : measurement->runs)
+        missing += std::ranges::count_if(run.deviations, [](const auto &x) { return !x; });
+    return measurement->runs.empty() || missing > std::ssize(measurement->excluded);
+}
+
+ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
+    ResultTable table;
+    if (test >= evaluated.tests.size() || !evaluated.tests[test]->edition)
+        return table;
+    const Document &document = *evaluated.document;
+    const Test &source = *document.tests[test];
+    const TestEvaluation &evaluation = *evaluated.tests[test];
+    table.edition = QString::fromUtf8(evaluation.edition->word);
+    table.view = evaluation.view;
+    table.provisional = isUnfinished(source);
+    if (table.view)
+        table.viewNote = language.sentence(
+            {REPORT_TEXT("report", "Seen under another edition than that of the test (%1): no verdict."),
+             {source.edition},
+             {}});
+    else
+        table.verdict = evaluation.verdict;
+    if (table.verdict)
+        table.verdictWord = verdictWord(*table.verdict, language);
+    table.rule = language.text(ruleName(source.decisionRule.rule));
+
+    const std::optional<double> resolution = finestResolution(document.instruments, source);
+    const QString none = QStringLiteral("–");
+    std::string_view family;
+    for (const Parameter &parameter : evaluation.parameters) {
+        if (!isShown(parameter, document))
+            continue;
+        const Quantity quantity = parameter.term.quantity;
+        const int decimals = resultDecimals(parameter, resolution);
+        if (table.unit.isEmpty())
+            table.unit = language.unit(quantity);
+        if (parameter.expandedUncertainty)
+            table.coverage = QStringLiteral("k = 2");
+        ResultLine line;
+        line.id = QString::fromStdString(parameterId(parameter));
+        line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
+        line.name = language.text(shortName(parameter.term.name));
+        line.fullName = language.text(parameter.term.name);
+        line.ruling = ruling(parameter);
+        line.value = parameter.value ? language.number(*parameter.value, quantity, decimals) : none;
+        line.uncertainty = parameter.expandedUncertainty
+                               ? language.uncertainty(*parameter.expandedUncertainty, quantity, decimals)
+                               : none;
+        line.limit = none;
+        if (parameter.limit && parameter.limit->value) {
+            // As entered; filled up to align with the value.
+            const double limit = *parameter.limit->value;
+            line.limit = language.number(limit, quantity, std::max(decimals, decimalsOf(limit, quantity)));
+        }
+        line.verdict = parameter.verdict;
+        if (parameter.verdict)
+            line.verdictWord = verdictWord(*parameter.verdict, language);
+        line.scale = decisionScale(parameter);
+        line.main = familyOf(parameter.term.id) != family;
+        family = familyOf(parameter.term.id);
+        table.lines.push_back(std::move(line));
+    }
+    return table;
+}
+
+QString asTabSeparated(const ResultTable &table, const Language &language) {
+    const Head titles = head(table, language);
+    QStringList rows{QStringList{titles.symbol, titles.name, titles.value, titles.uncertainty, titles.limit,
+                                 titles.verdict}
+                         .join(u'\t')};
+    const auto cell = [](const QString &text) {
+        return text == QStringLiteral("–") ? QString() : plainNumber(text);
+    };
+    for (const ResultLine &line : table.lines) {
+        rows << QStringList{line.symbol.plain(), line.fullName,     cell(line.value), cell(line.uncertainty),
+                            cell(line.limit),    line.verdictWord}
+                    .join(u'\t');
+    }
+    return rows.join(u'\n') + u'\n';
+}
+
+QString asHtml(const ResultTable &table, const Language &language) {
+    const Head titles = head(table, language);
+    QString html = QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n<tr>");
+    for (const QString &title : {titles.symbol, titles.name, titles.value, titles.uncertainty, titles.limit,
+                                 titles.verdict})
+        html += QStringLiteral("<th>") + title.toHtmlEscaped() + QStringLiteral("</th>");
+    html += QStringLiteral("</tr>\n");
+    for (const ResultLine &line : table.lines) {
+        html += QStringLiteral("<tr><td>");
+        for (const FormulaSpan &span : line.symbol.spans)
+            html += span.subscript ? QStringLiteral("<sub>") + span.text.toHtmlEscaped() +
+                                         QStringLiteral("</sub>")
+                                   : span.text.toHtmlEscaped();
+        html += QStringLiteral("</td><td>") + line.fullName.toHtmlEscaped() + QStringLiteral("</td>");
+        for (const QString &number : {line.value, line.uncertainty, line.limit})
+            html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");
+        html += QStringLiteral("<td>") + line.verdictWord.toHtmlEscaped() + QStringLiteral("</td></tr>\n");
+    }
+    return html + QStringLiteral("</table>\n");
+}
+
+} // namespace palmer

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "report/formula.h"
+
+#include <QString>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace palmer {
+
+/// Where a value stands beside its limit on a scale whose middle is the limit and whose guard band is always
+/// equally wide. −1 … 1 is what the scale shows; beyond, an arrow stands for the value.
+struct DecisionScale {
+    double value = 0; ///< −1 … 1, clamped
+    bool below = false;
+    bool above = false; ///< outside of the scale
+    bool band = false;  ///< the rule has a guard band: from −guard to +guard
+    static constexpr double guard = 1.0 / 3;
+
+    bool operator==(const DecisionScale &) const = default;
+};
+
+/// With a guard band g the scale shows limit ± 3 g, without one 0 … 2 · limit. Signed values by size. Nothing
+/// without value, or without a limit above zero. All in one unit.
+[[nodiscard]] std::optional<DecisionScale> decisionScale(const Parameter &parameter);
+
+/// A result as a window lists it.
+struct ResultLine {
+    QString id; ///< parameterId
+    Formula symbol;
+    QString name;     ///< short; beside the bidirectional one "unidirectional" is enough
+    QString fullName; ///< the edition's term
+    QString ruling;   ///< "2↓ – 5↑"
+    QString value;    ///< a dash for none
+    QString uncertainty;
+    QString limit;
+    std::optional<Verdict> verdict;
+    QString verdictWord; ///< empty without verdict
+    std::optional<DecisionScale> scale;
+    bool main = true; ///< bidirectional, with a rule above; else a detail of the one above it
+
+    bool operator==(const ResultLine &) const = default;
+};
+
+/// The results of one test in short.
+struct ResultTable {
+    QString unit;
+    QString rule;     ///< "ISO 14253-1"
+    QString coverage; ///< "k = 2"; empty where there is no U
+    std::vector<ResultLine> lines;
+    std::optional<Verdict> verdict;
+    QString verdictWord;
+    bool view = false;        ///< under another edition: no verdicts
+    QString viewNote;         ///< says so
+    bool provisional = false; ///< readings are still to come
+    QString edition;
+};
+
+/// The words of a verdict.
+[[nodiscard]] QString verdictWord(Verdict verdict, const Language &language);
+
+/// Whether readings are missing that were not set aside: the test is under way.
+[[nodiscard]] bool isUnfinished(const Test &test);
+
+/// The results of a test as it is evaluated, in the order of its edition; those for print on request are left
+/// out unless the report asks for them. Empty for tests without edition.
+[[nodiscard]] ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test,
+                                      const Language &language);
+
+/// Tab-separated with a head, as spreadsheets paste it: numbers as the language writes them, without spaces in
+/// them and with "-", that a spreadsheet of that language reads as numbers.
+[[nodiscard]] QString asTabSeparated(const ResultTable &table, const Language &language);
+
+/// The same as a table of HTML, for texts.
+[[nodiscard]] QString asHtml(const ResultTable &table, const Language &language);
+
+} // namespace palmer

@@ -1,0 +1,132 @@
+#include "kernel/measurement/test.h"
+#include "ui/examples.h"
+#include "ui/figures/figurecanvas.h"
+#include "ui/figures/figureview.h"
+#include "ui/readings/readingspage.h"
+#include "ui/readings/targetcard.h"
+#include "ui/results/explanationcard.h"
+#include "ui/results/findingspanel.h"
+#include "ui/results/resultspanel.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QMouseEvent>
+#include <QScrollBar>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <benchmark/benchmark.h>
+#include <chrono>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+namespace {
+
+/// The parts of the window that follow the pointer, as large as in a window of 1 600 × 1 000.
+class Parts {
+public:
+    explicit Parts(const EvaluatedDocument &evaluated)
+        : m_evaluated(evaluated) {
+        auto *columns = new QHBoxLayout(&m_window);
+        auto *left = new QVBoxLayout;
+        auto *right = new QVBoxLayout;
+        columns->addLayout(left);
+        columns->addLayout(right);
+        left->addWidget(&m_readings, 1);
+        left->addWidget(&m_card);
+        right->addWidget(&m_figure, 1);
+        right->addWidget(&m_results);
+        right->addWidget(&m_findings);
+        m_window.resize(1416, 870);
+    }
+
+    void show() {
+        m_readings.show(m_evaluated, 0);
+        m_card.show(m_evaluated, 0);
+        m_figure.show(m_evaluated, 0);
+        m_results.show(m_evaluated, 0);
+        m_findings.show(m_evaluated, 0);
+        m_window.show();
+        paint();
+    }
+
+    /// Everything that waits to be painted is painted.
+    static void paint() {
+        QApplication::processEvents();
+        QApplication::sendPostedEvents();
+        QApplication::processEvents();
+    }
+
+    void moveOver(const ReadingPlace &reading) {
+        auto *canvas = m_figure.findChild<FigureCanvas *>();
+        if (const auto at = canvas->placeOf(reading)) {
+            QMouseEvent event(QEvent::MouseMove, *at, canvas->mapToGlobal(*at), Qt::NoButton, Qt::NoButton,
+                              Qt::NoModifier);
+            QApplication::sendEvent(canvas, &event);
+        }
+    }
+
+    void scroll(int by) {
+        auto *bar = m_readings.findChild<QTableView *>(QStringLiteral("readings"))->verticalScrollBar();
+        bar->setValue(bar->value() + by > bar->maximum() ? 0 : bar->value() + by);
+    }
+
+private:
+    EvaluatedDocument m_evaluated;
+    Selection m_selection;
+    QWidget m_window;
+    ReadingsPage m_readings{m_selection};
+    TargetCard m_card{m_selection};
+    FigureView m_figure{m_selection};
+    ResultsPanel m_results{m_selection};
+    FindingsPanel m_findings{m_selection};
+};
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::time_point from) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
+}
+
+/// Goal: no frame above 33 ms.
+void hoverOverLargeTest(benchmark::State &state) {
+    Parts parts(testdata::evaluatedDocument(testdata::largeTest()));
+    parts.show();
+    double longest = 0;
+    std::size_t target = 0;
+    for (auto _ : state) {
+        const auto from = Clock::now();
+        parts.moveOver({3, target++ % 400});
+        Parts::paint();
+        longest = std::max(longest, milliseconds(from));
+    }
+    state.counters["longest_frame_ms"] = longest;
+}
+BENCHMARK(hoverOverLargeTest)->Iterations(400)->Unit(benchmark::kMillisecond);
+
+/// Goal: no frame above 33 ms.
+void scrollLargeTest(benchmark::State &state) {
+    Parts parts(testdata::evaluatedDocument(testdata::largeTest()));
+    parts.show();
+    double longest = 0;
+    for (auto _ : state) {
+        const auto from = Clock::now();
+        parts.scroll(47);
+        Parts::paint();
+        longest = std::max(longest, milliseconds(from));
+    }
+    state.counters["longest_frame_ms"] = longest;
+}
+BENCHMARK(scrollLargeTest)->Iterations(400)->Unit(benchmark::kMillisecond);
+
+/// Goal: 100 ms from the document to the finished figure.
+void showExample(benchmark::State &state) {
+    const Test test = testdata::decidedExample();
+    for (auto _ : state) {
+        Parts parts(testdata::evaluatedDocument(test));
+        parts.show();
+    }
+}
+BENCHMARK(showExample)->Unit(benchmark::kMillisecond);
+
+} // namespace

@@ -1,0 +1,179 @@
+#include "report/explanation.h"
+
+#include "core/kernel/evaluation/positioningdata.h"
+
+#include <QTest>
+
+using namespace palmer;
+using namespace palmer::testdata;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+EvaluatedDocument evaluatedDocument(const Test &test, const char *edition = "") {
+    auto document = std::make_shared<Document>();
+    document->tests.push_back(std::make_shared<const Test>(test));
+    return evaluate(std::move(document), nullptr, edition);
+}
+
+Explanation explained(const Test &test, const char *id, Language::Id language = Language::Id::english) {
+    const auto result = explanation(evaluatedDocument(test), 0, id, Language(language));
+    return result ? *result : Explanation{};
+}
+
+QString steps(const Explanation &explanation) {
+    QStringList lines;
+    for (const Formula &step : explanation.steps)
+        lines << step.plain();
+    return lines.join(u'\n');
+}
+
+} // namespace
+
+/// Formula, numbers put in and clauses of the parameters.
+class ExplanationTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void exactHand_data() {
+        QTest::addColumn<QByteArray>("edition");
+        QTest::addColumn<QByteArray>("id");
+        QTest::addColumn<QString>("formula");
+        QTest::addColumn<QString>("expected");
+        const QByteArray iso("ISO 230-2:2006");
+        const QByteArray vdi("VDI/DGQ 3441:1977");
+        const auto row = [](const char *name, const QByteArray &edition, const char *id, const QString &formula,
+                            const QString &expected) {
+            QTest::newRow(name) << edition << QByteArray(id) << formula << expected;
+        };
+        row("accuracy: first of equal ends", iso, "A",
+            u"A = max(x̄i↑ + 2si↑; x̄i↓ + 2si↓) − min(x̄i↑ − 2si↑; x̄i↓ − 2si↓)"_s,
+            u"A = (x̄2↑ + 2s2↑) − (x̄5↓ − 2s5↓)\n= (4.00 + 2·2.00) − (−6.00 − 2·2.00)\n"
+            u"= 8.00 − (−10.00) = 18.00\u00a0µm"_s);
+        row("accuracy upwards", iso, "A+", u"A↑ = max(x̄i↑ + 2si↑) − min(x̄i↑ − 2si↑)"_s,
+            u"A↑ = (x̄2↑ + 2s2↑) − (x̄3↑ − 2s3↑)\n= (4.00 + 2·2.00) − (−3.00 − 2·1.00)\n"
+            u"= 8.00 − (−5.00) = 13.00\u00a0µm"_s);
+        row("systematic deviation", iso, "E", u"E = max(x̄i↑; x̄i↓) − min(x̄i↑; x̄i↓)"_s,
+            u"E = x̄4↑ − x̄5↓ = 7.00 − (−6.00) = 13.00\u00a0µm"_s);
+        row("range of the means", iso, "M", u"M = max x̄i − min x̄i; x̄i = (x̄i↑ + x̄i↓)/2"_s,
+            u"M = x̄4 − x̄5 = 5.50 − (−2.00) = 7.50\u00a0µm"_s);
+        row("repeatability", iso, "R", u"R = max Ri; Ri = max(2si↑ + 2si↓ + |Bi|; 4si↑; 4si↓)"_s,
+            u"R5 = max(2·1.00 + 2·2.00 + |8.00|; 4·1.00; 4·2.00)\n= max(14.00; 4.00; 8.00) = 14.00\u00a0µm"_s);
+        row("repeatability upwards", iso, "R+", u"R↑ = max Ri↑; Ri↑ = 4si↑"_s, u"R↑ = R2↑ = 4·2.00 = 8.00\u00a0µm"_s);
+        row("reversal value", iso, "B", u"B = max |Bi|; Bi = x̄i↑ − x̄i↓"_s,
+            u"B = |B5| = |2.00 − (−6.00)| = 8.00\u00a0µm"_s);
+        row("mean reversal value", iso, "Bmean", u"B̄ = Σ Bi / m; Bi = x̄i↑ − x̄i↓"_s, u"B̄ = 10.00 / 5 = 2.00\u00a0µm"_s);
+        row("smaller repeatability", "ISO 230-2:2014", "UPR", u"UPR = min(R↑; R↓); R↑ = max Ri↑; R↓ = max Ri↓"_s,
+            u"UPR = min(8.00; 12.00) = 8.00\u00a0µm"_s);
+        row("mean repeatability", "ISO 230-2:1988", "r",
+            u"r̄ = Σ Ri / m; Ri = max(3si↑ + 3si↓ + |Bi|; 6si↑; 6si↓)"_s, u"r̄ = 61.00 / 5 = 12.20\u00a0µm"_s);
+        row("positional uncertainty", vdi, "P", u"P = max(x̄i + (Ui + Psi)/2) − min(x̄i − (Ui + Psi)/2)"_s,
+            u"P = (3.50 + (1.00 + 9.00)/2) − (−2.00 − (8.00 + 9.00)/2)\n= 8.50 − (−10.50) = 19.00\u00a0µm"_s);
+        row("positional scatter", vdi, "Psmax", u"Psmax = max Psi; Psi = 3(si↑ + si↓)"_s,
+            u"Psmax = 3·(1.00 + 3.00) = 12.00\u00a0µm"_s);
+        row("mean reversal range", vdi, "Umean", u"Ū = Σ Ui / m; Ui = |x̄i↑ − x̄i↓|"_s, u"Ū = 18.00 / 5 = 3.60\u00a0µm"_s);
+    }
+    void exactHand() {
+        QFETCH(QByteArray, edition);
+        QFETCH(QByteArray, id);
+        const Explanation explanation = explained(testdata::exactHand(edition), id);
+        QTEST(explanation.formula.plain(), "formula");
+        QTEST(steps(explanation), "expected");
+    }
+
+    void workedExampleInFrench() {
+        const Explanation r = explained(example1988("ISO 230-2:1988"), "R", Language::Id::french);
+        QCOMPARE(steps(r), u"R11 = max(3·1,85 + 3·1,39 + |−3,78|\u202f; 6·1,85\u202f; 6·1,39)\n"
+                           u"= max(13,49\u202f; 11,11\u202f; 8,33) = 13,49\u00a0µm"_s);
+        QCOMPARE(r.result, u"R = 13,49\u00a0µm"_s);
+        QCOMPARE(r.ruling, (std::vector<Ruling>{{11, std::nullopt}}));
+        const Explanation up = explained(example1988("ISO 230-2:1988"), "R+", Language::Id::french);
+        QCOMPARE(steps(up), u"R↑ = R10↑ = 6·1,97 = 11,84\u00a0µm"_s);
+        const Explanation mean = explained(example1988("ISO 230-2:1988"), "Bmean", Language::Id::french);
+        QVERIFY2(steps(mean).endsWith(u"= −1,53\u00a0µm"_s), qPrintable(steps(mean)));
+    }
+
+    void numbersKnowTheirDirection() {
+        const Explanation explanation = explained(testdata::exactHand("ISO 230-2:2006"), "R");
+        int up = 0;
+        int down = 0;
+        for (const FormulaSpan &span : explanation.steps.at(0).spans) {
+            up += span.approach == Direction::positive ? 1 : 0;
+            down += span.approach == Direction::negative ? 1 : 0;
+        }
+        QCOMPARE(up, 2); // s↑ in the sum and alone
+        QCOMPARE(down, 2);
+    }
+
+    void clauses_data() {
+        QTest::addColumn<QByteArray>("edition");
+        QTest::addColumn<QByteArray>("id");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("with those of the quantities it rests on")
+            << QByteArray("ISO 230-2:2006") << QByteArray("R") << u"ISO 230-2:2006, clauses 2.17 and 2.19"_s;
+        QTest::newRow("in the order of the standard, not of the alphabet")
+            << QByteArray("ISO 230-2:2006") << QByteArray("A") << u"ISO 230-2:2006, clauses 2.10, 2.15 and 2.24"_s;
+        QTest::newRow("1988") << QByteArray("ISO 230-2:1988") << QByteArray("Bmean")
+                              << u"ISO 230-2:1988, clauses 2.7 and 6.3"_s;
+        QTest::newRow("none are known: none are invented")
+            << QByteArray("ISO 230-2:1997") << QByteArray("R") << u"ISO 230-2:1997"_s;
+    }
+    void clauses() {
+        QFETCH(QByteArray, edition);
+        QFETCH(QByteArray, id);
+        QTEST(explained(testdata::exactHand(edition), id).source, "expected");
+    }
+
+    void everyParameterOfEveryEditionIsExplained() {
+        int count = 0;
+        for (const Edition *edition : editions()) {
+            if (edition->kind != Kind::positioning)
+                continue;
+            const EvaluatedDocument evaluated = evaluatedDocument(testdata::exactHand(edition->word));
+            for (const Parameter &parameter : evaluated.tests[0]->parameters) {
+                const auto shown = explanation(evaluated, 0, parameterId(parameter), Language(Language::Id::french));
+                const QByteArray where = QByteArray(edition->word) + ' ' + parameter.term.id;
+                QVERIFY2(shown, where);
+                QVERIFY2(!shown->formula.spans.empty() && !shown->steps.empty() && !shown->words.isEmpty(), where);
+                QVERIFY2(!steps(*shown).contains(u'%') && !steps(*shown).contains(u'–') &&
+                             !steps(*shown).contains(u'['),
+                         where + ": " + steps(*shown).toUtf8());
+                const QString result = Language(Language::Id::french)
+                                           .quantity(*parameter.value, parameter.term.quantity, 2);
+                QVERIFY2(steps(*shown).endsWith(QStringLiteral("= ") + result), where + steps(*shown).toUtf8());
+                ++count;
+            }
+        }
+        QVERIFY(count >= 100);
+    }
+
+    void barsShowTheTargetThatRules() {
+        const Explanation r = explained(testdata::exactHand("ISO 230-2:2006"), "R");
+        QVERIFY(r.bars);
+        QCOMPARE(r.bars->ruling, std::size_t{4});
+        QCOMPARE(r.bars->labels, (std::vector<QString>{u"6.0"_s, u"8.0"_s, u"12.0"_s, u"5.0"_s, u"14.0"_s}));
+        QVERIFY(!explained(testdata::exactHand("ISO 230-2:2006"), "A").bars);
+    }
+
+    void ofAMissingValueTheWordsSayWhy() {
+        Test test = testdata::exactHand("ISO 230-2:2006");
+        for (Run &run : measurement(test).runs) {
+            if (run.approach == Direction::negative)
+                run.deviations[1].reset();
+        }
+        const Explanation shown = explained(test, "R");
+        QVERIFY(shown.steps.empty());
+        QVERIFY(shown.result.isEmpty());
+        QVERIFY2(shown.words.join(u' ').contains(u"2↓"_s), qPrintable(shown.words.join(u' ')));
+    }
+
+    void nothingToExplain() {
+        const EvaluatedDocument evaluated = evaluatedDocument(testdata::exactHand("ISO 230-2:1988"));
+        QVERIFY(!explanation(evaluated, 0, "E", Language(Language::Id::english))); // not of this edition
+        QVERIFY(!explanation(evaluated, 0, "", Language(Language::Id::english)));
+        QVERIFY(!explanation(evaluated, 1, "A", Language(Language::Id::english)));
+    }
+};
+
+QTEST_APPLESS_MAIN(ExplanationTest)
+#include "explanation.moc"

@@ -1,0 +1,163 @@
+#include "report/resulttable.h"
+
+#include "core/kernel/evaluation/positioningdata.h"
+
+#include <QTest>
+
+using namespace palmer;
+using namespace palmer::testdata;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+EvaluatedDocument evaluatedDocument(const Test &test, const char *edition = "") {
+    auto document = std::make_shared<Document>();
+    document->tests.push_back(std::make_shared<const Test>(test));
+    return evaluate(std::move(document), nullptr, edition);
+}
+
+ResultTable table(const Test &test, Language::Id language = Language::Id::english, const char *edition = "") {
+    return resultTable(evaluatedDocument(test, edition), 0, Language(language));
+}
+
+/// With limits of A (met), R (not met) and B (within the guard band), U = 3 µm.
+Test decided() {
+    Test test = testdata::exactHand("ISO 230-2:2006");
+    test.limits["A"].value = 0.025;
+    test.limits["R"].value = 0.010;
+    test.limits["B"].value = 0.009;
+    test.decisionRule.rule = Rule::iso14253_1;
+    auto &uncertainty = measurement(test).uncertainty;
+    uncertainty.method = UncertaintyMethod::direct;
+    for (const char *id : {"A", "R", "B"})
+        uncertainty.expanded[id] = 3;
+    return test;
+}
+
+const ResultLine &line(const ResultTable &table, const QString &id) {
+    const auto found = std::ranges::find(table.lines, id, &ResultLine::id);
+    return found == table.lines.end() ? table.lines.front() : *found;
+}
+
+} // namespace
+
+/// Results as the window lists and copies them.
+class ResultTableTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void order() {
+        QStringList ids;
+        QStringList main;
+        for (const ResultLine &line : table(decided()).lines) {
+            ids << line.id;
+            if (line.main)
+                main << line.id;
+        }
+        QCOMPARE(ids.join(u' '), u"A A+ A- E E+ E- M R R+ R- B Bmean"_s);
+        QCOMPARE(main.join(u' '), u"A E M R B"_s);
+    }
+
+    void numbersHaveTheDecimalsOfU() {
+        const ResultTable shown = table(decided());
+        const ResultLine &a = line(shown, u"A"_s);
+        QCOMPARE(a.value, u"18.0"_s);
+        QCOMPARE(a.uncertainty, u"3.0"_s);
+        QCOMPARE(a.limit, u"25.0"_s);
+        QCOMPARE(a.ruling, u"2↑ – 5↓"_s);
+        QCOMPARE(line(shown, u"E"_s).uncertainty, u"–"_s);
+        QCOMPARE(line(shown, u"E"_s).limit, u"–"_s);
+        QCOMPARE(shown.unit, u"µm"_s);
+        QCOMPARE(shown.coverage, u"k = 2"_s);
+    }
+
+    void verdicts() {
+        const ResultTable shown = table(decided());
+        QCOMPARE(line(shown, u"A"_s).verdict, Verdict::conforms);
+        QCOMPARE(line(shown, u"R"_s).verdict, Verdict::doesNotConform);
+        QCOMPARE(line(shown, u"B"_s).verdict, Verdict::notProven);
+        QCOMPARE(line(shown, u"B"_s).verdictWord, u"not proven"_s);
+        QCOMPARE(line(shown, u"E"_s).verdict, std::optional<Verdict>());
+        QCOMPARE(shown.verdict, Verdict::doesNotConform);
+    }
+
+    void aViewHasNoVerdictAndSaysSo() {
+        const ResultTable shown = table(decided(), Language::Id::english, "ISO 230-2:2014");
+        QVERIFY(shown.view);
+        QVERIFY2(shown.viewNote.contains(u"ISO 230-2:2006"_s), qPrintable(shown.viewNote));
+        QCOMPARE(shown.verdict, std::optional<Verdict>());
+        for (const ResultLine &line : shown.lines)
+            QVERIFY(!line.verdict && line.verdictWord.isEmpty() && !line.scale);
+    }
+
+    void unfinishedIsProvisional() {
+        Test test = decided();
+        QVERIFY(!table(test).provisional);
+        measurement(test).runs.back().deviations.back().reset();
+        QVERIFY(table(test).provisional);
+        measurement(test).excluded.push_back({10, 5, 0.001, "beam interrupted"});
+        QVERIFY(!table(test).provisional); // set aside is not still to come
+    }
+
+    void scale_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("guard");
+        QTest::addColumn<double>("expected");
+        QTest::addColumn<bool>("outside");
+        QTest::newRow("on the limit") << 10.0 << 3.0 << 0.0 << false;
+        QTest::newRow("at the lower end of the guard band") << 7.0 << 3.0 << -1.0 / 3 << false;
+        QTest::newRow("the band is as wide, however large U is") << 9.0 << 1.0 << -1.0 / 3 << false;
+        QTest::newRow("far below: an arrow") << 0.5 << 3.0 << -1.0 << true;
+        QTest::newRow("far above: an arrow") << 25.0 << 3.0 << 1.0 << true;
+        QTest::newRow("without U from 0 to twice the limit") << 5.0 << 0.0 << -0.5 << false;
+        QTest::newRow("signed values by size") << -7.0 << 3.0 << -1.0 / 3 << false;
+    }
+    void scale() {
+        QFETCH(double, value);
+        QFETCH(double, guard);
+        Parameter parameter;
+        parameter.value = value;
+        parameter.limit = Limit{10.0, std::nullopt, {}};
+        if (guard > 0)
+            parameter.guardBand = guard;
+        const auto scale = decisionScale(parameter);
+        QVERIFY(scale);
+        QFETCH(double, expected);
+        QVERIFY(std::abs(scale->value - expected) < 1e-12);
+        QTEST(scale->below || scale->above, "outside");
+        QCOMPARE(scale->band, guard > 0);
+    }
+
+    void tabSeparatedIsWhatASpreadsheetReads() {
+        Test test = decided();
+        for (Run &run : measurement(test).runs) {
+            for (auto &deviation : run.deviations)
+                *deviation *= 1000; // thousands get a space when they are shown
+        }
+        const QString text = asTabSeparated(table(test, Language::Id::french), Language(Language::Id::french));
+        const QStringList lines = text.split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 13);
+        for (const QString &row : lines)
+            QCOMPARE(row.count(u'\t'), 5);
+        QVERIFY2(lines[1].startsWith(u"A\t"_s) && lines[1].contains(u"\t18000,0\t3,0\t25,0\t"_s), qPrintable(lines[1]));
+        QVERIFY2(lines[4].contains(u"\t13000,0\t\t\t"_s), qPrintable(lines[4])); // no dashes
+    }
+
+    void htmlHasATable() {
+        const QString html = asHtml(table(decided()), Language(Language::Id::english));
+        QCOMPARE(html.count(u"<tr>"_s), 13);
+        QVERIFY(html.contains(u"<td align=\"right\">18.0</td>"_s));
+    }
+
+    void everyTermHasAShortName() {
+        for (const Edition *edition : editions()) {
+            if (edition->kind != Kind::positioning)
+                continue;
+            for (const ResultLine &line : table(testdata::exactHand(edition->word)).lines)
+                QVERIFY2(line.name.size() <= 26, qPrintable(line.id + u' ' + line.name));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(ResultTableTest)
+#include "resulttable.moc"

@@ -1,0 +1,211 @@
+#include "ui/figures/figureview.h"
+
+#include "ui/examples.h"
+#include "ui/figures/figurecanvas.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+
+using namespace palmer;
+using namespace palmer::ui;
+using namespace palmer::testdata;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+void wheel(QWidget *widget, Qt::KeyboardModifiers modifiers) {
+    const QPointF at(widget->rect().center());
+    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(widget, &event);
+}
+
+double span(const FigureView &view) {
+    return view.figure()->x.to - view.figure()->x.from;
+}
+
+} // namespace
+
+/// The figure in the window: reading values, zoom, copies.
+class FigureViewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void pointerFindsReadings() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        view.resize(560, 380);
+        view.setVisible(true);
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        auto *canvas = view.findChild<FigureCanvas *>();
+        const ReadingPlace place{1, 1}; // run 1 ↓, target 2
+        const auto at = canvas->placeOf(place);
+        QVERIFY(at);
+        QTest::mouseMove(canvas, at->toPoint());
+        QTRY_VERIFY(selection.hovered().has_value());
+        QCOMPARE(selection.hovered()->target, place.target);
+        // Two readings of 5.4 µm stand at one place: either may be found.
+        QVERIFY(selection.hovered()->run == 1 || selection.hovered()->run == 7);
+        QTest::mouseMove(canvas, QPoint(2, 2));
+        QTRY_COMPARE(selection.hovered(), std::optional<ReadingPlace>());
+    }
+
+    void hoverInTheTableRingsTheReading() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        view.resize(560, 380);
+        view.setVisible(true);
+        auto *canvas = view.findChild<FigureCanvas *>();
+        const QImage before = canvas->grab().toImage();
+        selection.setHovered(ReadingPlace{0, 4});
+        const QImage ringed = canvas->grab().toImage();
+        QVERIFY(ringed != before);
+        const auto at = canvas->placeOf({0, 4});
+        QVERIFY(at);
+        const QRect around(at->toPoint() - QPoint(8, 8), QSize(16, 16));
+        QVERIFY(ringed.copy(around) != before.copy(around));
+        selection.setHovered({});
+        QCOMPARE(canvas->grab().toImage(), before);
+    }
+
+    void anExplanationMarksItsTargets() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        view.resize(560, 380);
+        auto *canvas = view.findChild<FigureCanvas *>();
+        const QImage before = canvas->grab().toImage();
+        selection.setParameter(u"R"_s);
+        const QImage marked = canvas->grab().toImage();
+        QVERIFY(marked != before);
+        const double ratio = canvas->devicePixelRatioF();
+        const auto last = canvas->placeOf({0, 10});
+        const QRect band((QPointF(last->x(), 30) * ratio).toPoint(), QSize(3, 3));
+        QVERIFY(marked.copy(band) != before.copy(band)); // target 11 rules
+        const QRect elsewhere(QPoint(canvas->placeOf({0, 1})->toPoint().x() - 4, 30), QSize(2, 2));
+        QCOMPARE(marked.copy(elsewhere), before.copy(elsewhere));
+    }
+
+    void wheelChangesNothingUnlessAskedFor() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        view.resize(560, 380);
+        auto *canvas = view.findChild<FigureCanvas *>();
+        const double whole = span(view);
+        wheel(canvas, Qt::NoModifier);
+        QCOMPARE(span(view), whole);
+        wheel(canvas, Qt::ControlModifier);
+        QVERIFY(span(view) < whole * 0.9);
+        view.fit();
+        QCOMPARE(span(view), whole);
+    }
+
+    void keysZoomAndMove() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        view.resize(560, 380);
+        auto *canvas = view.findChild<FigureCanvas *>();
+        const double whole = span(view);
+        canvas->grab();
+        QTest::keyClick(canvas, Qt::Key_Plus);
+        const double from = view.figure()->x.from;
+        QVERIFY(span(view) < whole);
+        QTest::keyClick(canvas, Qt::Key_Right);
+        QVERIFY(view.figure()->x.from > from);
+        for (int k = 0; k < 20; ++k)
+            QTest::keyClick(canvas, Qt::Key_Minus);
+        QCOMPARE(span(view), whole); // never beyond the whole
+        for (int k = 0; k < 100; ++k)
+            QTest::keyClick(canvas, Qt::Key_Plus);
+        QVERIFY(span(view) >= whole * 0.9e-3);
+        QTest::keyClick(canvas, Qt::Key_0);
+        QCOMPARE(span(view), whole);
+    }
+
+    void zoomStaysWhileReadingsChange() {
+        Selection selection;
+        FigureView view(selection);
+        Test test = example1988("ISO 230-2:2006");
+        view.show(evaluatedDocument(test), 0);
+        view.resize(560, 380);
+        auto *canvas = view.findChild<FigureCanvas *>();
+        canvas->grab();
+        QTest::keyClick(canvas, Qt::Key_Plus);
+        const double zoomed = span(view);
+        measurement(test).runs[0].deviations[3] = 0.0008;
+        view.show(evaluatedDocument(test), 0);
+        QCOMPARE(span(view), zoomed);
+    }
+
+    void copyHoldsVectorsAndAPicture() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        view.findChild<QToolButton *>(u"copyFigure"_s)->click();
+        const QMimeData *copied = QGuiApplication::clipboard()->mimeData();
+        QVERIFY(copied->data(u"image/svg+xml"_s).contains("<svg"));
+        QVERIFY(copied->data(u"application/pdf"_s).startsWith("%PDF"));
+        QVERIFY(copied->hasImage());
+        QCOMPARE(qvariant_cast<QImage>(copied->imageData()).pixelColor(1, 1), QColor(Qt::white));
+    }
+
+    void savesByTheSuffix() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        QTemporaryDir folder;
+        const auto begin = [&](const QString &name) {
+            QFile file(folder.filePath(name));
+            return file.open(QIODevice::ReadOnly) ? file.read(5) : QByteArray();
+        };
+        QVERIFY(view.saveTo(folder.filePath(u"a.pdf"_s)) && view.saveTo(folder.filePath(u"a.svg"_s)) &&
+                view.saveTo(folder.filePath(u"a.png"_s)));
+        QCOMPARE(begin(u"a.pdf"_s), QByteArray("%PDF-"));
+        QCOMPARE(begin(u"a.svg"_s), QByteArray("<?xml"));
+        QCOMPARE(begin(u"a.png"_s).mid(1, 3), QByteArray("PNG"));
+        QVERIFY(!view.saveTo(folder.filePath(u"missing/a.pdf"_s)));
+    }
+
+    void ofASingleRunTheCurveIsRead() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(positioningTest("ISO 230-2:2006", {0, 100, 200}, {{1, 2, 3}}, {{2, 3, 4}})), 0);
+        view.resize(560, 380);
+        auto *canvas = view.findChild<FigureCanvas *>();
+        QVERIFY(canvas->placeOf({1, 2}));
+    }
+
+    void withoutTestThereIsNoFigure() {
+        Selection selection;
+        FigureView view(selection);
+        view.show({}, 0);
+        view.grab();
+        QVERIFY(!view.figure());
+        QVERIFY(!view.findChild<QToolButton *>(u"copyFigure"_s)->isEnabled());
+        QVERIFY(!view.saveTo(u"x.pdf"_s));
+    }
+
+    void buttonsAskForMoreRoom() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        QSignalSpy detach(&view, &FigureView::detachWanted);
+        QSignalSpy maximise(&view, &FigureView::maximiseWanted);
+        view.findChild<QToolButton *>(u"detachFigure"_s)->click();
+        view.findChild<QToolButton *>(u"maximiseFigure"_s)->click();
+        QCOMPARE(detach.size(), 1);
+        QCOMPARE(maximise.size(), 1);
+    }
+};
+
+QTEST_MAIN(FigureViewTest)
+#include "figureview.moc"

@@ -1,0 +1,144 @@
+#include "document/savedocument.h"
+#include "ui/model/documentmodel.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+
+using namespace palmer;
+using palmer::ui::DocumentModel;
+
+namespace {
+
+Document example() {
+    return openDocument(QStringLiteral(":/examples/rotary-axis.palmer"));
+}
+
+void rename(DocumentModel &model, const char *name, const QString &mergeKey = {}) {
+    model.edit("name the machine", [name](Document &document) { document.machine.name = name; }, mergeKey);
+}
+
+} // namespace
+
+class DocumentModelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void editsThroughOneDoor();
+    void dropsChangesThatChangeNothing();
+    void mergesStepsOfOneKey();
+    void dropsMergedStepsThatComeBack();
+    void doesNotMergeAcrossSaving();
+    void sharesUnchangedTests();
+    void forgetsStepsOfTheFormerDocument();
+    void staysAsItIsWhenSavingFails();
+};
+
+void DocumentModelTest::editsThroughOneDoor() {
+    DocumentModel model;
+    model.setDocument(example(), {});
+    const ui::DocumentPointer before = model.document();
+    QSignalSpy changed(&model, &DocumentModel::changed);
+    rename(model, "lathe");
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(model.document()->machine.name, std::string("lathe"));
+    QCOMPARE(model.undoStack()->undoText(), QStringLiteral("name the machine"));
+    QVERIFY(model.isModified());
+    model.undoStack()->undo();
+    QVERIFY(*model.document() == *before);
+    QVERIFY(!model.isModified());
+    model.undoStack()->redo();
+    QCOMPARE(model.document()->machine.name, std::string("lathe"));
+    QCOMPARE(changed.count(), 3);
+}
+
+void DocumentModelTest::dropsChangesThatChangeNothing() {
+    DocumentModel model;
+    model.setDocument(example(), {});
+    const std::string name = model.document()->machine.name;
+    QSignalSpy changed(&model, &DocumentModel::changed);
+    rename(model, name.c_str());
+    QCOMPARE(changed.count(), 0);
+    QCOMPARE(model.undoStack()->count(), 0);
+}
+
+void DocumentModelTest::mergesStepsOfOneKey() {
+    DocumentModel model;
+    model.setDocument(example(), {});
+    const std::string before = model.document()->machine.name;
+    rename(model, "l", QStringLiteral("machine.name"));
+    rename(model, "la", QStringLiteral("machine.name"));
+    rename(model, "lathe", QStringLiteral("machine.name"));
+    QCOMPARE(model.undoStack()->count(), 1);
+    rename(model, "mill", QStringLiteral("another field"));
+    QCOMPARE(model.undoStack()->count(), 2);
+    rename(model, "drill");
+    rename(model, "press");
+    QCOMPARE(model.undoStack()->count(), 4);
+    for (int i = 0; i < 4; ++i)
+        model.undoStack()->undo();
+    QCOMPARE(model.document()->machine.name, before);
+}
+
+void DocumentModelTest::dropsMergedStepsThatComeBack() {
+    DocumentModel model;
+    model.setDocument(example(), {});
+    const std::string before = model.document()->machine.name;
+    rename(model, "lathe", QStringLiteral("machine.name"));
+    rename(model, before.c_str(), QStringLiteral("machine.name"));
+    QCOMPARE(model.undoStack()->count(), 0);
+    QCOMPARE(model.document()->machine.name, before);
+}
+
+void DocumentModelTest::doesNotMergeAcrossSaving() {
+    const QTemporaryDir folder;
+    DocumentModel model;
+    model.setDocument(example(), {});
+    rename(model, "l", QStringLiteral("machine.name"));
+    model.save(folder.filePath(QStringLiteral("saved.palmer")));
+    QVERIFY(!model.isModified());
+    rename(model, "lathe", QStringLiteral("machine.name"));
+    QVERIFY(model.isModified());
+    model.undoStack()->undo();
+    QVERIFY(!model.isModified());
+    QVERIFY(*model.document() == openDocument(model.path()));
+}
+
+void DocumentModelTest::sharesUnchangedTests() {
+    DocumentModel model;
+    model.setDocument(openDocument(QStringLiteral(":/examples/long-axis-with-zone.palmer")), {});
+    const auto before = model.document();
+    model.edit("title", [](Document &document) {
+        auto test = std::make_shared<Test>(*document.tests[0]);
+        test->title = "another";
+        document.tests[0] = test;
+    });
+    QVERIFY(model.document()->tests[0] != before->tests[0]);
+    QVERIFY(model.document()->tests[1] == before->tests[1]);
+}
+
+void DocumentModelTest::forgetsStepsOfTheFormerDocument() {
+    DocumentModel model;
+    model.setDocument(example(), {});
+    rename(model, "lathe");
+    model.setDocument(example(), {});
+    QVERIFY(!model.undoStack()->canUndo());
+    QVERIFY(!model.isModified());
+}
+
+void DocumentModelTest::staysAsItIsWhenSavingFails() {
+    const QTemporaryDir folder;
+    DocumentModel model;
+    model.setDocument(example(), {});
+    rename(model, "lathe");
+    QSignalSpy file(&model, &DocumentModel::fileChanged);
+    QVERIFY_EXCEPTION_THROWN(model.save(folder.filePath(QStringLiteral("missing/file.palmer"))), Error);
+    QVERIFY(model.isModified());
+    QVERIFY(model.path().isEmpty());
+    QCOMPARE(file.count(), 0);
+}
+
+QTEST_GUILESS_MAIN(DocumentModelTest)
+#include "documentmodeltest.moc"

@@ -1,0 +1,192 @@
+#include "ui/results/resultspanel.h"
+
+#include "ui/examples.h"
+#include "ui/results/chip.h"
+#include "ui/results/explanationcard.h"
+#include "ui/results/findingsmodel.h"
+#include "ui/results/findingspanel.h"
+
+#include <QAbstractItemModelTester>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QListView>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+using namespace palmer;
+using namespace palmer::ui;
+using namespace palmer::testdata;
+using namespace Qt::StringLiterals;
+
+/// Results, their explanation and the findings, as widgets.
+class ResultsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void modelsAreConsistent() {
+        ResultsModel results;
+        QAbstractItemModelTester tester(&results, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        const EvaluatedDocument evaluated = evaluatedDocument(decidedExample());
+        results.setTable(resultTable(evaluated, 0, Language(Language::Id::french)));
+        results.setTable({});
+        FindingsModel findings;
+        QAbstractItemModelTester second(&findings, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        findings.show(evaluated.tests[0], Page::conditions, Language(Language::Id::french));
+        findings.show(nullptr, Page::readings, Language(Language::Id::french));
+        QCOMPARE(findings.rowCount(), 0);
+    }
+
+    void aClickExplains() {
+        Selection selection;
+        ResultsPanel panel(selection);
+        panel.show(evaluatedDocument(decidedExample()), 0);
+        panel.resize(496, 320);
+        panel.setVisible(true);
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        auto *table = panel.findChild<QTableView *>(u"results"_s);
+        const QModelIndex r = table->model()->index(7, ResultsModel::name);
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(r).center());
+        QCOMPARE(selection.parameter(), u"R"_s);
+    }
+
+    void arrowsMoveAndEnterExplains() {
+        Selection selection;
+        ResultsPanel panel(selection);
+        panel.show(evaluatedDocument(decidedExample()), 0);
+        panel.resize(496, 320);
+        panel.setVisible(true);
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        panel.activateWindow();
+        auto *table = panel.findChild<QTableView *>(u"results"_s);
+        table->setFocus();
+        table->setCurrentIndex(table->model()->index(0, 0));
+        QTest::keyClick(table, Qt::Key_Down);
+        QCOMPARE(selection.parameter(), QString()); // only looked at
+        QTest::keyClick(table, Qt::Key_Return);
+        QCOMPARE(selection.parameter(), u"A+"_s);
+        QTRY_VERIFY(table->hasFocus());
+        QTest::keyClick(table, Qt::Key_Down);
+        QCOMPARE(selection.parameter(), u"A-"_s); // an open explanation follows
+    }
+
+    void headSaysUnitRuleAndVerdict() {
+        Selection selection;
+        ResultsPanel panel(selection);
+        panel.show(evaluatedDocument(decidedExample()), 0);
+        QCOMPARE(panel.findChild<QLabel *>(u"resultsRule"_s)->text(), u"µm · ISO 14253-1 · k = 2"_s);
+        auto *chip = panel.findChild<Chip *>(u"verdictChip"_s);
+        QCOMPARE(chip->text(), u"does not conform"_s);
+        QVERIFY(chip->isVisibleTo(&panel));
+    }
+
+    void aViewCarriesNoVerdict() {
+        Selection selection;
+        ResultsPanel panel(selection);
+        panel.show(evaluatedDocument(decidedExample(), "ISO 230-2:2014"), 0);
+        QVERIFY(!panel.findChild<Chip *>(u"verdictChip"_s)->isVisibleTo(&panel));
+        auto *note = panel.findChild<QLabel *>(u"viewNote"_s);
+        QVERIFY(note->isVisibleTo(&panel));
+        QVERIFY2(note->text().contains(u"no verdict"_s), qPrintable(note->text()));
+        auto *table = panel.findChild<QTableView *>(u"results"_s);
+        for (int row = 0; row < table->model()->rowCount(); ++row)
+            QVERIFY(table->model()->index(row, ResultsModel::verdict).data().toString().isEmpty());
+    }
+
+    void unfinishedIsProvisional() {
+        Selection selection;
+        ResultsPanel panel(selection);
+        Test test = decidedExample();
+        measurement(test).runs.back().deviations.back().reset();
+        panel.show(evaluatedDocument(test), 0);
+        QCOMPARE(panel.findChild<Chip *>(u"verdictChip"_s)->text(), u"provisional"_s);
+    }
+
+    void copyGivesATableForSpreadsheetAndText() {
+        Selection selection;
+        ResultsPanel panel(selection);
+        panel.setLanguage(Language(Language::Id::french));
+        panel.show(evaluatedDocument(decidedExample()), 0);
+        panel.findChild<QToolButton *>(u"copyResults"_s)->click();
+        const QMimeData *copied = QGuiApplication::clipboard()->mimeData();
+        QVERIFY2(copied->text().contains(u"\t16,2\t3,0\t20,0\t"_s), qPrintable(copied->text()));
+        QVERIFY(copied->text().contains(u"\t-1,53\t0,61\t"_s)); // a minus that a spreadsheet knows
+        QVERIFY(copied->html().contains(u"<table"_s) && copied->html().contains(u"16,2"_s));
+    }
+
+    void cardExplains() {
+        Selection selection;
+        ExplanationCard card(selection);
+        card.setLanguage(Language(Language::Id::english));
+        card.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        selection.setParameter(u"R"_s);
+        QVERIFY(card.findChild<QLabel *>(u"explanationName"_s)->text().startsWith(u"R "_s));
+        const QString text = card.findChild<QWidget *>(u"explanation"_s)->accessibleDescription();
+        QVERIFY2(text.contains(u"R11 = max(2·1.85 + 2·1.39 + |−3.78|; 4·1.85; 4·1.39)"_s), qPrintable(text));
+        QVERIFY2(text.contains(u"= 10.26\u00a0µm"_s), qPrintable(text));
+        QCOMPARE(card.findChild<QLabel *>(u"explanationSource"_s)->text(), u"ISO 230-2:2006, clauses 2.17 and 2.19"_s);
+        QVERIFY(card.findChild<QWidget *>(u"targetBars"_s)->isVisibleTo(&card));
+        card.copy();
+        QVERIFY(QGuiApplication::clipboard()->text().contains(u"= 10.26\u00a0µm"_s));
+        card.findChild<QToolButton *>(u"closeExplanation"_s)->click();
+        QCOMPARE(selection.parameter(), QString());
+    }
+
+    void findingsOfThePageComeFirst() {
+        FindingsModel model;
+        const EvaluatedDocument evaluated = evaluatedDocument(decidedExample());
+        const Edition *edition = evaluated.tests[0]->edition;
+        model.show(evaluated.tests[0], Page::agreedPoints, Language(Language::Id::english));
+        int single = 0;
+        while (single < model.rowCount() && !model.line(single).id.isEmpty()) {
+            QCOMPARE(model.line(single).page, Page::agreedPoints);
+            ++single;
+        }
+        const auto expected = std::ranges::count_if(evaluated.tests[0]->findings, [&](const Finding &finding) {
+            return pageOf(finding, edition) == Page::agreedPoints;
+        });
+        QCOMPARE(single, static_cast<int>(expected));
+        // Then a line per page, each page once.
+        QSet<int> pages;
+        for (int row = single; row < model.rowCount(); ++row) {
+            QVERIFY(model.line(row).id.isEmpty());
+            QVERIFY(!pages.contains(static_cast<int>(model.line(row).page)));
+            pages.insert(static_cast<int>(model.line(row).page));
+        }
+        QVERIFY(pages.contains(static_cast<int>(Page::conditions)));
+    }
+
+    void aClickOnAFindingGoesThere() {
+        Selection selection;
+        FindingsPanel panel(selection);
+        panel.show(evaluatedDocument(decidedExample()), 0);
+        panel.setPage(Page::conditions);
+        panel.resize(496, 120);
+        panel.setVisible(true);
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QSignalSpy spy(&panel, &FindingsPanel::activated);
+        auto *list = panel.findChild<QListView *>(u"findings"_s);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
+        QCOMPARE(spy.size(), 1);
+        QCOMPARE(spy.at(0).at(0).value<Page>(), Page::conditions);
+        QVERIFY(!spy.at(0).at(1).toString().isEmpty());
+    }
+
+    void findingsFold() {
+        Selection selection;
+        FindingsPanel panel(selection);
+        panel.show(evaluatedDocument(decidedExample()), 0);
+        auto *list = panel.findChild<QListView *>(u"findings"_s);
+        panel.findChild<QToolButton *>(u"foldFindings"_s)->click();
+        QVERIFY(panel.isFolded());
+        QVERIFY(!list->isVisibleTo(&panel));
+        panel.setFolded(false);
+        QVERIFY(list->isVisibleTo(&panel));
+    }
+};
+
+QTEST_MAIN(ResultsTest)
+#include "results.moc"

@@ -1,0 +1,459 @@
+#include "ui/window/shownwindow.h"
+
+#include "document/savedocument.h"
+#include "document/writedocument.h"
+#include "ui/navigation/navigationmodel.h"
+#include "ui/welcome/examples.h"
+#include "ui/welcome/recentfiles.h"
+#include "ui/welcome/startlist.h"
+
+#include <QAbstractItemModelTester>
+#include <QAction>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QListView>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QUndoStack>
+#include <QWheelEvent>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+namespace {
+
+QString dataOf(const QAbstractItemModel &model) {
+    QStringList rows;
+    for (int row = 0; row < model.rowCount(); ++row)
+        rows += model.index(row, 0).data(Qt::AccessibleTextRole).toString();
+    return rows.join(u'\n');
+}
+
+void choose(QComboBox *box, const QString &word) {
+    const int index = box->findData(word);
+    QVERIFY2(index >= 0, qPrintable(word));
+    box->setCurrentIndex(index);
+    emit box->activated(index);
+}
+
+QMessageBox *errorBox() {
+    for (QWidget *widget : QApplication::topLevelWidgets()) {
+        if (widget->objectName() == QLatin1StringView("errorBox") && widget->isVisible())
+            return qobject_cast<QMessageBox *>(widget);
+    }
+    return nullptr;
+}
+
+int countWindows() {
+    int count = 0;
+    for (QWidget *widget : QApplication::topLevelWidgets())
+        count += qobject_cast<MainWindow *>(widget) != nullptr;
+    return count;
+}
+
+} // namespace
+
+class MainWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void opensEveryExample_data();
+    void opensEveryExample();
+    void opensASecondFileInAWindowOfItsOwn();
+    void bringsAnOpenFileToTheFront();
+    void showsAnEditionAsAView();
+    void setsTheEditionOfTheTest();
+    void keepsLimitsWithTheEditionTheyWereAgreedFor();
+    void switchesTheLanguage();
+    void saves();
+    void saysWhySavingFailed();
+    void saysWhyAFileCannotBeOpened_data();
+    void saysWhyAFileCannotBeOpened();
+    void remembersFiles();
+    void asksOnceBeforeClosing();
+    void takesDroppedFiles();
+    void walksMissingStatements();
+    void maximisesTheFigure();
+    void arrangesForTheSizeThereIs_data();
+    void arrangesForTheSizeThereIs();
+    void followsThePalette();
+    void leavesUnfocusedFieldsToTheWheel();
+    void modelsKeepTheirPromises();
+};
+
+void MainWindowTest::initTestCase() {
+    prepareApplication();
+}
+
+void MainWindowTest::init() {
+    QSettings().clear();
+    setWindowLanguage(Language::Id::english);
+}
+
+void MainWindowTest::opensEveryExample_data() {
+    QTest::addColumn<QString>("path");
+    for (const Example &example : examples())
+        QTest::newRow(qPrintable(example.name)) << example.path;
+}
+
+void MainWindowTest::opensEveryExample() {
+    QFETCH(QString, path);
+    const ShownWindow shown(path);
+    QVERIFY(shown.window->hasDocument());
+    const Document &document = *shown.window->model().document();
+    auto *navigation = shown.find<QListView>("navigation");
+    QCOMPARE(navigation->model()->rowCount(), static_cast<int>(document.tests.size()) + 5);
+    for (std::size_t test = 0; test < document.tests.size(); ++test) {
+        shown.window->workplace().showTest(test);
+        QCOMPARE(shown.find<QLabel>("testTitle")->accessibleName(),
+                 QString::fromStdString(document.tests[test]->title));
+        QCOMPARE(shown.find<QComboBox>("edition")->currentText(),
+                 QString::fromStdString(document.tests[test]->edition));
+        QVERIFY(!shown.window->evaluator().current().tests[test]->parameters.empty());
+        for (const Page page : {Page::identification, Page::machine, Page::instruments, Page::readings,
+                                Page::conditions, Page::agreedPoints, Page::limits}) {
+            shown.window->workplace().showPage(page);
+            QVERIFY(!shown.window->grab().isNull());
+        }
+    }
+    QVERIFY(!shown.window->isWindowModified());
+}
+
+void MainWindowTest::opensASecondFileInAWindowOfItsOwn() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    const int before = countWindows();
+    const auto document = shown.window->model().document();
+    shown.window->openFile(examplePath("one-direction"));
+    QCOMPARE(countWindows(), before + 1);
+    QVERIFY(shown.window->model().document() == document);
+    for (QWidget *widget : QApplication::topLevelWidgets()) {
+        if (qobject_cast<MainWindow *>(widget) && widget != shown.window)
+            delete widget;
+    }
+}
+
+void MainWindowTest::bringsAnOpenFileToTheFront() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("one.palmer"));
+    saveDocument(openDocument(examplePath("rotary-axis")), path);
+    const ShownWindow first(path);
+    const ShownWindow second;
+    const int before = countWindows();
+    second.window->openFile(path);
+    QCOMPARE(countWindows(), before);
+    QVERIFY(!second.window->hasDocument());
+}
+
+void MainWindowTest::showsAnEditionAsAView() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    const auto document = shown.window->model().document();
+    auto *set = shown.find<QPushButton>("setEdition");
+    QVERIFY(!set->isVisible());
+    choose(shown.find<QComboBox>("edition"), QStringLiteral("ISO 230-2:2014"));
+    QVERIFY(set->isVisible());
+    QVERIFY(shown.find<QLabel>("testSummary")->accessibleName().contains(QStringLiteral("ISO 230-2:1988")));
+    const TestEvaluation &view = *shown.window->evaluator().current().tests[0];
+    QVERIFY(view.view && !view.verdict);
+    QVERIFY(shown.window->model().document() == document);
+    QVERIFY(!shown.window->isWindowModified());
+    shown.find<QAction>("ownEdition")->trigger();
+    QVERIFY(!shown.window->evaluator().current().tests[0]->view);
+    QVERIFY(!set->isVisible());
+}
+
+void MainWindowTest::setsTheEditionOfTheTest() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    choose(shown.find<QComboBox>("edition"), QStringLiteral("ISO 230-2:2014"));
+    shown.find<QPushButton>("setEdition")->click();
+    QCOMPARE(shown.window->model().document()->tests[0]->edition, std::string("ISO 230-2:2014"));
+    QVERIFY(!shown.window->evaluator().current().tests[0]->view);
+    QVERIFY(shown.window->isWindowModified());
+    auto *undo = shown.find<QAction>("undo");
+    QCOMPARE(undo->text(), QStringLiteral("&Undo: set the edition of the test"));
+    undo->trigger();
+    QCOMPARE(shown.window->model().document()->tests[0]->edition, std::string("ISO 230-2:1988"));
+    QCOMPARE(shown.find<QComboBox>("edition")->currentText(), QStringLiteral("ISO 230-2:1988"));
+    QVERIFY(!shown.window->isWindowModified());
+}
+
+void MainWindowTest::keepsLimitsWithTheEditionTheyWereAgreedFor() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(shown.window->evaluator().current().tests[0]->verdict);
+    choose(shown.find<QComboBox>("edition"), QStringLiteral("ISO 230-2:1988"));
+    shown.find<QPushButton>("setEdition")->click();
+    const Test &test = *shown.window->model().document()->tests[0];
+    QVERIFY(!test.limits.empty());
+    for (const auto &[id, limit] : test.limits)
+        QCOMPARE(limit.edition, std::optional<std::string>("ISO 230-2:2014"));
+    QVERIFY(!shown.window->evaluator().current().tests[0]->verdict);
+}
+
+void MainWindowTest::switchesTheLanguage() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    auto *tabs = shown.find<QTabBar>("pageTabs");
+    QCOMPARE(tabs->tabText(0), QStringLiteral("&Readings"));
+    const QByteArray bytes = writeDocument(*shown.window->model().document());
+    shown.find<QToolButton>("toolBar")->findChild<QToolButton *>(QStringLiteral("french"));
+    const auto switches = shown.window->findChildren<QToolButton *>(QStringLiteral("french"));
+    QVERIFY(!switches.isEmpty());
+    switches.constFirst()->click();
+    QCOMPARE(tabs->tabText(0), QStringLiteral("&Relevés"));
+    QCOMPARE(shown.window->menuBar()->actions().constFirst()->text(), QStringLiteral("&Fichier"));
+    QVERIFY(dataOf(*shown.find<QListView>("navigation")->model()).contains(QStringLiteral("Identification")));
+    QVERIFY(dataOf(*shown.find<QListView>("navigation")->model()).contains(QStringLiteral("20 novembre 2026")));
+    QVERIFY(shown.find<QLabel>("testSummary")->accessibleName().startsWith(QStringLiteral("Axe C")));
+    QCOMPARE(QMessageBox::tr("OK").isEmpty(), false);
+    QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("Annuler"));
+    QCOMPARE(writeDocument(*shown.window->model().document()), bytes);
+    QVERIFY(!shown.window->isWindowModified());
+    QCOMPARE(QSettings().value(QStringLiteral("window/language")).toString(), QStringLiteral("fr"));
+    shown.find<QAction>("speakEnglish")->trigger();
+    QCOMPARE(tabs->tabText(0), QStringLiteral("&Readings"));
+    restoreWindowLanguage();
+    QCOMPARE(windowLanguage().id(), Language::Id::english);
+}
+
+void MainWindowTest::saves() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("saved.palmer"));
+    const ShownWindow shown(examplePath("rotary-axis"));
+    choose(shown.find<QComboBox>("edition"), QStringLiteral("ISO 230-2:2006"));
+    shown.find<QPushButton>("setEdition")->click();
+    QVERIFY(shown.window->saveTo(path));
+    QVERIFY(!shown.window->isWindowModified());
+    QVERIFY(openDocument(path) == *shown.window->model().document());
+    QVERIFY(shown.window->windowTitle().startsWith(QStringLiteral("saved.palmer")));
+    QVERIFY(shown.find<QLabel>("statusState")->text().startsWith(QStringLiteral("Saved at ")));
+}
+
+void MainWindowTest::saysWhySavingFailed() {
+    const QTemporaryDir folder;
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(!shown.window->saveTo(folder.filePath(QStringLiteral("missing/file.palmer"))));
+    QMessageBox *box = errorBox();
+    QVERIFY(box);
+    QVERIFY(!box->informativeText().isEmpty());
+    box->close();
+    QVERIFY(shown.window->model().path().isEmpty());
+}
+
+void MainWindowTest::saysWhyAFileCannotBeOpened_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QString>("said");
+    QFile file(examplePath("rotary-axis"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray good = file.readAll();
+    QTest::newRow("cut off") << good.left(good.size() / 2) << QStringLiteral(":");
+    QTest::newRow("of a newer version")
+        << QByteArray(good).replace("\"version\": 1", "\"version\": 99") << QStringLiteral("99");
+    QTest::newRow("with a word for a number")
+        << QByteArray(good).replace("\"year\": 2021", "\"year\": \"old\"") << QStringLiteral("machine.year");
+    QTest::newRow("empty") << QByteArray() << QString();
+}
+
+void MainWindowTest::saysWhyAFileCannotBeOpened() {
+    QFETCH(QByteArray, content);
+    QFETCH(QString, said);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("damaged.palmer"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(content);
+    file.close();
+    const ShownWindow shown(examplePath("rotary-axis"));
+    const auto document = shown.window->model().document();
+    const QString title = shown.window->windowTitle();
+    const int windows = countWindows();
+    shown.window->openFile(path);
+    QMessageBox *box = errorBox();
+    QVERIFY(box);
+    QVERIFY(box->text().contains(QStringLiteral("damaged.palmer")));
+    QVERIFY2(box->informativeText().contains(said), qPrintable(box->informativeText()));
+    box->close();
+    QVERIFY(shown.window->model().document() == document);
+    QCOMPARE(shown.window->windowTitle(), title);
+    QCOMPARE(countWindows(), windows);
+    QVERIFY(recentFiles().empty());
+}
+
+void MainWindowTest::remembersFiles() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("kept.palmer"));
+    saveDocument(openDocument(examplePath("rotary-axis")), path);
+    { const ShownWindow shown(path); }
+    QCOMPARE(recentFiles().size(), std::size_t{1});
+    const RecentFile file = recentFiles().front();
+    QCOMPARE(file.path, path);
+    QCOMPARE(file.machine, QStringLiteral("Five-axis machining centre"));
+    QCOMPARE(file.axes, QStringLiteral("C"));
+    QCOMPARE(file.date, QDate(2026, 11, 20));
+    QVERIFY(file.verdict);
+    const ShownWindow again;
+    auto *list = again.find<QListView>("recentList");
+    QCOMPARE(list->model()->rowCount(), 1);
+    emit static_cast<StartList *>(list)->chosen(path);
+    QVERIFY(again.window->hasDocument());
+    QVERIFY(QFile::remove(path));
+    QVERIFY(recentFiles().empty());
+}
+
+void MainWindowTest::asksOnceBeforeClosing() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    choose(shown.find<QComboBox>("edition"), QStringLiteral("ISO 230-2:2014"));
+    shown.find<QPushButton>("setEdition")->click();
+    int asked = 0;
+    const auto answer = [&](QMessageBox::StandardButton button) {
+        QTimer::singleShot(0, shown.window, [&asked, button] {
+            auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+            QVERIFY(box);
+            ++asked;
+            box->button(button)->click();
+        });
+    };
+    answer(QMessageBox::Cancel);
+    QVERIFY(!shown.window->close());
+    QCOMPARE(asked, 1);
+    answer(QMessageBox::Discard);
+    QVERIFY(shown.window->close());
+    QCOMPARE(asked, 2);
+}
+
+void MainWindowTest::takesDroppedFiles() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("dropped.palmer"));
+    saveDocument(openDocument(examplePath("one-direction")), path);
+    const ShownWindow shown;
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(shown.window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(shown.window, &drop);
+    QVERIFY(shown.window->hasDocument());
+    QCOMPARE(shown.window->model().path(), path);
+}
+
+void MainWindowTest::walksMissingStatements() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    auto *next = shown.find<QAction>("nextMissing");
+    const TestEvaluation &evaluation = *shown.window->evaluator().current().tests[0];
+    int missing = 0;
+    for (const Finding &finding : evaluation.findings)
+        missing += isMissing(finding, evaluation.edition);
+    QVERIFY(missing > 3);
+    next->trigger();
+    const Page first = shown.window->workplace().selection().page();
+    std::set<Page> seen;
+    for (int i = 0; i < missing; ++i) {
+        seen.insert(shown.window->workplace().selection().page());
+        next->trigger();
+    }
+    QVERIFY(seen.size() > 1);
+    QVERIFY(seen.contains(Page::conditions));
+    QCOMPARE(shown.window->workplace().selection().page(), first); // round and round
+}
+
+void MainWindowTest::maximisesTheFigure() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    auto *right = shown.find("rightSide");
+    auto *navigation = shown.find("navigation");
+    shown.find<QAction>("maximiseFigure")->trigger();
+    QVERIFY(!navigation->isVisible());
+    QVERIFY(right->isVisible());
+    QTRY_COMPARE(right->width(), shown.window->workplace().width());
+    QTest::keyClick(shown.window, Qt::Key_Escape);
+    QVERIFY(navigation->isVisible());
+    QTRY_VERIFY(right->width() < 600);
+}
+
+void MainWindowTest::arrangesForTheSizeThereIs_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<bool>("rail");
+    QTest::addColumn<bool>("underneath");
+    QTest::addColumn<bool>("folded");
+    QTest::newRow("wide") << QSize(1600, 1000) << false << false << false;
+    QTest::newRow("as drawn") << QSize(1280, 800) << false << false << false;
+    QTest::newRow("narrow") << QSize(1024, 768) << true << false << false;
+    QTest::newRow("very narrow") << QSize(900, 900) << true << true << false;
+    QTest::newRow("low") << QSize(1280, 700) << false << false << true;
+}
+
+void MainWindowTest::arrangesForTheSizeThereIs() {
+    QFETCH(QSize, size);
+    QFETCH(bool, rail);
+    QFETCH(bool, underneath);
+    QFETCH(bool, folded);
+    const ShownWindow shown(examplePath("rotary-axis"), size);
+    QTRY_COMPARE(shown.window->size(), size);
+    QTRY_COMPARE(shown.find("navigation")->width(), rail ? 48 : 184);
+    auto *right = shown.find("rightSide");
+    auto *centre = shown.find("centre");
+    QVERIFY(centre->width() >= 560);
+    QCOMPARE(right->mapTo(shown.window, QPoint()).y() > centre->mapTo(shown.window, QPoint()).y() + 100, underneath);
+    QCOMPARE(shown.find("rightTabs")->isVisible(), underneath);
+    if (!underneath)
+        QCOMPARE(!shown.find("findings")->isVisible(), folded);
+    if (size.width() >= 1280)
+        QVERIFY(right->width() >= 490);
+}
+
+void MainWindowTest::followsThePalette() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    const QPalette light = QApplication::palette();
+    const QString sheet = qApp->styleSheet();
+    QPalette dark = light;
+    dark.setColor(QPalette::Window, QColor(0x22, 0x25, 0x28));
+    dark.setColor(QPalette::Base, QColor(0x1a, 0x1c, 0x1e));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        dark.setColor(role, QColor(0xe8, 0xea, 0xec));
+    QApplication::setPalette(dark);
+    QTRY_VERIFY(qApp->styleSheet() != sheet);
+    QVERIFY(qApp->styleSheet().contains(QStringLiteral("#6fa8e6")));
+    const QImage image = shown.window->grab().toImage();
+    QVERIFY(image.pixelColor(shown.window->width() - 40, shown.window->height() - 60).lightness() < 100);
+    QApplication::setPalette(light);
+    QTRY_COMPARE(qApp->styleSheet(), sheet);
+}
+
+void MainWindowTest::leavesUnfocusedFieldsToTheWheel() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    auto *edition = shown.find<QComboBox>("edition");
+    edition->clearFocus();
+    const QString before = edition->currentText();
+    const QPoint centre = edition->rect().center();
+    QWheelEvent wheel(centre, edition->mapToGlobal(centre), QPoint(), QPoint(0, -120), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(edition, &wheel);
+    QCOMPARE(edition->currentText(), before);
+    auto *tabs = shown.find<QTabBar>("pageTabs");
+    QApplication::sendEvent(tabs, &wheel);
+    QCOMPARE(tabs->currentIndex(), 0);
+}
+
+void MainWindowTest::modelsKeepTheirPromises() {
+    NavigationModel navigation;
+    const QAbstractItemModelTester first(&navigation, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    StartModel start;
+    const QAbstractItemModelTester second(&start, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    for (const char *name : {"rotary-axis", "long-axis-with-zone", "one-direction"}) {
+        navigation.show(evaluate(std::make_shared<const Document>(openDocument(examplePath(name)))));
+        setWindowLanguage(Language::Id::french);
+        navigation.retranslate();
+    }
+    start.setEntries({{QStringLiteral("a"), {}, QStringLiteral("a"), {}, {}, {}}});
+    start.setEntries({});
+    QCOMPARE(start.rowCount(), 0);
+}
+
+QTEST_MAIN(MainWindowTest)
+#include "mainwindowtest.moc"

@@ -1,0 +1,303 @@
+#include "ui/figures/figurecanvas.h"
+
+#include "ui/theme.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double reach = 14; ///< of the pointer, pixels
+constexpr double ring = 6.5;
+constexpr double zoomStep = 1.25;
+constexpr double panStep = 40; ///< of the arrow keys, pixels
+constexpr double markWidth = 18;
+
+} // namespace
+
+FigureCanvas::FigureCanvas(Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection) {
+    setObjectName(QStringLiteral("figureCanvas"));
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void FigureCanvas::setFigure(const CurveFigure &figure, std::vector<FigureReading> readings) {
+    m_readings = std::move(readings);
+    if (m_figure != figure) {
+        m_figure = figure;
+        m_drawn = {};
+    }
+    update();
+}
+
+void FigureCanvas::clear() {
+    m_figure.reset();
+    m_readings.clear();
+    m_marking = {};
+    m_drawn = {};
+    update();
+}
+
+void FigureCanvas::setMarking(const FigureMarking &marking) {
+    m_marking = marking;
+    update();
+}
+
+void FigureCanvas::setHoverLabel(const QString &label) {
+    m_hoverLabel = label;
+    update();
+}
+
+void FigureCanvas::drawAnew() {
+    const double ratio = devicePixelRatioF();
+    if (!m_drawn.isNull() && m_drawn.size() == (QSizeF(size()) * ratio).toSize())
+        return;
+    m_drawn = QPixmap((QSizeF(size()) * ratio).toSize());
+    m_drawn.setDevicePixelRatio(ratio);
+    m_drawn.fill(palette().color(QPalette::Base));
+    if (!m_figure)
+        return;
+    QPainter painter(&m_drawn);
+    m_transform =
+        drawFigure(painter, QRectF(rect()), *m_figure, isDark(palette()) ? Medium::screenDark : Medium::screenLight);
+}
+
+QPointF FigureCanvas::shown(const FigureReading &reading) const {
+    QPointF at = m_transform.map(reading.x, reading.y);
+    if (m_figure && !m_figure->readings.empty())
+        at.rx() += reading.role == CurveRole::up ? -m_transform.readingShift : m_transform.readingShift;
+    return at;
+}
+
+std::optional<QPointF> FigureCanvas::placeOf(const ReadingPlace &reading) {
+    drawAnew();
+    const auto found = std::ranges::find(m_readings, reading, &FigureReading::place);
+    if (!m_figure || found == m_readings.end())
+        return std::nullopt;
+    const QPointF at = shown(*found);
+    return m_transform.plotArea.adjusted(-1, -1, 1, 1).contains(at) ? std::optional(at) : std::nullopt;
+}
+
+const FigureReading *FigureCanvas::nearest(QPointF at) const {
+    const FigureReading *found = nullptr;
+    double least = reach;
+    for (const FigureReading &reading : m_readings) {
+        const QPointF away = shown(reading) - at;
+        if (std::abs(away.x()) >= least || std::abs(away.y()) >= least)
+            continue;
+        const double distance = std::hypot(away.x(), away.y());
+        if (distance < least && m_transform.plotArea.contains(shown(reading))) {
+            least = distance;
+            found = &reading;
+        }
+    }
+    return found;
+}
+
+// ---- Painting --------------------------------------------------------------------------------------------
+
+void FigureCanvas::paintEvent(QPaintEvent *) {
+    drawAnew();
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_drawn);
+    if (!m_figure)
+        return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintMarking(painter);
+    paintHover(painter);
+    if (hasFocus()) {
+        painter.setPen(QPen(token(Token::accent, palette()), 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
+    }
+}
+
+void FigureCanvas::paintLabel(QPainter &painter, QPointF beside, const QString &text, const QColor &colour) const {
+    painter.setFont(themeFont(TextSize::tiny));
+    const QSizeF size(painter.fontMetrics().horizontalAdvance(text) + 12.0, painter.fontMetrics().height() + 4.0);
+    QRectF label(QPointF(beside.x() + 14, beside.y() - size.height() / 2), size);
+    if (label.right() > width() - 2)
+        label.moveRight(beside.x() - 14);
+    label.moveLeft(std::max(2.0, label.left()));
+    label.moveTop(std::clamp(label.top(), 2.0, std::max(2.0, height() - size.height() - 2)));
+    painter.setPen(QPen(colour, 1.2));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(label, 3, 3);
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(label, Qt::AlignCenter, text);
+}
+
+void FigureCanvas::paintHover(QPainter &painter) const {
+    const auto place = m_selection.hovered();
+    if (!place)
+        return;
+    const auto found = std::ranges::find(m_readings, *place, &FigureReading::place);
+    if (found == m_readings.end())
+        return;
+    const QPointF at = shown(*found);
+    if (!m_transform.plotArea.adjusted(-1, -1, 1, 1).contains(at))
+        return;
+    const QColor accent = token(Token::accent, palette());
+    painter.setPen(QPen(accent, 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, ring, ring);
+    if (!m_hoverLabel.isEmpty())
+        paintLabel(painter, at, m_hoverLabel, accent);
+}
+
+void FigureCanvas::paintMarking(QPainter &painter) const {
+    if (m_marking.label.isEmpty())
+        return;
+    const QRectF plot = m_transform.plotArea;
+    const QColor colour = token(Token::explanation, palette());
+    QColor ground = colour;
+    ground.setAlphaF(0.14F);
+    painter.save();
+    painter.setClipRect(plot);
+    for (const double position : m_marking.positions) {
+        const double x = m_transform.map(position, 0).x();
+        painter.fillRect(QRectF(x - markWidth / 2, plot.top(), markWidth, plot.height()), ground);
+    }
+    painter.restore();
+    QPointF beside(plot.center().x(), plot.top() + 16);
+    if (m_marking.dimension) {
+        const Dimension &dimension = *m_marking.dimension;
+        const QPointF lower = m_transform.map(dimension.lowerPosition, dimension.lower);
+        const QPointF upper = m_transform.map(dimension.upperPosition, dimension.upper);
+        const bool oneTarget = dimension.lowerPosition == dimension.upperPosition;
+        // At a single target beside it, else at the edge, with leaders from both ends.
+        const double x = oneTarget ? std::max(plot.left() + 6, lower.x() - markWidth / 2 - 4) : plot.right() - 10;
+        painter.save();
+        painter.setClipRect(plot.adjusted(-2, -2, 2, 2));
+        painter.setPen(QPen(colour, 1, Qt::DashLine));
+        painter.drawLine(lower, QPointF(x, lower.y()));
+        painter.drawLine(upper, QPointF(x, upper.y()));
+        painter.setPen(QPen(colour, 2));
+        painter.drawLine(QPointF(x, lower.y()), QPointF(x, upper.y()));
+        for (const double y : {lower.y(), upper.y()})
+            painter.drawLine(QPointF(x - 4, y), QPointF(x + 4, y));
+        painter.restore();
+        beside = QPointF(x, std::clamp((lower.y() + upper.y()) / 2, plot.top() + 12, plot.bottom() - 12));
+        if (x > plot.center().x()) // the label keeps out of the targets' way
+            beside.rx() -= 28 + QFontMetrics(themeFont(TextSize::tiny)).horizontalAdvance(m_marking.label) + 12;
+    }
+    paintLabel(painter, beside, m_marking.label, colour);
+}
+
+// ---- Pointer and keys ------------------------------------------------------------------------------------
+
+void FigureCanvas::zoom(double factor, QPointF about) {
+    if (!m_figure)
+        return;
+    drawAnew();
+    const QPointF at = m_transform.toData(about);
+    const auto scaled = [factor](double from, double to, double centre) {
+        return Interval{centre + (from - centre) * factor, centre + (to - centre) * factor};
+    };
+    emit rangesWanted(scaled(m_figure->x.from, m_figure->x.to, at.x()),
+                      scaled(m_figure->y.from, m_figure->y.to, at.y()));
+}
+
+void FigureCanvas::pan(QPointF by) {
+    if (!m_figure)
+        return;
+    drawAnew();
+    const QPointF moved = m_transform.toData(QPointF(0, 0)) - m_transform.toData(by);
+    emit rangesWanted({m_figure->x.from + moved.x(), m_figure->x.to + moved.x()},
+                      {m_figure->y.from + moved.y(), m_figure->y.to + moved.y()});
+}
+
+void FigureCanvas::mousePressEvent(QMouseEvent *event) {
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_drag = event->position();
+    m_dragged = false;
+}
+
+void FigureCanvas::mouseMoveEvent(QMouseEvent *event) {
+    if (m_drag && (event->buttons() & Qt::LeftButton)) {
+        const QPointF by = event->position() - *m_drag;
+        if (m_dragged || by.manhattanLength() >= QApplication::startDragDistance()) {
+            m_dragged = true;
+            m_drag = event->position();
+            pan(by);
+        }
+        return;
+    }
+    drawAnew();
+    const FigureReading *found = nearest(event->position());
+    m_selection.setHovered(found ? std::optional(found->place) : std::nullopt);
+}
+
+void FigureCanvas::mouseReleaseEvent(QMouseEvent *event) {
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_drag.reset();
+    if (!m_dragged) {
+        if (const FigureReading *found = nearest(event->position()))
+            m_selection.setReading(found->place);
+    }
+}
+
+void FigureCanvas::mouseDoubleClickEvent(QMouseEvent *) {
+    emit fitWanted();
+}
+
+void FigureCanvas::wheelEvent(QWheelEvent *event) {
+    // Passing over a figure while scrolling must not change it.
+    if (!hasFocus() && !(event->modifiers() & Qt::ControlModifier)) {
+        event->ignore();
+        return;
+    }
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps != 0)
+        zoom(std::pow(zoomStep, -steps), event->position());
+    event->accept();
+}
+
+void FigureCanvas::keyPressEvent(QKeyEvent *event) {
+    const QPointF centre = m_transform.plotArea.center();
+    switch (event->key()) {
+    case Qt::Key_Plus:
+        return zoom(1 / zoomStep, centre);
+    case Qt::Key_Minus:
+        return zoom(zoomStep, centre);
+    case Qt::Key_0:
+        emit fitWanted();
+        return;
+    case Qt::Key_Left:
+        return pan({panStep, 0});
+    case Qt::Key_Right:
+        return pan({-panStep, 0});
+    case Qt::Key_Up:
+        return pan({0, panStep});
+    case Qt::Key_Down:
+        return pan({0, -panStep});
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void FigureCanvas::leaveEvent(QEvent *) {
+    m_selection.setHovered({});
+}
+
+void FigureCanvas::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::PaletteChange) {
+        m_drawn = {};
+        update();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

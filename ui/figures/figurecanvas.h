@@ -1,0 +1,86 @@
+#pragma once
+
+#include "figures/figure.h"
+#include "kernel/measurement/axis.h"
+#include "ui/figures/drawfigure.h"
+#include "ui/model/selection.h"
+
+#include <QPixmap>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace palmer::ui {
+
+/// A reading that the pointer can find in the figure, in the units of its axes.
+struct FigureReading {
+    double x = 0;
+    double y = 0;
+    CurveRole role = CurveRole::up;
+    ReadingPlace place;
+};
+
+/// What an explanation marks in the figure.
+struct FigureMarking {
+    std::vector<double> positions;      ///< of the ruling targets
+    std::optional<Dimension> dimension; ///< what is measured between them
+    QString label;                      ///< "R = 10,26 µm"
+};
+
+/// The surface of a figure. The figure itself is drawn once for a size, range and theme; what moves with the
+/// pointer lies over it.
+class FigureCanvas : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FigureCanvas(Selection &selection, QWidget *parent = nullptr);
+
+    void setFigure(const CurveFigure &figure, std::vector<FigureReading> readings);
+    void setMarking(const FigureMarking &marking);
+    /// What the label beside the ring says; asked for when the pointer moves to another reading.
+    void setHoverLabel(const QString &label);
+    void clear();
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
+    [[nodiscard]] QSize sizeHint() const override { return {480, 270}; }
+    /// Where a reading stands on the canvas; nothing where it is out of view.
+    [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &reading);
+
+signals:
+    /// The user zooms or pans: show these ranges.
+    void rangesWanted(const palmer::Interval &x, const palmer::Interval &y);
+    void fitWanted();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+
+private:
+    void drawAnew();
+    void zoom(double factor, QPointF about);
+    void pan(QPointF by);
+    [[nodiscard]] QPointF shown(const FigureReading &reading) const;
+    [[nodiscard]] const FigureReading *nearest(QPointF at) const;
+    void paintMarking(QPainter &painter) const;
+    void paintHover(QPainter &painter) const;
+    void paintLabel(QPainter &painter, QPointF beside, const QString &text, const QColor &colour) const;
+
+    Selection &m_selection;
+    std::optional<CurveFigure> m_figure;
+    std::vector<FigureReading> m_readings;
+    FigureMarking m_marking;
+    QString m_hoverLabel;
+    QPixmap m_drawn; ///< null: to be drawn
+    FigureTransform m_transform;
+    std::optional<QPointF> m_drag; ///< where the pointer was
+    bool m_dragged = false;
+};
+
+} // namespace palmer::ui

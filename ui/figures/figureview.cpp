@@ -1,0 +1,310 @@
+#include "ui/figures/figureview.h"
+
+#include "figures/deviationfigure.h"
+#include "report/explanation.h"
+#include "report/readingtable.h"
+#include "ui/figures/exportfigure.h"
+#include "ui/figures/figurecanvas.h"
+#include "ui/ruling.h"
+#include "ui/theme.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSaveFile>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int pageMargin = 16;
+constexpr double deepestZoom = 1e-3; ///< of the whole range
+constexpr int clipboardDotsPerInch = 200;
+
+const PositioningMeasurement *measurementOf(const EvaluatedDocument &evaluated, std::size_t test) {
+    return test < evaluated.tests.size()
+               ? std::get_if<PositioningMeasurement>(&evaluated.document->tests[test]->measurement)
+               : nullptr;
+}
+
+/// Where each reading stands: of a single run the curve, else its mark.
+std::vector<FigureReading> readingsOf(const CurveFigure &figure, const PositioningMeasurement &measurement) {
+    const std::vector<ReadingColumn> columns = readingColumns(measurement, ReadingGrouping::byRun);
+    const auto runOf = [&](CurveRole role, int number) {
+        const Direction approach = role == CurveRole::up ? Direction::positive : Direction::negative;
+        const auto found = std::ranges::find_if(columns, [&](const ReadingColumn &column) {
+            return column.approach == approach && column.number == number;
+        });
+        return found == columns.end() ? std::size_t{0} : found->run;
+    };
+    std::vector<std::size_t> runs[2]; // run by number, of ↑ and ↓
+    for (const ReadingColumn &column : columns) {
+        auto &list = runs[column.approach == Direction::positive ? 0 : 1];
+        list.resize(std::max(list.size(), static_cast<std::size_t>(column.number)));
+        list[static_cast<std::size_t>(column.number) - 1] = column.run;
+    }
+    std::vector<FigureReading> readings;
+    readings.reserve(figure.readings.size());
+    for (const ReadingMark &mark : figure.readings) {
+        const auto &list = runs[mark.role == CurveRole::up ? 0 : 1];
+        readings.push_back({mark.x, mark.y, mark.role,
+                            {list[static_cast<std::size_t>(mark.run) - 1],
+                             static_cast<std::size_t>(mark.target) - 1}});
+    }
+    if (!readings.empty())
+        return readings;
+    for (const Curve &curve : figure.curves) {
+        if (curve.role == CurveRole::mean)
+            continue;
+        for (const FigurePoint &point : curve.points)
+            readings.push_back(
+                {point.x, point.y, curve.role, {runOf(curve.role, 1), static_cast<std::size_t>(point.target) - 1}});
+    }
+    return readings;
+}
+
+} // namespace
+
+FigureView::FigureView(Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection)
+    , m_title(new QLabel(this))
+    , m_note(new QLabel(this))
+    , m_canvas(new FigureCanvas(selection, this))
+    , m_marks(addButton(QStringLiteral("readingMarks"), QStringLiteral("dots")))
+    , m_fit(addButton(QStringLiteral("fitFigure"), QStringLiteral("fit")))
+    , m_copy(addButton(QStringLiteral("copyFigure"), QStringLiteral("copy")))
+    , m_save(addButton(QStringLiteral("saveFigure"), QStringLiteral("save")))
+    , m_detach(addButton(QStringLiteral("detachFigure"), QStringLiteral("detach")))
+    , m_maximise(addButton(QStringLiteral("maximiseFigure"), QStringLiteral("maxi"))) {
+    setObjectName(QStringLiteral("figureView"));
+    m_note->setProperty("secondary", true);
+    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_marks->setCheckable(true);
+    m_marks->setChecked(m_readingMarks);
+    connect(m_marks, &QToolButton::toggled, this, [this](bool on) {
+        m_readingMarks = on;
+        refresh();
+    });
+    connect(m_fit, &QToolButton::clicked, this, &FigureView::fit);
+    connect(m_copy, &QToolButton::clicked, this, &FigureView::copy);
+    connect(m_save, &QToolButton::clicked, this, &FigureView::askWhereToSave);
+    connect(m_detach, &QToolButton::clicked, this, &FigureView::detachWanted);
+    connect(m_maximise, &QToolButton::clicked, this, &FigureView::maximiseWanted);
+    connect(m_canvas, &FigureCanvas::rangesWanted, this, &FigureView::showRanges);
+    connect(m_canvas, &FigureCanvas::fitWanted, this, &FigureView::fit);
+    connect(&selection, &Selection::hoveredChanged, this, &FigureView::showHoverLabel);
+    connect(&selection, &Selection::parameterChanged, this, &FigureView::mark);
+
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(0, 0, 0, 0);
+    head->setSpacing(2);
+    head->addWidget(m_title);
+    head->addSpacing(8);
+    head->addWidget(m_note, 1);
+    for (QToolButton *button : {m_marks, m_fit, m_copy, m_save, m_detach, m_maximise})
+        head->addWidget(button);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(pageMargin, 2, 6, 2);
+    layout->setSpacing(2);
+    layout->addLayout(head);
+    layout->addWidget(m_canvas, 1);
+    retranslate();
+}
+
+QToolButton *FigureView::addButton(const QString &name, const QString &icon) {
+    auto *button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setIcon(lineIcon(icon));
+    button->setProperty("iconOnly", true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
+}
+
+void FigureView::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    const bool other = test != m_test;
+    m_evaluated = evaluated;
+    m_test = test;
+    if (other)
+        m_shown.reset(); // zoom belongs to a test
+    refresh();
+}
+
+void FigureView::setLanguage(const Language &language) {
+    m_language = language;
+    refresh();
+}
+
+std::optional<CurveFigure> FigureView::figure() const {
+    return m_shown;
+}
+
+void FigureView::refresh() {
+    const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
+    for (QToolButton *button : {m_marks, m_fit, m_copy, m_save, m_detach, m_maximise})
+        button->setEnabled(measurement != nullptr);
+    if (!measurement) {
+        m_whole.reset();
+        m_shown.reset();
+        m_title->clear();
+        m_note->clear();
+        m_canvas->clear();
+        return;
+    }
+    const Test &test = *m_evaluated.document->tests[m_test];
+    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
+    std::optional<std::array<Interval, 2>> zoomed;
+    if (m_whole && m_shown &&
+        (m_shown->x.from != m_whole->x.from || m_shown->x.to != m_whole->x.to || m_shown->y.from != m_whole->y.from ||
+         m_shown->y.to != m_whole->y.to))
+        zoomed = {{{m_shown->x.from, m_shown->x.to}, {m_shown->y.from, m_shown->y.to}}};
+    const CurveFigure full = deviationFigure(test, evaluation, m_language);
+    m_whole = full;
+    if (!m_readingMarks) {
+        m_whole->readings.clear();
+        std::erase_if(m_whole->legend, [](const LegendEntry &entry) { return entry.sample == LegendSample::readings; });
+    }
+    m_shown = zoomed ? withRanges(*m_whole, (*zoomed)[0], (*zoomed)[1], m_language) : *m_whole;
+    m_title->setText(m_whole->title);
+    const auto &results = std::get<PositioningResults>(evaluation.results);
+    QString note = results.positiveRuns == results.negativeRuns || results.negativeRuns == 0
+                       ? QStringLiteral("n = %1").arg(results.positiveRuns)
+                       : QStringLiteral("n = %1 ↑, %2 ↓").arg(results.positiveRuns).arg(results.negativeRuns);
+    if (!m_whole->bands.empty())
+        note += QStringLiteral(", ") +
+                tr("band ±%1s").arg(m_language.number(evaluation.edition->c, Quantity::number, -1));
+    m_note->setText(note);
+    m_canvas->setFigure(*m_shown, readingsOf(full, *measurement));
+    m_canvas->setAccessibleName(m_whole->title);
+    mark();
+    showHoverLabel();
+}
+
+void FigureView::showRanges(const Interval &x, const Interval &y) {
+    if (!m_whole)
+        return;
+    // Never beyond the whole, never so deep that the numbers of the axes say nothing.
+    const auto within = [](Interval wanted, const FigureAxis &whole) {
+        const double all = whole.to - whole.from;
+        const double span = std::clamp(wanted.to - wanted.from, deepestZoom * all, all);
+        const double centre = (wanted.from + wanted.to) / 2;
+        const double from = std::clamp(centre - span / 2, whole.from, whole.to - span);
+        return Interval{from, from + span};
+    };
+    m_shown = withRanges(*m_whole, within(x, m_whole->x), within(y, m_whole->y), m_language);
+    const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
+    const CurveFigure full = m_readingMarks ? *m_whole
+                                            : deviationFigure(*m_evaluated.document->tests[m_test],
+                                                              *m_evaluated.tests[m_test], m_language);
+    m_canvas->setFigure(*m_shown, readingsOf(full, *measurement));
+}
+
+void FigureView::fit() {
+    m_shown = m_whole;
+    refresh();
+}
+
+void FigureView::mark() {
+    FigureMarking marking;
+    const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
+    const auto explained =
+        explanation(m_evaluated, m_test, m_selection.parameter().toStdString(), m_language);
+    if (measurement && explained && !explained->result.isEmpty()) {
+        marking.label = explained->result;
+        for (const std::size_t target : rulingTargets(m_evaluated, m_test, m_selection.parameter()))
+            marking.positions.push_back(measurement->targets[target]);
+        const auto found = std::ranges::find(m_whole->dimensions, m_selection.parameter(), &Dimension::id);
+        if (found != m_whole->dimensions.end())
+            marking.dimension = *found;
+    }
+    m_canvas->setMarking(marking);
+}
+
+void FigureView::showHoverLabel() {
+    const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
+    const auto place = m_selection.hovered();
+    if (!measurement || !place || place->run >= measurement->runs.size() ||
+        place->target >= measurement->targets.size()) {
+        m_canvas->setHoverLabel({});
+        return;
+    }
+    m_canvas->setHoverLabel(
+        ReadingTexts(*measurement, m_language, ReadingUnit::deviations).label(place->run, place->target));
+}
+
+void FigureView::copy() {
+    if (!m_shown)
+        return;
+    auto *mime = new QMimeData;
+    mime->setData(QStringLiteral("image/svg+xml"), figureAsSvg(*m_shown, m_shown->title));
+    mime->setData(QStringLiteral("application/pdf"), figureAsPdf(*m_shown, m_shown->title));
+    mime->setImageData(QImage::fromData(figureAsPng(*m_shown, clipboardDotsPerInch)));
+    QGuiApplication::clipboard()->setMimeData(mime);
+}
+
+bool FigureView::saveTo(const QString &path) {
+    if (!m_shown)
+        return false;
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return false;
+    file.write(suffix == QStringLiteral("svg")   ? figureAsSvg(*m_shown, m_shown->title)
+               : suffix == QStringLiteral("png") ? figureAsPng(*m_shown)
+                                                 : figureAsPdf(*m_shown, m_shown->title));
+    return file.commit();
+}
+
+void FigureView::askWhereToSave() {
+    if (!m_shown)
+        return;
+    const QStringList filters{tr("PDF, vectors (*.pdf)"), tr("SVG, vectors (*.svg)"), tr("PNG, picture (*.png)")};
+    QString chosen = filters.front();
+    QString path = QFileDialog::getSaveFileName(this, tr("Save figure"), m_shown->title + QStringLiteral(".pdf"),
+                                                filters.join(QStringLiteral(";;")), &chosen);
+    if (path.isEmpty())
+        return;
+    constexpr std::array suffixes{".pdf", ".svg", ".png"};
+    if (QFileInfo(path).suffix().isEmpty())
+        path += QString::fromLatin1(suffixes.at(static_cast<std::size_t>(std::max<qsizetype>(0, filters.indexOf(chosen)))));
+    if (!saveTo(path))
+        QMessageBox::warning(this, tr("Save figure"),
+                             tr("The figure could not be written to %1. Choose another folder or file.").arg(path));
+}
+
+void FigureView::retranslate() {
+    m_title->setFont(themeFont(TextSize::head));
+    m_note->setFont(themeFont(TextSize::small));
+    const auto name = [](QToolButton *button, const QString &text, const QString &keys = {}) {
+        button->setAccessibleName(text);
+        button->setToolTip(keys.isEmpty() ? text : text + QStringLiteral(" (") + keys + u')');
+    };
+    name(m_marks, tr("Show single readings"));
+    name(m_fit, tr("Show the whole figure"), QStringLiteral("0"));
+    name(m_copy, tr("Copy the figure"));
+    name(m_save, tr("Save the figure as PDF, SVG or PNG"));
+    name(m_detach, tr("Open the figure in a window of its own"));
+    name(m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
+    m_canvas->setToolTip({});
+    m_canvas->setAccessibleDescription(
+        tr("Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click"));
+    refresh();
+}
+
+void FigureView::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "figures/figure.h"
+#include "language/language.h"
+#include "ui/model/selection.h"
+
+#include <QWidget>
+#include <optional>
+
+class QLabel;
+class QToolButton;
+
+namespace palmer::ui {
+
+class FigureCanvas;
+
+/// The figure of the test in view: reads values under the pointer, zooms, pans, copies and saves. Follows the
+/// theme; what leaves it is white.
+class FigureView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FigureView(Selection &selection, QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+
+    /// The figure as it is shown, with the ranges zoomed to; nothing for a test without one.
+    [[nodiscard]] std::optional<CurveFigure> figure() const;
+    void fit();
+    /// Puts the figure on the clipboard, as vectors (SVG, PDF) and as a picture.
+    void copy();
+    /// Writes the figure; the kind follows the suffix (pdf, svg, png). False: it could not be written.
+    bool saveTo(const QString &path);
+
+signals:
+    /// The user wants it in a window of its own, or as large as the window.
+    void detachWanted();
+    void maximiseWanted();
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void refresh();
+    void showRanges(const Interval &x, const Interval &y);
+    void mark();
+    void showHoverLabel();
+    void askWhereToSave();
+    void retranslate();
+    QToolButton *addButton(const QString &name, const QString &icon);
+
+    Selection &m_selection;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    Language m_language{Language::Id::english};
+    std::optional<CurveFigure> m_whole; ///< with the ranges that show everything
+    std::optional<CurveFigure> m_shown;
+    bool m_readingMarks = true;
+    QLabel *m_title;
+    QLabel *m_note;
+    FigureCanvas *m_canvas;
+    QToolButton *m_marks;
+    QToolButton *m_fit;
+    QToolButton *m_copy;
+    QToolButton *m_save;
+    QToolButton *m_detach;
+    QToolButton *m_maximise;
+};
+
+} // namespace palmer::ui

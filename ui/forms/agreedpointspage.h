@@ -1,0 +1,61 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "ui/model/selection.h"
+
+#include <QWidget>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace palmer::ui {
+
+class Chip;
+
+/// The points to be agreed between supplier/manufacturer and user: each agreed, not agreed or not applicable,
+/// with its text.
+class AgreedPointsPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit AgreedPointsPage(Selection &selection, QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+    /// Moves the focus to the text of a point, by the id of its finding ("agreedPoints.…").
+    bool focusField(const QString &id);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    struct Row {
+        const AgreementPoint *point;
+        Chip *letter;
+        QLabel *name;
+        QToolButton *agreed;
+        QToolButton *notAgreed;
+        QToolButton *notApplicable;
+        QLineEdit *text;
+    };
+
+    void build(const Edition &edition);
+    void refresh();
+
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    Language m_language{Language::Id::english};
+    const Edition *m_built = nullptr;
+    Chip *m_chip;
+    QLabel *m_source;
+    QScrollArea *m_scroll;
+    QVBoxLayout *m_body;
+    std::vector<Row> m_rows;
+};
+
+} // namespace palmer::ui

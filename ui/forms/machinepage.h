@@ -1,0 +1,15 @@
+#pragma once
+
+#include "ui/forms/form.h"
+
+namespace palmer::ui {
+
+/// The machine under test.
+class MachinePage : public Form {
+    Q_OBJECT
+
+public:
+    explicit MachinePage(QWidget *parent = nullptr);
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "ui/model/page.h"
+
+#include <QStackedWidget>
+
+namespace palmer::ui {
+
+class IdentificationPage;
+class InstrumentsPage;
+class MachinePage;
+
+/// The pages of the report that belong to no test: identification, machine, instruments.
+class ReportPages : public QStackedWidget {
+    Q_OBJECT
+
+public:
+    explicit ReportPages(QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated);
+    void showPage(Page page);
+    /// What the report is called, for the head of the page; empty where it has no title.
+    [[nodiscard]] QString subtitle() const;
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    EvaluatedDocument m_evaluated;
+    IdentificationPage *m_identification;
+    MachinePage *m_machine;
+    InstrumentsPage *m_instruments;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,116 @@
+#include "ui/model/evaluator.h"
+
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr std::size_t atOnce = 10'000;
+
+std::size_t countReadings(const Test &test) {
+    std::size_t count = 0;
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
+        for (const Run &run : positioning->runs)
+            count += run.deviations.size();
+    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
+        for (const Arc &arc : circular->arcs)
+            count += arc.angles.size();
+    } else {
+        count = std::get<DriftMeasurement>(test.measurement).times.size();
+    }
+    return count;
+}
+
+/// Readings of the tests that `previous` has not evaluated under these editions.
+std::size_t countNewReadings(const Document &document, const std::vector<std::string> &editions,
+                             const EvaluatedDocument &previous) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < document.tests.size(); ++i) {
+        const TestPointer &test = document.tests[i];
+        bool known = false;
+        if (previous.document) {
+            const auto &tests = previous.document->tests;
+            const auto found = std::ranges::find(tests, test);
+            if (found != tests.end()) {
+                const auto &evaluation = previous.tests[static_cast<std::size_t>(found - tests.begin())];
+                const std::string &asked = editions[i].empty() ? test->edition : editions[i];
+                known = !evaluation->edition || asked == evaluation->edition->word;
+            }
+        }
+        if (!known)
+            count += countReadings(*test);
+    }
+    return count;
+}
+
+} // namespace
+
+Evaluator::Evaluator(QObject *parent)
+    : QObject(parent) {
+    m_worker.setMaxThreadCount(1);
+}
+
+Evaluator::~Evaluator() {
+    ++m_started; // what waits has nobody to wait for it
+    m_worker.waitForDone();
+}
+
+void Evaluator::setDocument(std::shared_ptr<const Document> document) {
+    m_document = std::move(document);
+    std::erase_if(m_views, [this](const auto &view) {
+        return std::ranges::none_of(m_document->tests,
+                                    [&](const TestPointer &test) { return test->id == view.first; });
+    });
+    evaluate();
+}
+
+void Evaluator::setView(std::size_t test, const std::string &edition) {
+    if (!m_document || test >= m_document->tests.size())
+        return;
+    const Test &viewed = *m_document->tests[test];
+    if (edition.empty() || edition == viewed.edition)
+        m_views.erase(viewed.id);
+    else
+        m_views[viewed.id] = edition;
+    evaluate();
+}
+
+std::vector<std::string> Evaluator::editions() const {
+    std::vector<std::string> result;
+    for (const TestPointer &test : m_document->tests) {
+        const auto found = m_views.find(test->id);
+        result.push_back(found == m_views.end() ? std::string() : found->second);
+    }
+    return result;
+}
+
+void Evaluator::evaluate() {
+    const int job = ++m_started;
+    auto asked = editions();
+    if (countNewReadings(*m_document, asked, m_current) <= atOnce) {
+        take(evaluateUnder(m_document, asked, &m_current), job);
+        return;
+    }
+    emit busyChanged(true);
+    m_worker.start([this, job, document = m_document, asked = std::move(asked), previous = m_current] {
+        if (job != m_started)
+            return;
+        auto evaluated = evaluateUnder(document, asked, &previous);
+        QMetaObject::invokeMethod(
+            this,
+            [this, job, evaluated = std::move(evaluated)]() mutable { take(std::move(evaluated), job); },
+            Qt::QueuedConnection);
+    });
+}
+
+void Evaluator::take(EvaluatedDocument evaluated, int job) {
+    if (job != m_started)
+        return;
+    m_done = job;
+    m_current = std::move(evaluated);
+    emit busyChanged(false);
+    emit this->evaluated(m_current);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+
+#include <QObject>
+#include <QThreadPool>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace palmer::ui {
+
+/// Keeps a document evaluated. Small changes (at most 10⁴ readings to compute anew) are evaluated at once, in
+/// the call; larger ones on a thread of its own, and of several only the latest is told. Results always come
+/// together with the document they were computed from.
+class Evaluator : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Evaluator(QObject *parent = nullptr);
+    ~Evaluator() override;
+
+    /// Evaluates another document, or the next state of the same; views of tests that are gone are forgotten.
+    void setDocument(std::shared_ptr<const Document> document);
+
+    /// Shows a test under another edition of its kind: results and no verdicts, the file stays as it is. The
+    /// test's own edition, or an empty word, ends the view.
+    void setView(std::size_t test, const std::string &edition);
+
+    /// The latest results; of no document at first.
+    [[nodiscard]] const EvaluatedDocument &current() const { return m_current; }
+    /// Newer results are being computed.
+    [[nodiscard]] bool isBusy() const { return m_done != m_started; }
+
+signals:
+    void evaluated(const palmer::EvaluatedDocument &evaluated);
+    void busyChanged(bool busy);
+
+private:
+    void evaluate();
+    void take(EvaluatedDocument evaluated, int job);
+    [[nodiscard]] std::vector<std::string> editions() const;
+
+    std::shared_ptr<const Document> m_document;
+    EvaluatedDocument m_current;
+    std::map<std::string, std::string> m_views; ///< edition by id of the test
+    std::atomic<int> m_started = 0;             ///< number of the latest job
+    int m_done = 0;
+    QThreadPool m_worker;
+};
+
+} // namespace palmer::ui

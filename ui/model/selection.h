@@ -1,0 +1,77 @@
+#pragma once
+
+#include "ui/model/page.h"
+
+#include <QObject>
+#include <QString>
+#include <cstddef>
+#include <optional>
+
+namespace palmer::ui {
+
+/// A place among the readings of a positioning test: indices of run and target as in the measurement, from 0.
+struct ReadingPlace {
+    std::size_t run = 0;
+    std::size_t target = 0;
+
+    bool operator==(const ReadingPlace &) const = default;
+};
+
+/// What the user points at in one window: shared by its pages, figure and results, so that a choice made in
+/// one shows in the others. Not part of the document, and nothing of it can be undone. Setting what is set
+/// already emits nothing. Indices from 0; whoever shows them checks that they exist.
+class Selection : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    /// Index of the test in view. Choosing another one forgets target, readings and parameter.
+    [[nodiscard]] std::size_t test() const { return m_test; }
+    void setTest(std::size_t test);
+
+    /// The page of the middle that is in view.
+    [[nodiscard]] Page page() const { return m_page; }
+    void setPage(Page page);
+
+    /// The target in view; a current reading makes its target the current one.
+    [[nodiscard]] std::optional<std::size_t> target() const { return m_target; }
+    void setTarget(std::optional<std::size_t> target);
+
+    /// The current cell of the table of readings.
+    [[nodiscard]] std::optional<ReadingPlace> reading() const { return m_reading; }
+    void setReading(std::optional<ReadingPlace> reading);
+
+    /// The reading under the pointer, in figure or table.
+    [[nodiscard]] std::optional<ReadingPlace> hovered() const { return m_hovered; }
+    void setHovered(std::optional<ReadingPlace> reading);
+
+    /// The parameter that is explained, as in parameterId ("A", "G(b)_XY"); empty: none.
+    [[nodiscard]] QString parameter() const { return m_parameter; }
+    void setParameter(const QString &id);
+
+    /// The statement to bring into view on the page, by the id of its finding; empty: none. Set again, it is
+    /// told again.
+    [[nodiscard]] QString field() const { return m_field; }
+    void setField(const QString &id);
+
+signals:
+    void testChanged(std::size_t test);
+    void pageChanged(palmer::ui::Page page);
+    void targetChanged();
+    void readingChanged();
+    void hoveredChanged();
+    void parameterChanged();
+    void fieldChosen(const QString &id);
+
+private:
+    std::size_t m_test = 0;
+    Page m_page = Page::readings;
+    std::optional<std::size_t> m_target;
+    std::optional<ReadingPlace> m_reading;
+    std::optional<ReadingPlace> m_hovered;
+    QString m_parameter;
+    QString m_field;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,192 @@
+#include "ui/navigation/navigationlist.h"
+
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QStyledItemDelegate>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int margin = 16;
+constexpr int iconWidth = 16;
+constexpr int textLeft = 40;
+constexpr int markWidth = 32;
+
+class NavigationDelegate : public QStyledItemDelegate {
+public:
+    explicit NavigationDelegate(NavigationList &list)
+        : QStyledItemDelegate(&list)
+        , m_list(list) {}
+
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &, const QModelIndex &index) const override {
+        const bool head = index.data(NavigationModel::headRole).toBool();
+        if (m_list.isRail())
+            return {NavigationList::railWidth, head ? 8 : 40};
+        if (head)
+            return {NavigationList::fullWidth, index.row() == 0 ? 36 : 32};
+        return {NavigationList::fullWidth,
+                index.data(NavigationModel::detailRole).toString().isEmpty() ? 28 : 44};
+    }
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override {
+        painter->save();
+        if (index.data(NavigationModel::headRole).toBool())
+            paintHead(*painter, option, index);
+        else
+            paintRow(*painter, option, index);
+        painter->restore();
+    }
+
+private:
+    void paintHead(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const {
+        if (m_list.isRail()) {
+            if (index.row() > 0) {
+                painter.setPen(token(Token::line, option.palette));
+                painter.drawLine(option.rect.left() + 12, option.rect.center().y(), option.rect.right() - 12,
+                                 option.rect.center().y());
+            }
+            return;
+        }
+        QFont font = themeFont(TextSize::tiny);
+        font.setWeight(QFont::DemiBold);
+        font.setCapitalization(QFont::AllUppercase);
+        painter.setFont(font);
+        painter.setPen(token(Token::secondaryText, option.palette));
+        painter.drawText(option.rect.adjusted(margin, 0, -margin, -6), Qt::AlignLeft | Qt::AlignBottom,
+                         index.data().toString());
+    }
+
+    void paintRow(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const {
+        const bool selected = option.state.testFlag(QStyle::State_Selected);
+        if (selected) {
+            painter.fillRect(option.rect, selectedGround(option.palette));
+            painter.fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())),
+                             token(Token::accent, option.palette));
+        } else if (option.state.testFlag(QStyle::State_MouseOver)) {
+            painter.fillRect(option.rect, token(Token::hover, option.palette));
+        }
+        if (option.state.testFlag(QStyle::State_HasFocus)) {
+            painter.setPen(QPen(token(Token::accent, option.palette), 2));
+            painter.drawRect(option.rect.adjusted(1, 1, -1, -1));
+        }
+        const QColor text = option.palette.color(QPalette::WindowText);
+        const QString icon = index.data(NavigationModel::iconRole).toString();
+        const QString mark = index.data(NavigationModel::markRole).toString();
+        const QColor markColour =
+            token(static_cast<Token>(index.data(NavigationModel::markColourRole).toInt()), option.palette);
+        const int count = index.data(NavigationModel::countRole).toInt();
+        if (m_list.isRail()) {
+            drawLineIcon(painter, option.rect, icon, text);
+            if (!mark.isEmpty()) {
+                const QRect corner(option.rect.center() + QPoint(4, 2), QSize(14, 14));
+                painter.setPen(Qt::NoPen);
+                painter.setBrush(selected ? selectedGround(option.palette)
+                                          : option.palette.color(QPalette::Window));
+                painter.drawEllipse(corner);
+                drawLineIcon(painter, corner, mark, markColour);
+            } else if (count > 0) {
+                painter.setPen(Qt::NoPen);
+                painter.setBrush(token(Token::unsure, option.palette));
+                painter.drawEllipse(QRect(option.rect.center() + QPoint(6, -12), QSize(6, 6)));
+            }
+            return;
+        }
+        const QString detail = index.data(NavigationModel::detailRole).toString();
+        const QRect top(option.rect.left(), option.rect.top() + (detail.isEmpty() ? 0 : 4),
+                        option.rect.width(), detail.isEmpty() ? option.rect.height() : 20);
+        drawLineIcon(painter, QRect(margin, top.top(), iconWidth, top.height()), icon, text);
+        QFont font = themeFont(TextSize::base);
+        if (selected)
+            font.setWeight(QFont::DemiBold);
+        painter.setFont(font);
+        painter.setPen(text);
+        const int right = mark.isEmpty() && count == 0 ? margin / 2 : markWidth;
+        const QRect nameArea = top.adjusted(textLeft, 0, -right, 0);
+        painter.drawText(
+            nameArea, Qt::AlignLeft | Qt::AlignVCenter,
+            painter.fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, nameArea.width()));
+        const QRect markArea(option.rect.right() - markWidth + 4, top.top(), 20, top.height());
+        if (!mark.isEmpty())
+            drawLineIcon(painter, markArea, mark, markColour);
+        painter.setFont(themeFont(TextSize::tiny));
+        if (count > 0)
+            paintBadge(painter, markArea, count, option.palette);
+        if (!detail.isEmpty()) {
+            painter.setPen(token(Token::secondaryText, option.palette));
+            const QRect area(option.rect.left() + textLeft, option.rect.top() + 22,
+                             option.rect.width() - textLeft - margin / 2, 16);
+            painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
+                             painter.fontMetrics().elidedText(detail, Qt::ElideRight, area.width()));
+        }
+    }
+
+    static void paintBadge(QPainter &painter, const QRect &area, int count, const QPalette &palette) {
+        QRect badge(0, 0, 20, 20);
+        badge.moveCenter(area.center());
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(token(Token::unsureGround, palette));
+        painter.drawEllipse(badge);
+        painter.setPen(token(Token::unsure, palette));
+        painter.drawText(badge, Qt::AlignCenter, QString::number(count));
+    }
+
+    NavigationList &m_list;
+};
+
+} // namespace
+
+NavigationList::NavigationList(NavigationModel &model, QWidget *parent)
+    : QListView(parent)
+    , m_model(model) {
+    setObjectName(QStringLiteral("navigation"));
+    setModel(&model);
+    setItemDelegate(new NavigationDelegate(*this));
+    setFrameShape(QFrame::NoFrame);
+    setMouseTracking(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    viewport()->setAutoFillBackground(false);
+    setMinimumWidth(railWidth);
+    retranslate();
+}
+
+void NavigationList::setRail(bool rail) {
+    if (m_rail == rail)
+        return;
+    m_rail = rail;
+    scheduleDelayedItemsLayout();
+    viewport()->update();
+}
+
+void NavigationList::setCurrentRow(const QModelIndex &index) {
+    m_silent = true;
+    setCurrentIndex(index);
+    m_silent = false;
+}
+
+void NavigationList::currentChanged(const QModelIndex &current, const QModelIndex &previous) {
+    QListView::currentChanged(current, previous);
+    if (m_silent)
+        return;
+    if (const auto page = m_model.pageAt(current))
+        emit pageChosen(*page);
+    if (const auto test = m_model.testAt(current))
+        emit testChosen(*test);
+}
+
+void NavigationList::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QListView::changeEvent(event);
+}
+
+void NavigationList::retranslate() {
+    setAccessibleName(tr("Pages of the report, tests"));
+    m_model.retranslate();
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ui/navigation/navigationmodel.h"
+
+#include <QListView>
+
+namespace palmer::ui {
+
+/// The list at the left of a window: 184 wide, or a rail of 48 that shows icons with verdict corners.
+class NavigationList : public QListView {
+    Q_OBJECT
+
+public:
+    static constexpr int fullWidth = 184;
+    static constexpr int railWidth = 48;
+
+    explicit NavigationList(NavigationModel &model, QWidget *parent = nullptr);
+
+    void setRail(bool rail);
+    [[nodiscard]] bool isRail() const { return m_rail; }
+    /// Marks what is in view, without telling it back.
+    void setCurrentRow(const QModelIndex &index);
+
+signals:
+    void pageChosen(palmer::ui::Page page);
+    void testChosen(std::size_t test);
+
+protected:
+    void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void retranslate();
+
+    NavigationModel &m_model;
+    bool m_rail = false;
+    bool m_silent = false;
+};
+
+} // namespace palmer::ui

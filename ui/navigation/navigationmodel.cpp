@@ -1,0 +1,187 @@
+#include "ui/navigation/navigationmodel.h"
+
+#include "ui/windowlanguage.h"
+
+#include <algorithm>
+#include <array>
+
+namespace palmer::ui {
+
+QString testIcon(const Test &test) {
+    return std::holds_alternative<CircularMeasurement>(test.measurement) ? QStringLiteral("circle")
+                                                                         : QStringLiteral("axis");
+}
+
+QString shortStandard(const std::string &edition) {
+    const QString word = QString::fromStdString(edition).section(u':', 0, 0);
+    return word.startsWith(QLatin1StringView("ISO ")) ? word.mid(4) : word;
+}
+
+bool isUnfinished(const Test &test) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (!measurement)
+        return false;
+    if (measurement->runs.empty() || measurement->targets.empty())
+        return true;
+    for (std::size_t run = 0; run < measurement->runs.size(); ++run) {
+        const auto &deviations = measurement->runs[run].deviations;
+        for (std::size_t target = 0; target < deviations.size(); ++target) {
+            const bool setAside =
+                std::ranges::any_of(measurement->excluded, [&](const ExcludedReading &excluded) {
+                    return excluded.run == static_cast<int>(run) + 1 &&
+                           excluded.target == static_cast<int>(target) + 1;
+                });
+            if (!deviations[target] && !setAside)
+                return true;
+        }
+    }
+    return false;
+}
+
+namespace {
+
+QString testName(const Test &test) {
+    return QString::fromStdString(test.title.empty() ? test.id : test.title);
+}
+
+} // namespace
+
+void NavigationModel::show(const EvaluatedDocument &evaluated) {
+    m_evaluated = evaluated;
+    rebuild();
+}
+
+void NavigationModel::retranslate() {
+    rebuild();
+}
+
+std::vector<NavigationModel::Row> NavigationModel::rows() const {
+    std::vector<Row> result;
+    if (!m_evaluated.document)
+        return result;
+    const auto missing = [this](Page page) {
+        int most = 0; // every test asks the same of what they share
+        for (const TestEvaluationPointer &test : m_evaluated.tests)
+            most = std::max(most, countMissing(*test, page));
+        return most;
+    };
+    const auto page = [&](const QString &name, const QString &icon, Page which) {
+        return Row{name, {}, icon, missing(which), {}, which, {}};
+    };
+    result.push_back({tr("Report"), {}, {}, 0, {}, {}, {}});
+    result.push_back(page(tr("Identification"), QStringLiteral("doc"), Page::identification));
+    result.push_back(page(tr("Machine"), QStringLiteral("machine"), Page::machine));
+    result.push_back(page(tr("Instruments"), QStringLiteral("laser"), Page::instruments));
+    result.push_back({tr("Tests"), {}, {}, 0, {}, {}, {}});
+    for (std::size_t i = 0; i < m_evaluated.document->tests.size(); ++i) {
+        const Test &test = *m_evaluated.document->tests[i];
+        Row row;
+        row.name = testName(test);
+        row.icon = testIcon(test);
+        row.test = i;
+        row.mark = verdictMark(m_evaluated.tests[i]->verdict);
+        const bool unfinished = isUnfinished(test);
+        if (unfinished)
+            row.mark = {QStringLiteral("dots"), Token::secondaryText, tr("unfinished")};
+        QStringList detail;
+        if (unfinished)
+            detail += tr("unfinished");
+        else if (test.date)
+            detail += windowLanguage().date(*test.date);
+        const TestEvaluation &evaluation = *m_evaluated.tests[i];
+        if (evaluation.edition)
+            detail += shortStandard(evaluation.edition->word);
+        row.detail = detail.join(QStringLiteral(" · "));
+        result.push_back(std::move(row));
+    }
+    return result;
+}
+
+void NavigationModel::rebuild() {
+    std::vector<Row> next = rows();
+    if (next == m_rows)
+        return;
+    if (next.size() == m_rows.size()) { // the selection stays where it is
+        m_rows = std::move(next);
+        emit dataChanged(index(0), index(rowCount() - 1));
+        return;
+    }
+    beginResetModel();
+    m_rows = std::move(next);
+    endResetModel();
+}
+
+const NavigationModel::Row *NavigationModel::rowAt(const QModelIndex &index) const {
+    return index.isValid() && checkIndex(index, CheckIndexOption::IndexIsValid) ? &m_rows[static_cast<std::size_t>(index.row())]
+                                                             : nullptr;
+}
+
+QModelIndex NavigationModel::indexOf(Page page) const {
+    const auto found = std::ranges::find(m_rows, std::optional(page), &Row::page);
+    return found == m_rows.end() ? QModelIndex() : index(static_cast<int>(found - m_rows.begin()));
+}
+
+QModelIndex NavigationModel::indexOfTest(std::size_t test) const {
+    const auto found = std::ranges::find(m_rows, std::optional(test), &Row::test);
+    return found == m_rows.end() ? QModelIndex() : index(static_cast<int>(found - m_rows.begin()));
+}
+
+std::optional<Page> NavigationModel::pageAt(const QModelIndex &index) const {
+    const Row *row = rowAt(index);
+    return row ? row->page : std::nullopt;
+}
+
+std::optional<std::size_t> NavigationModel::testAt(const QModelIndex &index) const {
+    const Row *row = rowAt(index);
+    return row ? row->test : std::nullopt;
+}
+
+int NavigationModel::rowCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+QVariant NavigationModel::data(const QModelIndex &index, int role) const {
+    const Row *row = rowAt(index);
+    if (!row)
+        return {};
+    switch (role) {
+    case Qt::DisplayRole:
+        return row->name;
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole: {
+        QStringList parts{row->name};
+        if (!row->detail.isEmpty())
+            parts += row->detail;
+        if (!row->mark.word.isEmpty())
+            parts += row->mark.word;
+        if (row->count > 0)
+            parts += tr("%n required statement(s) missing", nullptr, row->count);
+        if (role == Qt::ToolTipRole && row->isHead())
+            return {};
+        return parts.join(QStringLiteral(", "));
+    }
+    case headRole:
+        return row->isHead();
+    case detailRole:
+        return row->detail;
+    case iconRole:
+        return row->icon;
+    case countRole:
+        return row->count;
+    case markRole:
+        return row->mark.icon;
+    case markColourRole:
+        return static_cast<int>(row->mark.colour);
+    default:
+        return {};
+    }
+}
+
+Qt::ItemFlags NavigationModel::flags(const QModelIndex &index) const {
+    const Row *row = rowAt(index);
+    if (!row || row->isHead())
+        return Qt::NoItemFlags;
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+}
+
+} // namespace palmer::ui

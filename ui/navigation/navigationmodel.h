@@ -1,0 +1,76 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "ui/model/page.h"
+#include "ui/verdictmark.h"
+
+#include <QAbstractListModel>
+#include <QString>
+#include <optional>
+#include <vector>
+
+namespace palmer::ui {
+
+/// What the navigation of a window lists: the pages of the report with the number of their missing
+/// statements, then the tests with name, date and standard, and verdict mark.
+class NavigationModel : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    enum Role {
+        headRole = Qt::UserRole + 1, ///< bool: a title, not to be chosen
+        detailRole,                  ///< second line
+        iconRole,                    ///< name of the line icon
+        countRole,                   ///< missing statements
+        markRole,                    ///< line icon of the verdict
+        markColourRole,              ///< Token of the verdict, as int
+    };
+
+    using QAbstractListModel::QAbstractListModel;
+
+    void show(const EvaluatedDocument &evaluated);
+    void retranslate();
+
+    /// Row of a page of the report, or of a test.
+    [[nodiscard]] QModelIndex indexOf(Page page) const;
+    [[nodiscard]] QModelIndex indexOfTest(std::size_t test) const;
+    /// What a row stands for; neither for titles.
+    [[nodiscard]] std::optional<Page> pageAt(const QModelIndex &index) const;
+    [[nodiscard]] std::optional<std::size_t> testAt(const QModelIndex &index) const;
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
+
+private:
+    struct Row {
+        QString name;
+        QString detail;
+        QString icon;
+        int count = 0;
+        VerdictMark mark;
+        std::optional<Page> page;
+        std::optional<std::size_t> test;
+
+        [[nodiscard]] bool isHead() const { return !page && !test; }
+        bool operator==(const Row &) const = default;
+    };
+
+    [[nodiscard]] std::vector<Row> rows() const;
+    void rebuild();
+    [[nodiscard]] const Row *rowAt(const QModelIndex &index) const;
+
+    EvaluatedDocument m_evaluated;
+    std::vector<Row> m_rows;
+};
+
+/// The line icon of a kind of test.
+[[nodiscard]] QString testIcon(const Test &test);
+
+/// "ISO 230-2:2006" without what every test of the list shares: "230-2".
+[[nodiscard]] QString shortStandard(const std::string &edition);
+
+/// Whether readings are still to come: the test cannot be judged for good.
+[[nodiscard]] bool isUnfinished(const Test &test);
+
+} // namespace palmer::ui

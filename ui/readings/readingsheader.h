@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ui/readings/readingsmodel.h"
+
+#include <QHeaderView>
+
+namespace palmer::ui {
+
+/// The head of the readings in two storeys: title of the run (or direction) above, ↑ ↓ (or run) below.
+class ReadingsHeader : public QHeaderView {
+    Q_OBJECT
+
+public:
+    explicit ReadingsHeader(const ReadingsModel &model, QWidget *parent = nullptr);
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    void paintColumn(QPainter &painter, int column, const QRect &area) const;
+
+    const ReadingsModel &m_model;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,223 @@
+#include "ui/readings/readingsmodel.h"
+
+#include "kernel/evaluation/targetvalue.h"
+
+#include <algorithm>
+
+namespace palmer::ui {
+
+void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    beginResetModel();
+    m_document = evaluated.document;
+    m_measurement = nullptr;
+    m_evaluation = nullptr;
+    if (test < evaluated.tests.size()) {
+        m_evaluation = evaluated.tests[test];
+        m_measurement = std::get_if<PositioningMeasurement>(&m_document->tests[test]->measurement);
+    }
+    rebuild();
+    endResetModel();
+}
+
+void ReadingsModel::setLanguage(const Language &language) {
+    beginResetModel();
+    m_language = language;
+    rebuild();
+    endResetModel();
+}
+
+void ReadingsModel::setUnit(ReadingUnit unit) {
+    beginResetModel();
+    m_unit = unit;
+    rebuild();
+    endResetModel();
+}
+
+void ReadingsModel::setGrouping(ReadingGrouping grouping) {
+    beginResetModel();
+    m_grouping = grouping;
+    rebuild();
+    endResetModel();
+}
+
+void ReadingsModel::retranslate() {
+    beginResetModel();
+    rebuild();
+    endResetModel();
+}
+
+void ReadingsModel::rebuild() {
+    m_readings.clear();
+    m_statistics.clear();
+    m_heads.clear();
+    m_texts.reset();
+    if (!m_measurement)
+        return;
+    m_texts.emplace(*m_measurement, m_language, m_unit);
+    m_readings = readingColumns(*m_measurement, m_grouping);
+    m_statistics = statisticColumns(*m_evaluation, m_language);
+    m_heads.push_back({formulaFrom(QStringLiteral("i")), {}, {}, tr("Number of the target")});
+    m_heads.push_back({formulaFrom(QStringLiteral("P ") + m_texts->positionUnit()), {}, {}, tr("Target position")});
+    for (const ReadingColumn &column : m_readings) {
+        const bool up = column.approach == Direction::positive;
+        const QString arrow = up ? QStringLiteral("↑") : QStringLiteral("↓");
+        const QString number = QString::number(column.number);
+        const QString name = tr("Run %1 %2").arg(number, arrow);
+        if (m_grouping == ReadingGrouping::byRun)
+            m_heads.push_back({formulaFrom(arrow), column.approach, tr("Run %1").arg(number), name});
+        else
+            m_heads.push_back({formulaFrom(number), column.approach, tr("Runs %1").arg(arrow), name});
+    }
+    for (const StatisticColumn &column : m_statistics) {
+        m_heads.push_back({column.symbol, {}, tr("Computed, %1").arg(m_texts->deviationUnit()), column.name});
+    }
+}
+
+int ReadingsModel::rowCount(const QModelIndex &parent) const {
+    return parent.isValid() || !m_measurement ? 0 : static_cast<int>(m_measurement->targets.size());
+}
+
+int ReadingsModel::columnCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_heads.size());
+}
+
+int ReadingsModel::computedColumn() const {
+    return firstReadingColumn + static_cast<int>(m_readings.size());
+}
+
+std::optional<ReadingPlace> ReadingsModel::placeAt(const QModelIndex &index) const {
+    if (!index.isValid() || index.column() < firstReadingColumn || index.column() >= computedColumn())
+        return std::nullopt;
+    return ReadingPlace{m_readings[static_cast<std::size_t>(index.column() - firstReadingColumn)].run,
+                        static_cast<std::size_t>(index.row())};
+}
+
+bool ReadingsModel::holds(const ReadingPlace &place) const {
+    return m_measurement && place.run < m_measurement->runs.size() &&
+           place.target < m_measurement->targets.size();
+}
+
+QModelIndex ReadingsModel::indexOf(const ReadingPlace &place) const {
+    if (!holds(place))
+        return {};
+    const auto found = std::ranges::find(m_readings, place.run, &ReadingColumn::run);
+    return index(static_cast<int>(place.target),
+                 firstReadingColumn + static_cast<int>(found - m_readings.begin()));
+}
+
+QString ReadingsModel::text(const QModelIndex &index) const {
+    const auto row = static_cast<std::size_t>(index.row());
+    if (index.column() == numberColumn)
+        return QString::number(index.row() + 1);
+    if (index.column() == positionColumn)
+        return m_texts->position(row);
+    if (const auto place = placeAt(index))
+        return m_texts->reading(place->run, place->target).text;
+    const auto &results = std::get<PositioningResults>(m_evaluation->results);
+    const auto column = static_cast<std::size_t>(index.column() - computedColumn());
+    return m_texts->statistic(targetValue(m_statistics[column].id, results.targets[row],
+                                          m_evaluation->edition ? m_evaluation->edition->c : 0));
+}
+
+QVariant ReadingsModel::data(const QModelIndex &index, int role) const {
+    if (!index.isValid() || !m_texts)
+        return {};
+    const auto place = placeAt(index);
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(index);
+    case Qt::TextAlignmentRole:
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::ToolTipRole:
+        if (place) {
+            const ShownReading reading = m_texts->reading(place->run, place->target);
+            if (reading.excluded)
+                return reading.reason.isEmpty() ? tr("Set aside, without a reason")
+                                                : tr("Set aside: %1").arg(reading.reason);
+        }
+        return {};
+    case Qt::AccessibleTextRole: {
+        const QString where = tr("target %1, %2").arg(QString::number(index.row() + 1), head(index.column()).name);
+        if (place && m_texts->reading(place->run, place->target).missing)
+            return where + QStringLiteral(": ") + tr("no reading");
+        return where + QStringLiteral(": ") + text(index);
+    }
+    case excludedRole:
+        return place && m_texts->reading(place->run, place->target).excluded;
+    case missingRole:
+        return place && m_texts->reading(place->run, place->target).missing;
+    case groupEndRole:
+        return index.column() == positionColumn ||
+               (place && m_readings[static_cast<std::size_t>(index.column() - firstReadingColumn)].endsGroup);
+    default:
+        return {};
+    }
+}
+
+QVariant ReadingsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (section < 0)
+        return {};
+    if (orientation == Qt::Vertical)
+        return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
+    if (section >= columnCount())
+        return {};
+    switch (role) {
+    case Qt::DisplayRole:
+        return head(section).text.plain();
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+        return head(section).name;
+    default:
+        return {};
+    }
+}
+
+Qt::ItemFlags ReadingsModel::flags(const QModelIndex &index) const {
+    if (!index.isValid())
+        return Qt::NoItemFlags;
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+}
+
+QString ReadingsModel::summary(const QModelIndexList &indexes) const {
+    std::vector<std::pair<std::size_t, std::size_t>> places;
+    for (const QModelIndex &index : indexes) {
+        if (const auto place = placeAt(index))
+            places.emplace_back(place->run, place->target);
+    }
+    return m_texts && !places.empty() ? m_texts->summary(places) : QString();
+}
+
+QStringList ReadingsModel::widestTexts(int column) const {
+    QStringList texts;
+    if (!m_measurement || m_measurement->targets.empty())
+        return texts;
+    const int last = rowCount() - 1;
+    if (column < firstReadingColumn || column >= computedColumn()) {
+        for (const int row : {0, last / 2, last})
+            texts << text(index(row, column));
+        return texts;
+    }
+    // All columns of readings are equally wide: as wide as the extreme ones need.
+    std::optional<ReadingPlace> least;
+    std::optional<ReadingPlace> most;
+    for (std::size_t j = 0; j < m_measurement->runs.size(); ++j) {
+        const auto &deviations = m_measurement->runs[j].deviations;
+        for (std::size_t i = 0; i < std::min(deviations.size(), m_measurement->targets.size()); ++i) {
+            if (!deviations[i])
+                continue;
+            if (!least || *deviations[i] < *m_measurement->runs[least->run].deviations[least->target])
+                least = ReadingPlace{j, i};
+            if (!most || *deviations[i] > *m_measurement->runs[most->run].deviations[most->target])
+                most = ReadingPlace{j, i};
+        }
+    }
+    for (const auto &place : {least, most}) {
+        if (place)
+            texts << m_texts->reading(place->run, place->target).text;
+    }
+    if (most && m_unit == ReadingUnit::positions)
+        texts << m_texts->reading(most->run, m_measurement->targets.size() - 1).text;
+    return texts;
+}
+
+} // namespace palmer::ui

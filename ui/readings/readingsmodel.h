@@ -1,0 +1,76 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "report/readingtable.h"
+#include "ui/model/selection.h"
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+namespace palmer::ui {
+
+/// The readings of a positioning test as a table: one row a target; columns i, P, the runs, and what is
+/// computed of them. Shows a document, changes none.
+class ReadingsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Role {
+        excludedRole = Qt::UserRole + 1, ///< bool: set aside
+        missingRole,                     ///< bool
+        groupEndRole,                    ///< bool: a stronger rule follows the column
+    };
+    enum Column { numberColumn, positionColumn, firstReadingColumn };
+
+    /// What a column of the lower storey of the head stands for, and the title above it.
+    struct Head {
+        Formula text;
+        std::optional<Direction> approach; ///< colour of the text
+        QString group;                     ///< same for neighbours that share a title
+        QString name;                      ///< in words
+    };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// Shows test `test` of the document, or nothing where it is no positioning test.
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+    void setUnit(ReadingUnit unit);
+    void setGrouping(ReadingGrouping grouping);
+    void retranslate(); ///< the words of the head
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
+
+    [[nodiscard]] const Head &head(int column) const { return m_heads[static_cast<std::size_t>(column)]; }
+    [[nodiscard]] int computedColumn() const; ///< the first that is computed
+    [[nodiscard]] std::optional<ReadingPlace> placeAt(const QModelIndex &index) const;
+    [[nodiscard]] QModelIndex indexOf(const ReadingPlace &place) const;
+    /// Mean and range of the readings among the indexes; empty where there is none.
+    [[nodiscard]] QString summary(const QModelIndexList &indexes) const;
+    /// The longest texts of a column, for its width.
+    [[nodiscard]] QStringList widestTexts(int column) const;
+
+private:
+    void rebuild();
+    [[nodiscard]] bool holds(const ReadingPlace &place) const;
+    [[nodiscard]] QString text(const QModelIndex &index) const;
+
+    std::shared_ptr<const Document> m_document; ///< owns the measurement
+    TestEvaluationPointer m_evaluation;
+    const PositioningMeasurement *m_measurement = nullptr;
+    Language m_language{Language::Id::english};
+    ReadingUnit m_unit = ReadingUnit::deviations;
+    ReadingGrouping m_grouping = ReadingGrouping::byRun;
+    std::optional<ReadingTexts> m_texts;
+    std::vector<ReadingColumn> m_readings;
+    std::vector<StatisticColumn> m_statistics;
+    std::vector<Head> m_heads;
+};
+
+} // namespace palmer::ui

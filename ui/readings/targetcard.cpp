@@ -1,0 +1,169 @@
+#include "ui/readings/targetcard.h"
+
+#include "figures/targetstrip.h"
+#include "kernel/evaluation/targetvalue.h"
+#include "report/readingtable.h"
+#include "ui/readings/targetstatisticsview.h"
+#include "ui/readings/targetstripview.h"
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int pageMargin = 16;
+
+/// A row of the small table: quantities of targetValue for ↑, ↓ and both; none: "".
+struct Quantities {
+    const char *symbol;
+    std::array<const char *, 3> ids;
+};
+
+constexpr std::array rows{
+    Quantities{"x̄", {"mean+", "mean-", "mean"}},
+    Quantities{"s", {"s+", "s-", ""}},
+    Quantities{"R", {"R+", "R-", "R"}},
+    Quantities{"B", {"", "", "reversal"}},
+};
+
+} // namespace
+
+TargetCard::TargetCard(Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection)
+    , m_title(new QLabel(this))
+    , m_position(new QLabel(this))
+    , m_previous(new QToolButton(this))
+    , m_next(new QToolButton(this))
+    , m_strip(new TargetStripView(selection, this))
+    , m_statistics(new TargetStatisticsView(this)) {
+    setObjectName(QStringLiteral("targetCard"));
+    m_title->setObjectName(QStringLiteral("targetTitle"));
+    m_statistics->setObjectName(QStringLiteral("targetStatistics"));
+    m_position->setProperty("secondary", true);
+    m_previous->setObjectName(QStringLiteral("previousTarget"));
+    m_next->setObjectName(QStringLiteral("nextTarget"));
+    m_previous->setIcon(lineIcon(QStringLiteral("left")));
+    m_next->setIcon(lineIcon(QStringLiteral("right")));
+    for (QToolButton *button : {m_previous, m_next}) {
+        button->setProperty("iconOnly", true);
+        button->setFocusPolicy(Qt::StrongFocus);
+    }
+    connect(m_previous, &QToolButton::clicked, this, [this] { step(-1); });
+    connect(m_next, &QToolButton::clicked, this, [this] { step(1); });
+
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(0, 0, 0, 0);
+    head->setSpacing(8);
+    head->addWidget(m_title);
+    head->addWidget(m_position);
+    head->addStretch();
+    head->addWidget(m_previous);
+    head->addWidget(m_next);
+    auto *body = new QHBoxLayout;
+    body->setSpacing(20);
+    body->addWidget(m_strip, 1);
+    body->addWidget(m_statistics, 0, Qt::AlignTop);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(pageMargin, 4, pageMargin, 4);
+    layout->setSpacing(2);
+    layout->addLayout(head);
+    layout->addLayout(body, 1);
+
+    connect(&selection, &Selection::targetChanged, this, &TargetCard::refresh);
+    retranslate();
+}
+
+void TargetCard::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    m_evaluated = evaluated;
+    m_test = test;
+    refresh();
+}
+
+void TargetCard::setLanguage(const Language &language) {
+    m_language = language;
+    refresh();
+}
+
+std::size_t TargetCard::count() const {
+    if (m_test >= m_evaluated.tests.size())
+        return 0;
+    const auto *m = std::get_if<PositioningMeasurement>(&m_evaluated.document->tests[m_test]->measurement);
+    return m ? m->targets.size() : 0;
+}
+
+std::size_t TargetCard::current() const {
+    return count() == 0 ? 0 : std::min(m_selection.target().value_or(0), count() - 1);
+}
+
+void TargetCard::step(int by) {
+    if (count() == 0)
+        return;
+    const auto last = static_cast<std::ptrdiff_t>(count()) - 1;
+    const auto target = static_cast<std::size_t>(
+        std::clamp(static_cast<std::ptrdiff_t>(current()) + by, std::ptrdiff_t{0}, last));
+    // The current cell goes along: table and card show the same target.
+    if (const auto reading = m_selection.reading())
+        m_selection.setReading(ReadingPlace{reading->run, target});
+    else
+        m_selection.setTarget(target);
+}
+
+void TargetCard::refresh() {
+    const std::size_t targets = count();
+    m_strip->setVisible(targets > 0);
+    m_statistics->setVisible(targets > 0);
+    m_previous->setEnabled(targets > 0 && current() > 0);
+    m_next->setEnabled(targets > 0 && current() + 1 < targets);
+    if (targets == 0) {
+        m_title->clear();
+        m_position->clear();
+        return;
+    }
+    const Test &test = *m_evaluated.document->tests[m_test];
+    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
+    const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+    const auto &results = std::get<PositioningResults>(evaluation.results);
+    const std::size_t target = current();
+    const ReadingTexts texts(measurement, m_language, ReadingUnit::deviations);
+    m_title->setText(tr("Target %1").arg(target + 1));
+    m_title->setFont(themeFont(TextSize::head));
+    m_position->setText(QStringLiteral("P = %1\u00a0%2").arg(texts.position(target), texts.positionUnit()));
+    m_strip->setStrip(targetStrip(test, evaluation, target, m_language), target);
+    m_strip->setAccessibleName(tr("Readings of target %1").arg(target + 1));
+    m_statistics->setAccessibleName(tr("Statistics of target %1").arg(target + 1));
+    const double c = evaluation.edition ? evaluation.edition->c : 0;
+    std::vector<TargetStatisticsView::Row> shown;
+    for (const Quantities &row : rows) {
+        TargetStatisticsView::Row line{formulaFrom(QString::fromUtf8(row.symbol)), {}};
+        for (std::size_t k = 0; k < row.ids.size(); ++k)
+            line.values[k] = texts.statistic(targetValue(row.ids[k], results.targets[target], c));
+        shown.push_back(std::move(line));
+    }
+    m_statistics->setRows(texts.deviationUnit(), tr("bidir.", "short for bidirectional"), std::move(shown));
+}
+
+void TargetCard::retranslate() {
+    m_previous->setAccessibleName(tr("Previous target"));
+    m_next->setAccessibleName(tr("Next target"));
+    m_previous->setToolTip(tr("Previous target"));
+    m_next->setToolTip(tr("Next target"));
+    refresh();
+}
+
+void TargetCard::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::FontChange)
+        refresh();
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "ui/model/selection.h"
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace palmer::ui {
+
+class TargetStripView;
+class TargetStatisticsView;
+
+/// The detail card of the current target: its readings in the order of the runs, with bands and means of both
+/// directions, and x̄ s R B. Without a current target it shows the first.
+class TargetCard : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TargetCard(Selection &selection, QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void refresh();
+    void step(int by);
+    void retranslate();
+    [[nodiscard]] std::size_t current() const;
+    [[nodiscard]] std::size_t count() const;
+
+    Selection &m_selection;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    Language m_language{Language::Id::english};
+    QLabel *m_title;
+    QLabel *m_position;
+    QToolButton *m_previous;
+    QToolButton *m_next;
+    TargetStripView *m_strip;
+    TargetStatisticsView *m_statistics;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,75 @@
+#include "ui/readings/targetstatisticsview.h"
+
+#include "ui/fonts.h"
+#include "ui/formulatext.h"
+#include "ui/theme.h"
+
+#include <QPainter>
+#include <QStringList>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int rowHeight = 24;
+constexpr int symbolWidth = 36;
+constexpr int columnWidth = 64;
+
+} // namespace
+
+void TargetStatisticsView::setRows(const QString &unit, const QString &both, std::vector<Row> rows) {
+    m_unit = unit;
+    m_both = both;
+    m_rows = std::move(rows);
+    QStringList lines;
+    for (const Row &row : m_rows)
+        lines << QStringLiteral("%1: ↑ %2, ↓ %3, %4 %5")
+                     .arg(row.symbol.plain(), row.values[0], row.values[1], both, row.values[2]);
+    setAccessibleDescription(lines.join(QStringLiteral("; ")));
+    updateGeometry();
+    update();
+}
+
+QSize TargetStatisticsView::sizeHint() const {
+    return {symbolWidth + 3 * columnWidth, rowHeight * (static_cast<int>(m_rows.size()) + 1)};
+}
+
+QSize TargetStatisticsView::minimumSizeHint() const {
+    return {symbolWidth + 3 * 52, rowHeight * (static_cast<int>(m_rows.size()) + 1)};
+}
+
+void TargetStatisticsView::paintEvent(QPaintEvent *) {
+    QPainter painter(this);
+    const QColor secondary = token(Token::secondaryText, palette());
+    const double column = (width() - symbolWidth) / 3.0;
+    const auto cell = [&](int k, int row) {
+        return QRectF(symbolWidth + k * column, row * rowHeight, column - 2, rowHeight - 1);
+    };
+    painter.setFont(themeFont(TextSize::small));
+    painter.setPen(secondary);
+    painter.drawText(QRectF(2, 0, symbolWidth, rowHeight - 1), Qt::AlignLeft | Qt::AlignVCenter, m_unit);
+    painter.drawText(cell(2, 0), Qt::AlignRight | Qt::AlignVCenter, m_both);
+    painter.setFont(paperFont(13, true));
+    painter.setPen(token(Token::up, palette()));
+    painter.drawText(cell(0, 0), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("↑"));
+    painter.setPen(token(Token::downText, palette()));
+    painter.drawText(cell(1, 0), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("↓"));
+    painter.setPen(token(Token::lineStrong, palette()));
+    painter.drawLine(0, rowHeight - 1, width(), rowHeight - 1);
+    for (int r = 0; r < static_cast<int>(m_rows.size()); ++r) {
+        const Row &row = m_rows[static_cast<std::size_t>(r)];
+        const QColor text = palette().color(QPalette::Text);
+        drawFormula(painter, QRectF(2, (r + 1) * rowHeight, symbolWidth, rowHeight - 1), Qt::AlignLeft, row.symbol,
+                    font(), text);
+        painter.setFont(font());
+        for (int k = 0; k < 3; ++k) {
+            const QString &value = row.values[static_cast<std::size_t>(k)];
+            painter.setPen(value == QStringLiteral("–") ? secondary : text);
+            painter.drawText(cell(k, r + 1), Qt::AlignRight | Qt::AlignVCenter, value);
+        }
+        painter.setPen(token(Token::line, palette()));
+        painter.drawLine(0, (r + 2) * rowHeight - 1, width(), (r + 2) * rowHeight - 1);
+    }
+}
+
+} // namespace palmer::ui

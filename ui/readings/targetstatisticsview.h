@@ -1,0 +1,38 @@
+#pragma once
+
+#include "report/formula.h"
+
+#include <QString>
+#include <QWidget>
+#include <array>
+#include <vector>
+
+namespace palmer::ui {
+
+/// The small table of a target: x̄ s R B by direction and of both.
+class TargetStatisticsView : public QWidget {
+    Q_OBJECT
+
+public:
+    struct Row {
+        Formula symbol;
+        std::array<QString, 3> values; ///< ↑, ↓, both; a dash for none
+    };
+
+    using QWidget::QWidget;
+
+    void setRows(const QString &unit, const QString &both, std::vector<Row> rows);
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    QString m_unit;
+    QString m_both;
+    std::vector<Row> m_rows;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,170 @@
+#include "ui/readings/targetstripview.h"
+
+#include "ui/figures/style.h"
+#include "ui/fonts.h"
+#include "ui/theme.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double leftMargin = 24; ///< for ↑ ↓
+constexpr double rightMargin = 8;
+constexpr double bottomMargin = 20; ///< for the numbers
+constexpr double laneShare = 0.25;  ///< of the height
+constexpr double dotRadius = 3.2;
+constexpr double diamondHalf = 4.4;
+constexpr double reach = 9; ///< of the pointer
+
+} // namespace
+
+TargetStripView::TargetStripView(Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection) {
+    setObjectName(QStringLiteral("targetStrip"));
+    setMouseTracking(true);
+    connect(&selection, &Selection::hoveredChanged, this, [this] { update(); });
+}
+
+void TargetStripView::setStrip(const TargetStrip &strip, std::size_t target) {
+    m_strip = strip;
+    m_target = target;
+    update();
+}
+
+QRectF TargetStripView::plot() const {
+    return {leftMargin, 4, width() - leftMargin - rightMargin, height() - bottomMargin - 4};
+}
+
+double TargetStripView::x(double value) const {
+    const QRectF area = plot();
+    return area.left() + (value - m_strip.axis.from) / (m_strip.axis.to - m_strip.axis.from) * area.width();
+}
+
+/// ↑ above, ↓ below, in between the room of B; a single direction in the middle.
+QRectF TargetStripView::laneArea(std::size_t lane) const {
+    const QRectF area = plot();
+    const double height = area.height() * laneShare;
+    const double top = m_strip.lanes.size() == 1 ? area.center().y() - height / 2
+                       : lane == 0               ? area.top() + 2
+                                                 : area.bottom() - height - 6;
+    return {area.left(), top, area.width(), height};
+}
+
+/// Readings follow one another downwards in the order of the runs.
+QPointF TargetStripView::place(std::size_t lane, std::size_t reading) const {
+    const QRectF area = laneArea(lane);
+    const auto &readings = m_strip.lanes[lane].readings;
+    const double step = area.height() / (static_cast<double>(readings.size()) + 1);
+    return {x(readings[reading].value), area.top() + step * (static_cast<double>(reading) + 1)};
+}
+
+void TargetStripView::paintLane(QPainter &painter, std::size_t lane) const {
+    const StripLane &shown = m_strip.lanes[lane];
+    const bool up = shown.role == CurveRole::up;
+    const Medium medium = isDark(palette()) ? Medium::screenDark : Medium::screenLight;
+    const QColor colour = token(up ? Token::up : Token::down, palette());
+    const QRectF area = laneArea(lane);
+
+    painter.setFont(paperFont(14, true));
+    painter.setPen(token(up ? Token::up : Token::downText, palette()));
+    painter.drawText(QRectF(0, area.top(), leftMargin - 6, area.height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     up ? QStringLiteral("↑") : QStringLiteral("↓"));
+
+    painter.setPen(Qt::NoPen);
+    if (shown.lower && shown.upper)
+        painter.fillRect(QRectF(QPointF(x(*shown.lower), area.top()), QPointF(x(*shown.upper), area.bottom())),
+                         bandColor(up, !up, medium));
+    if (shown.mean) {
+        painter.setPen(QPen(colour, 2));
+        painter.drawLine(QPointF(x(*shown.mean), area.top()), QPointF(x(*shown.mean), area.bottom()));
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colour, 1));
+    for (std::size_t k = 1; k < shown.readings.size(); ++k)
+        painter.drawLine(place(lane, k - 1), place(lane, k));
+    for (std::size_t k = 0; k < shown.readings.size(); ++k) {
+        const QPointF at = place(lane, k);
+        if (up) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(colour);
+            painter.drawEllipse(at, dotRadius, dotRadius);
+        } else {
+            painter.setPen(QPen(colour, 1.4));
+            painter.setBrush(palette().color(QPalette::Base));
+            painter.drawPolygon(QPolygonF{at + QPointF(0, -diamondHalf), at + QPointF(diamondHalf, 0),
+                                          at + QPointF(0, diamondHalf), at + QPointF(-diamondHalf, 0)});
+        }
+        const ReadingPlace reading{shown.readings[k].run, m_target};
+        if (m_selection.hovered() == reading) {
+            painter.setPen(QPen(token(Token::accent, palette()), 2));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawEllipse(at, 7, 7);
+        }
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void TargetStripView::paintReversal(QPainter &painter) const {
+    if (m_strip.reversal.isEmpty())
+        return;
+    const double from = std::min(x(*m_strip.lanes[0].mean), x(*m_strip.lanes[1].mean));
+    const double to = std::max(x(*m_strip.lanes[0].mean), x(*m_strip.lanes[1].mean));
+    const double y = (laneArea(0).bottom() + laneArea(1).top()) / 2;
+    painter.setPen(token(Token::secondaryText, palette()));
+    painter.drawLine(QPointF(from, y), QPointF(to, y));
+    painter.drawLine(QPointF(from, y - 4), QPointF(from, y + 4));
+    painter.drawLine(QPointF(to, y - 4), QPointF(to, y + 4));
+    painter.setFont(themeFont(TextSize::small));
+    const double width = painter.fontMetrics().horizontalAdvance(m_strip.reversal) + 10.0;
+    // Inside the dimension where there is room, else beside it.
+    double left = (from + to - width) / 2;
+    if (to - from < width + 16)
+        left = to + 4 + width < plot().right() ? to + 4 : from - 4 - width;
+    const QRectF label(left, y - 9, width, 18);
+    painter.fillRect(label, palette().color(QPalette::Base));
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(label, Qt::AlignCenter, m_strip.reversal);
+}
+
+void TargetStripView::paintEvent(QPaintEvent *) {
+    QPainter painter(this);
+    const QRectF area = plot();
+    painter.setFont(themeFont(TextSize::tiny));
+    for (const Tick &tick : m_strip.axis.ticks) {
+        const double at = x(tick.value);
+        painter.setPen(tick.value == 0 ? token(Token::secondaryText, palette()) : token(Token::line, palette()));
+        painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
+        painter.setPen(token(Token::secondaryText, palette()));
+        painter.drawText(QRectF(at - 30, area.bottom() + 2, 60, bottomMargin - 2), Qt::AlignHCenter | Qt::AlignTop,
+                         tick.label);
+    }
+    for (std::size_t lane = 0; lane < m_strip.lanes.size(); ++lane)
+        paintLane(painter, lane);
+    paintReversal(painter);
+}
+
+void TargetStripView::mouseMoveEvent(QMouseEvent *event) {
+    std::optional<ReadingPlace> nearest;
+    double least = reach;
+    for (std::size_t lane = 0; lane < m_strip.lanes.size(); ++lane) {
+        for (std::size_t k = 0; k < m_strip.lanes[lane].readings.size(); ++k) {
+            const double distance = QLineF(place(lane, k), event->position()).length();
+            if (distance < least) {
+                least = distance;
+                nearest = ReadingPlace{m_strip.lanes[lane].readings[k].run, m_target};
+            }
+        }
+    }
+    m_selection.setHovered(nearest);
+}
+
+void TargetStripView::leaveEvent(QEvent *) {
+    m_selection.setHovered({});
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,53 @@
+#include "ui/results/chip.h"
+
+#include <QFontMetrics>
+#include <QPainter>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int chipHeight = 22;
+constexpr int markWidth = 22;
+constexpr int margin = 9;
+
+} // namespace
+
+Chip::Chip(QWidget *parent)
+    : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void Chip::setContent(const QString &text, const QString &icon, Token colour, Token ground) {
+    m_text = text;
+    m_icon = icon;
+    m_colour = colour;
+    m_ground = ground;
+    setAccessibleName(text);
+    updateGeometry();
+    update();
+}
+
+QSize Chip::sizeHint() const {
+    const int mark = m_icon.isEmpty() ? margin : markWidth + 4;
+    return {QFontMetrics(themeFont(TextSize::small)).horizontalAdvance(m_text) + mark + margin, chipHeight};
+}
+
+void Chip::paintEvent(QPaintEvent *) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(token(m_ground, palette()));
+    painter.drawRoundedRect(rect(), 4, 4);
+    const QColor colour = token(m_colour, palette());
+    int left = margin;
+    if (!m_icon.isEmpty()) {
+        drawLineIcon(painter, QRect(5, 0, markWidth - 2, height()), m_icon, colour);
+        left = markWidth + 4;
+    }
+    painter.setFont(themeFont(TextSize::small));
+    painter.setPen(colour);
+    painter.drawText(rect().adjusted(left, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, m_text);
+}
+
+} // namespace palmer::ui

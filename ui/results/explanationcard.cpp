@@ -1,0 +1,148 @@
+#include "ui/results/explanationcard.h"
+
+#include "report/explanation.h"
+#include "ui/results/explanationview.h"
+#include "ui/results/targetbarsview.h"
+#include "ui/theme.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int pageMargin = 16;
+constexpr int barsWidth = 180;
+
+} // namespace
+
+ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection)
+    , m_name(new QLabel(this))
+    , m_source(new QLabel(this))
+    , m_keys(new QLabel(this))
+    , m_copy(new QToolButton(this))
+    , m_close(new QToolButton(this))
+    , m_view(new ExplanationView(this))
+    , m_bars(new TargetBarsView(selection, this)) {
+    setObjectName(QStringLiteral("explanationCard"));
+    m_name->setObjectName(QStringLiteral("explanationName"));
+    m_source->setObjectName(QStringLiteral("explanationSource"));
+    m_view->setObjectName(QStringLiteral("explanation"));
+    m_copy->setObjectName(QStringLiteral("copyExplanation"));
+    m_close->setObjectName(QStringLiteral("closeExplanation"));
+    m_name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_source->setProperty("secondary", true);
+    m_keys->setProperty("secondary", true);
+    m_copy->setIcon(lineIcon(QStringLiteral("copy")));
+    m_close->setIcon(lineIcon(QStringLiteral("close")));
+    for (QToolButton *button : {m_copy, m_close}) {
+        button->setProperty("iconOnly", true);
+        button->setFocusPolicy(Qt::StrongFocus);
+    }
+    m_bars->setFixedWidth(barsWidth);
+    connect(m_copy, &QToolButton::clicked, this, &ExplanationCard::copy);
+    connect(m_close, &QToolButton::clicked, this, [this] { m_selection.setParameter({}); });
+
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(0, 0, 0, 0);
+    head->setSpacing(8);
+    head->addWidget(m_name, 1);
+    head->addWidget(m_copy);
+    head->addWidget(m_close);
+    auto *body = new QHBoxLayout;
+    body->setSpacing(20);
+    body->addWidget(m_view, 1, Qt::AlignTop);
+    body->addWidget(m_bars);
+    auto *foot = new QHBoxLayout;
+    foot->addWidget(m_source);
+    foot->addStretch();
+    foot->addWidget(m_keys);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(pageMargin, 6, pageMargin, 6);
+    layout->setSpacing(4);
+    layout->addLayout(head);
+    layout->addLayout(body, 1);
+    layout->addLayout(foot);
+
+    connect(&selection, &Selection::parameterChanged, this, &ExplanationCard::refresh);
+    retranslate();
+}
+
+void ExplanationCard::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    m_evaluated = evaluated;
+    m_test = test;
+    refresh();
+}
+
+void ExplanationCard::setLanguage(const Language &language) {
+    m_language = language;
+    refresh();
+}
+
+void ExplanationCard::refresh() {
+    const auto shown = explanation(m_evaluated, m_test, m_selection.parameter().toStdString(), m_language);
+    m_view->setVisible(shown.has_value());
+    m_copy->setEnabled(shown.has_value());
+    if (!shown) {
+        m_name->clear();
+        m_source->clear();
+        m_bars->setBars({}, {});
+        return;
+    }
+    m_name->setText(shown->symbol.plain() + QStringLiteral("   ") + shown->name);
+    m_name->setToolTip(shown->name);
+    m_view->setExplanation(*shown);
+    m_view->setAccessibleName(tr("Explanation of %1").arg(shown->symbol.plain()));
+    m_source->setText(shown->source);
+    if (shown->bars)
+        m_bars->setBars(shown->bars, tr("per target, %1").arg(shown->bars->unit));
+    else
+        m_bars->setBars({}, {});
+}
+
+void ExplanationCard::copy() const {
+    QGuiApplication::clipboard()->setText(m_name->text() + u'\n' + m_view->plainText() + u'\n' + m_source->text() +
+                                          u'\n');
+}
+
+void ExplanationCard::paintEvent(QPaintEvent *) {
+    QPainter painter(this);
+    painter.fillRect(QRect(0, 0, width(), 1), token(Token::explanation, palette()));
+}
+
+void ExplanationCard::keyPressEvent(QKeyEvent *event) {
+    if (event->key() == Qt::Key_Escape)
+        m_selection.setParameter({});
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void ExplanationCard::retranslate() {
+    m_name->setFont(themeFont(TextSize::head));
+    m_source->setFont(themeFont(TextSize::small));
+    m_keys->setFont(themeFont(TextSize::tiny));
+    m_keys->setText(tr("Esc closes · ↑↓ next result"));
+    m_copy->setToolTip(tr("Copy the explanation as text"));
+    m_copy->setAccessibleName(tr("Copy the explanation as text"));
+    m_close->setToolTip(tr("Close the explanation (Esc)"));
+    m_close->setAccessibleName(tr("Close the explanation"));
+    refresh();
+}
+
+void ExplanationCard::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "ui/model/selection.h"
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace palmer::ui {
+
+class ExplanationView;
+class TargetBarsView;
+
+/// Where the result chosen comes from: formula, the numbers of this test put in, clause, and what each target
+/// contributes. Closing it leaves the selection without a parameter.
+class ExplanationCard : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ExplanationCard(Selection &selection, QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+
+    /// Puts the explanation on the clipboard as text.
+    void copy() const;
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    void refresh();
+    void retranslate();
+
+    Selection &m_selection;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    Language m_language{Language::Id::english};
+    QLabel *m_name;
+    QLabel *m_source;
+    QLabel *m_keys;
+    QToolButton *m_copy;
+    QToolButton *m_close;
+    ExplanationView *m_view;
+    TargetBarsView *m_bars;
+};
+
+} // namespace palmer::ui

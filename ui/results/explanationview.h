@@ -1,0 +1,32 @@
+#pragma once
+
+#include "report/explanation.h"
+
+#include <QWidget>
+
+namespace palmer::ui {
+
+/// Formula, steps and words of an explanation, broken into lines.
+class ExplanationView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ExplanationView(QWidget *parent = nullptr);
+
+    void setExplanation(const Explanation &explanation);
+    [[nodiscard]] QString plainText() const;
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    double draw(QPainter *painter, double width) const;
+
+    Explanation m_explanation;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,118 @@
+#include "ui/results/findingsmodel.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <array>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr std::array pages{Page::readings,       Page::conditions, Page::agreedPoints, Page::limits,
+                           Page::identification, Page::machine,    Page::instruments};
+
+} // namespace
+
+QString FindingsModel::pageName(Page page) {
+    switch (page) {
+    case Page::identification:
+        return tr("Identification");
+    case Page::machine:
+        return tr("Machine");
+    case Page::instruments:
+        return tr("Instruments");
+    case Page::readings:
+        return tr("Readings");
+    case Page::conditions:
+        return tr("Conditions");
+    case Page::agreedPoints:
+        return tr("Agreed points");
+    case Page::limits:
+        return tr("Limits");
+    }
+    return {};
+}
+
+QString FindingsModel::gradeWord(Grade grade) {
+    switch (grade) {
+    case Grade::requirement:
+        return tr("Required");
+    case Grade::recommendation:
+        return tr("Warning");
+    case Grade::note:
+        return tr("Note");
+    }
+    return {};
+}
+
+void FindingsModel::show(const TestEvaluationPointer &evaluation, Page page, const Language &language) {
+    beginResetModel();
+    m_lines.clear();
+    m_summary.clear();
+    if (evaluation) {
+        const Edition *edition = evaluation->edition;
+        std::array<int, 3> counts{};
+        std::vector<const Finding *> here;
+        for (const Finding &finding : evaluation->findings) {
+            ++counts.at(static_cast<std::size_t>(finding.grade));
+            if (pageOf(finding, edition) == page)
+                here.push_back(&finding);
+        }
+        std::ranges::stable_sort(here, {}, &Finding::grade);
+        for (const Finding *finding : here) {
+            m_lines.push_back({finding->grade, page, QString::fromStdString(finding->id),
+                               language.sentence(finding->message), QString::fromStdString(finding->clause)});
+        }
+        for (const Page other : pages) {
+            if (other == page)
+                continue;
+            int all = 0;
+            int missing = 0;
+            Grade worst = Grade::note;
+            for (const Finding &finding : evaluation->findings) {
+                if (pageOf(finding, edition) != other)
+                    continue;
+                ++all;
+                missing += isMissing(finding, edition) ? 1 : 0;
+                worst = std::min(worst, finding.grade);
+            }
+            if (all == 0)
+                continue;
+            QString text = other == Page::agreedPoints && missing == all ? tr("%n point(s) not agreed", nullptr, all)
+                           : missing == all ? tr("%n required statement(s) missing", nullptr, all)
+                                            : tr("%n finding(s)", nullptr, all);
+            m_lines.push_back({worst, other, {}, tr("%1: %2", "page: what is found there").arg(pageName(other), text), {}});
+        }
+        QStringList parts;
+        if (counts[0] > 0)
+            parts << tr("%n requirement(s) not met", nullptr, counts[0]);
+        if (counts[1] > 0)
+            parts << tr("%n warning(s)", nullptr, counts[1]);
+        if (counts[2] > 0)
+            parts << tr("%n note(s)", nullptr, counts[2]);
+        m_summary = parts.isEmpty() ? tr("none") : parts.join(QStringLiteral(" · "));
+    }
+    endResetModel();
+}
+
+int FindingsModel::rowCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
+}
+
+QVariant FindingsModel::data(const QModelIndex &index, int role) const {
+    if (!index.isValid())
+        return {};
+    const Line &shown = line(index.row());
+    switch (role) {
+    case Qt::DisplayRole:
+        return shown.text;
+    case Qt::ToolTipRole:
+        return gradeWord(shown.grade) + QStringLiteral(" – ") + shown.text;
+    case Qt::AccessibleTextRole:
+        return gradeWord(shown.grade) + QStringLiteral(": ") + shown.text + u' ' + shown.clause;
+    default:
+        return {};
+    }
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "ui/model/page.h"
+
+#include <QAbstractListModel>
+#include <vector>
+
+namespace palmer::ui {
+
+/// The findings of a test as a list: those of the page in view one by one, those of other pages as one line
+/// per page.
+class FindingsModel : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    struct Line {
+        Grade grade = Grade::note;
+        Page page = Page::readings;
+        QString id;     ///< of the finding; empty where the line stands for a page
+        QString text;
+        QString clause; ///< empty where it is not known
+    };
+
+    using QAbstractListModel::QAbstractListModel;
+
+    void show(const TestEvaluationPointer &evaluation, Page page, const Language &language);
+    [[nodiscard]] const Line &line(int row) const { return m_lines[static_cast<std::size_t>(row)]; }
+    /// "7 required missing · 1 warning · 2 notes".
+    [[nodiscard]] QString summary() const { return m_summary; }
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+
+    [[nodiscard]] static QString gradeWord(Grade grade);
+
+private:
+    [[nodiscard]] static QString pageName(Page page);
+
+    std::vector<Line> m_lines;
+    QString m_summary;
+};
+
+} // namespace palmer::ui

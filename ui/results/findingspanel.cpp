@@ -1,0 +1,126 @@
+#include "ui/results/findingspanel.h"
+
+#include "ui/results/findingsdelegate.h"
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int pageMargin = 16;
+constexpr int rowHeight = 24;
+constexpr int visibleRows = 3;
+
+} // namespace
+
+FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
+    : QWidget(parent)
+    , m_title(new QLabel(this))
+    , m_summary(new QLabel(this))
+    , m_fold(new QToolButton(this))
+    , m_list(new QListView(this)) {
+    setObjectName(QStringLiteral("findingsPanel"));
+    m_summary->setObjectName(QStringLiteral("findingsSummary"));
+    m_fold->setObjectName(QStringLiteral("foldFindings"));
+    m_list->setObjectName(QStringLiteral("findings"));
+    m_summary->setProperty("secondary", true);
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_fold->setProperty("iconOnly", true);
+    m_fold->setFocusPolicy(Qt::StrongFocus);
+    connect(m_fold, &QToolButton::clicked, this, [this] { setFolded(!m_folded); });
+
+    m_list->setModel(&m_model);
+    m_list->setItemDelegate(new FindingsDelegate(m_list));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setUniformItemSizes(true);
+    m_list->setMouseTracking(true);
+    m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setFixedHeight(visibleRows * rowHeight);
+    connect(m_list, &QAbstractItemView::clicked, this, &FindingsPanel::activate);
+    connect(m_list, &QAbstractItemView::activated, this, [this](const QModelIndex &index) {
+        // A click was told already.
+        if (m_list->hasFocus() && !(QGuiApplication::mouseButtons() & Qt::LeftButton))
+            activate(index);
+    });
+
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(0, 0, 0, 0);
+    head->setSpacing(8);
+    head->addWidget(m_title);
+    head->addWidget(m_summary, 1);
+    head->addWidget(m_fold);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(pageMargin, 2, 4, 4);
+    layout->setSpacing(2);
+    layout->addLayout(head);
+    layout->addWidget(m_list);
+    retranslate();
+}
+
+void FindingsPanel::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    m_evaluated = evaluated;
+    m_test = test;
+    refresh();
+}
+
+void FindingsPanel::setLanguage(const Language &language) {
+    m_language = language;
+    refresh();
+}
+
+void FindingsPanel::setPage(Page page) {
+    m_page = page;
+    refresh();
+}
+
+void FindingsPanel::setFolded(bool folded) {
+    if (m_folded == folded)
+        return;
+    m_folded = folded;
+    retranslate();
+    emit foldedChanged(folded);
+}
+
+void FindingsPanel::activate(const QModelIndex &index) {
+    if (!index.isValid())
+        return;
+    const FindingsModel::Line line = m_model.line(index.row());
+    emit activated(line.page, line.id);
+}
+
+void FindingsPanel::refresh() {
+    m_model.show(m_test < m_evaluated.tests.size() ? m_evaluated.tests[m_test] : nullptr, m_page, m_language);
+    m_summary->setText(m_model.summary());
+    m_summary->setToolTip(m_model.summary());
+}
+
+void FindingsPanel::retranslate() {
+    m_title->setText(tr("Findings"));
+    m_title->setFont(themeFont(TextSize::head));
+    m_summary->setFont(themeFont(TextSize::small));
+    m_list->setVisible(!m_folded);
+    m_fold->setIcon(lineIcon(m_folded ? QStringLiteral("left") : QStringLiteral("down")));
+    const QString what = m_folded ? tr("Show the findings") : tr("Fold the findings away");
+    m_fold->setToolTip(what);
+    m_fold->setAccessibleName(what);
+    m_list->setAccessibleName(tr("Findings"));
+    refresh();
+}
+
+void FindingsPanel::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,126 @@
+#include "ui/results/resultsdelegate.h"
+
+#include "ui/figures/style.h"
+#include "ui/formulatext.h"
+#include "ui/results/resultsmodel.h"
+#include "ui/results/verdictlook.h"
+#include "ui/theme.h"
+
+#include <QPainter>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double scaleHalf = 25;
+constexpr double bandHalfHeight = 5.5;
+constexpr double diamond = 4;
+constexpr int markWidth = 20;
+constexpr double dimmed = 0.55;
+
+void paintScale(QPainter &painter, const QRect &area, const DecisionScale &scale, const QColor &valueColour,
+                const QPalette &palette) {
+    const double middle = area.center().x() + 0.5;
+    const double y = area.center().y() + 0.5;
+    painter.setPen(QPen(token(Token::secondaryText, palette), 1));
+    painter.drawLine(QPointF(middle - scaleHalf, y), QPointF(middle + scaleHalf, y));
+    if (scale.band) {
+        const double half = scaleHalf * DecisionScale::guard;
+        const QRectF band(middle - half, y - bandHalfHeight, 2 * half, 2 * bandHalfHeight);
+        painter.fillRect(band, QBrush(token(Token::secondaryText, palette), Qt::BDiagPattern));
+    }
+    painter.setPen(QPen(palette.color(QPalette::Text), 2));
+    painter.drawLine(QPointF(middle, y - 6), QPointF(middle, y + 6));
+
+    const double x = middle + scale.value * (scaleHalf - (scale.below || scale.above ? 0 : diamond));
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette.color(QPalette::Base), 1));
+    painter.setBrush(valueColour);
+    if (scale.below || scale.above) {
+        const double tip = scale.above ? x + 2 : x - 2;
+        const double back = scale.above ? tip - 8 : tip + 8;
+        painter.drawPolygon(QPolygonF{{tip, y}, {back, y - 4.5}, {back, y + 4.5}});
+    } else {
+        painter.drawPolygon(QPolygonF{{x, y - diamond}, {x + diamond, y}, {x, y + diamond}, {x - diamond, y}});
+    }
+    painter.restore();
+}
+
+} // namespace
+
+void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
+                            const QModelIndex &index) const {
+    const auto *model = static_cast<const ResultsModel *>(index.model());
+    const ResultLine &line = model->line(index.row());
+    const QPalette &palette = option.palette;
+    const QRect cell = option.rect;
+    const QColor base = palette.color(QPalette::Base);
+    const bool explained = line.id == m_explained;
+    const QColor explanation = token(Token::explanation, palette);
+
+    QColor ground = base;
+    if (explained)
+        ground = blend(explanation, base, 0.13);
+    else if ((option.state & QStyle::State_Selected) && (option.state & QStyle::State_HasFocus ||
+                                                         option.widget->hasFocus()))
+        ground = selectedGround(palette);
+    painter->fillRect(cell, ground);
+    if (line.main && index.row() > 0) {
+        painter->setPen(token(Token::line, palette));
+        painter->drawLine(cell.topLeft(), cell.topRight());
+    }
+    if (explained && index.column() == ResultsModel::symbol)
+        painter->fillRect(QRect(cell.left(), cell.top(), 3, cell.height()), explanation);
+
+    const QColor text = palette.color(QPalette::Text);
+    const QColor secondary = token(Token::secondaryText, palette);
+    QFont font = option.font;
+    switch (index.column()) {
+    case ResultsModel::symbol:
+        drawFormula(*painter, cell.adjusted(8, 0, 0, 0), Qt::AlignLeft, line.symbol, font,
+                    line.main ? text : secondary, line.main);
+        return;
+    case ResultsModel::scale:
+        if (line.scale) {
+            QColor colour = line.verdict ? token(verdictLook(*line.verdict).colour, palette) : text;
+            if (model->table().provisional)
+                colour = blend(colour, base, dimmed);
+            paintScale(*painter, cell, *line.scale, colour, palette);
+        }
+        return;
+    case ResultsModel::verdict: {
+        if (!line.verdict)
+            return;
+        const VerdictLook look = verdictLook(*line.verdict);
+        QColor colour = token(look.colour, palette);
+        if (model->table().provisional)
+            colour = blend(colour, base, dimmed);
+        drawLineIcon(*painter, QRect(cell.left(), cell.top(), markWidth - 4, cell.height()),
+                     QString::fromLatin1(look.icon), colour);
+        font.setWeight(model->table().provisional ? QFont::Normal : QFont::DemiBold);
+        painter->setFont(font);
+        painter->setPen(colour);
+        const QRect room = cell.adjusted(markWidth, 0, 0, 0);
+        painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                          QFontMetrics(font).elidedText(line.verdictWord, Qt::ElideRight, room.width()));
+        return;
+    }
+    default:
+        break;
+    }
+    const QString shown = index.data(Qt::DisplayRole).toString();
+    const bool isNumber = index.column() != ResultsModel::name;
+    const bool strong = index.column() == ResultsModel::value && line.main;
+    const bool quiet = (!line.main && index.column() == ResultsModel::name) ||
+                       index.column() == ResultsModel::uncertainty || shown == QStringLiteral("–");
+    if (strong)
+        font.setWeight(QFont::DemiBold);
+    painter->setFont(font);
+    painter->setPen(quiet ? secondary : text);
+    const QRect room = cell.adjusted(2, 0, -4, 0);
+    painter->drawText(room, (isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
+                      QFontMetrics(font).elidedText(shown, Qt::ElideRight, room.width()));
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,89 @@
+#include "ui/results/resultsmodel.h"
+
+namespace palmer::ui {
+
+void ResultsModel::setTable(const ResultTable &table) {
+    beginResetModel();
+    m_table = table;
+    endResetModel();
+}
+
+void ResultsModel::retranslate() {
+    emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
+}
+
+int ResultsModel::rowOf(const QString &id) const {
+    for (std::size_t row = 0; row < m_table.lines.size(); ++row) {
+        if (m_table.lines[row].id == id)
+            return static_cast<int>(row);
+    }
+    return -1;
+}
+
+int ResultsModel::rowCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_table.lines.size());
+}
+
+int ResultsModel::columnCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(columns);
+}
+
+QVariant ResultsModel::data(const QModelIndex &index, int role) const {
+    if (!index.isValid())
+        return {};
+    const ResultLine &shown = line(index.row());
+    if (role == Qt::ToolTipRole)
+        return index.column() == name || index.column() == symbol ? QVariant(shown.fullName) : QVariant();
+    if (role == Qt::TextAlignmentRole) {
+        const bool number = index.column() == value || index.column() == uncertainty || index.column() == limit;
+        return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    }
+    if (role == Qt::AccessibleTextRole && index.column() == symbol)
+        return QStringLiteral("%1, %2: %3 %4 %5")
+            .arg(shown.symbol.plain(), shown.fullName, shown.value, m_table.unit, shown.verdictWord)
+            .trimmed();
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (index.column()) {
+    case symbol:
+        return shown.symbol.plain();
+    case name:
+        return shown.name;
+    case value:
+        return shown.value;
+    case uncertainty:
+        return shown.uncertainty;
+    case limit:
+        return shown.limit;
+    case verdict:
+        return shown.verdictWord;
+    default:
+        return {};
+    }
+}
+
+QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case name:
+        return tr("quantity");
+    case value:
+        return tr("value");
+    case uncertainty:
+        return QStringLiteral("± U");
+    case limit:
+        return tr("limit");
+    case verdict:
+        return tr("verdict");
+    default:
+        return QString();
+    }
+}
+
+Qt::ItemFlags ResultsModel::flags(const QModelIndex &index) const {
+    return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren
+                           : Qt::ItemFlags(Qt::NoItemFlags);
+}
+
+} // namespace palmer::ui

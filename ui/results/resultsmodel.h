@@ -1,0 +1,34 @@
+#pragma once
+
+#include "report/resulttable.h"
+
+#include <QAbstractTableModel>
+
+namespace palmer::ui {
+
+/// The results of a test as rows: symbol, name, value, ± U, limit, decision scale, verdict.
+class ResultsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { symbol, name, value, uncertainty, limit, scale, verdict, columns };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setTable(const ResultTable &table);
+    void retranslate();
+    [[nodiscard]] const ResultTable &table() const { return m_table; }
+    [[nodiscard]] const ResultLine &line(int row) const { return m_table.lines[static_cast<std::size_t>(row)]; }
+    [[nodiscard]] int rowOf(const QString &id) const; ///< −1: none
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
+
+private:
+    ResultTable m_table;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,228 @@
+#include "ui/results/resultspanel.h"
+
+#include "ui/results/chip.h"
+#include "ui/results/resultsdelegate.h"
+#include "ui/results/verdictlook.h"
+#include "ui/theme.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int pageMargin = 16;
+constexpr int rowHeight = 20;
+constexpr int headHeight = 22;
+constexpr int leastRows = 4;
+constexpr int symbolWidth = 40;
+constexpr int scaleWidth = 62;
+constexpr int cellMargin = 10;
+
+} // namespace
+
+ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection)
+    , m_title(new QLabel(this))
+    , m_rule(new QLabel(this))
+    , m_viewNote(new QLabel(this))
+    , m_chip(new Chip(this))
+    , m_copy(new QToolButton(this))
+    , m_table(new QTableView(this))
+    , m_delegate(new ResultsDelegate(m_table)) {
+    setObjectName(QStringLiteral("resultsPanel"));
+    m_rule->setObjectName(QStringLiteral("resultsRule"));
+    m_viewNote->setObjectName(QStringLiteral("viewNote"));
+    m_chip->setObjectName(QStringLiteral("verdictChip"));
+    m_copy->setObjectName(QStringLiteral("copyResults"));
+    m_table->setObjectName(QStringLiteral("results"));
+    m_rule->setProperty("secondary", true);
+    m_rule->setMinimumWidth(0);
+    m_rule->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_viewNote->setProperty("secondary", true);
+    m_viewNote->setWordWrap(true);
+    m_copy->setIcon(lineIcon(QStringLiteral("copy")));
+    m_copy->setProperty("iconOnly", true);
+    m_copy->setFocusPolicy(Qt::StrongFocus);
+    connect(m_copy, &QToolButton::clicked, this, &ResultsPanel::copy);
+
+    m_table->setModel(&m_model);
+    m_table->setItemDelegate(m_delegate);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setShowGrid(false);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setTabKeyNavigation(false);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setMinimumSectionSize(rowHeight);
+    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    QHeaderView *header = m_table->horizontalHeader();
+    header->setFixedHeight(headHeight);
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    header->setSectionResizeMode(ResultsModel::name, QHeaderView::Stretch);
+    header->setMinimumSectionSize(10);
+    header->setSectionsClickable(false);
+    header->setHighlightSections(false);
+    m_table->installEventFilter(this);
+    connect(m_table, &QAbstractItemView::clicked, this, &ResultsPanel::explain);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex &current) {
+                if (!m_selection.parameter().isEmpty() && m_table->hasFocus())
+                    explain(current); // an open explanation follows the arrows
+            });
+    connect(&selection, &Selection::parameterChanged, this, &ResultsPanel::showExplained);
+
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(0, 0, 0, 0);
+    head->setSpacing(8);
+    head->addWidget(m_title);
+    head->addWidget(m_rule, 1);
+    head->addWidget(m_chip);
+    head->addWidget(m_copy);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(pageMargin, 2, pageMargin - 4, 2);
+    layout->setSpacing(0);
+    layout->addLayout(head);
+    layout->addWidget(m_viewNote);
+    layout->addWidget(m_table, 1);
+    retranslate();
+}
+
+void ResultsPanel::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    m_evaluated = evaluated;
+    m_test = test;
+    refresh();
+}
+
+void ResultsPanel::setLanguage(const Language &language) {
+    m_language = language;
+    refresh();
+}
+
+void ResultsPanel::setNarrow(bool narrow) {
+    m_narrow = narrow;
+    m_table->setColumnHidden(ResultsModel::scale, narrow);
+}
+
+void ResultsPanel::refresh() {
+    const int row = m_table->currentIndex().row();
+    m_model.setTable(resultTable(m_evaluated, m_test, m_language));
+    const ResultTable &table = m_model.table();
+    QStringList rule{table.unit};
+    if (!table.view)
+        rule << table.rule;
+    if (!table.coverage.isEmpty())
+        rule << table.coverage;
+    rule.removeAll(QString());
+    m_rule->setText(rule.join(QStringLiteral(" · ")));
+    m_rule->setToolTip(m_rule->text());
+    m_viewNote->setText(table.viewNote);
+    m_viewNote->setVisible(table.view);
+    if (table.provisional) {
+        m_chip->setContent(tr("provisional"), QStringLiteral("dots"), Token::secondaryText, Token::hover);
+    } else if (table.verdict) {
+        const VerdictLook look = verdictLook(*table.verdict);
+        m_chip->setContent(table.verdictWord, QString::fromLatin1(look.icon), look.colour, look.ground);
+    }
+    m_chip->setVisible(!table.view && (table.provisional || table.verdict) && !table.lines.empty());
+    m_copy->setEnabled(!table.lines.empty());
+    const int rows = std::max(leastRows, m_model.rowCount());
+    m_table->setMinimumHeight(headHeight + leastRows * rowHeight);
+    m_table->setMaximumHeight(headHeight + rows * rowHeight + 2);
+    fitColumns();
+    showExplained();
+    if (m_selection.parameter().isEmpty() && row >= 0 && row < m_model.rowCount())
+        m_table->setCurrentIndex(m_model.index(row, 0));
+}
+
+void ResultsPanel::fitColumns() {
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    const QFontMetrics metrics(bold);
+    m_table->setColumnWidth(ResultsModel::symbol, symbolWidth);
+    m_table->setColumnWidth(ResultsModel::scale, scaleWidth);
+    for (const int column : {ResultsModel::value, ResultsModel::uncertainty, ResultsModel::limit,
+                             ResultsModel::verdict}) {
+        int width = QFontMetrics(themeFont(TextSize::small))
+                        .horizontalAdvance(m_model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+        for (int row = 0; row < m_model.rowCount(); ++row) {
+            const QString text = m_model.index(row, column).data().toString();
+            const int mark = column == ResultsModel::verdict && !text.isEmpty() ? 16 : 0;
+            width = std::max(width, metrics.horizontalAdvance(text) + mark);
+        }
+        m_table->setColumnWidth(column, width + cellMargin);
+    }
+    m_table->setColumnHidden(ResultsModel::scale, m_narrow);
+}
+
+void ResultsPanel::explain(const QModelIndex &index) {
+    if (index.isValid())
+        m_selection.setParameter(m_model.line(index.row()).id);
+}
+
+void ResultsPanel::showExplained() {
+    m_delegate->setExplained(m_selection.parameter());
+    const int row = m_model.rowOf(m_selection.parameter());
+    if (row >= 0 && m_table->currentIndex().row() != row)
+        m_table->setCurrentIndex(m_model.index(row, 0));
+    m_table->viewport()->update();
+}
+
+void ResultsPanel::copy() const {
+    auto *mime = new QMimeData;
+    mime->setText(asTabSeparated(m_model.table(), m_language));
+    mime->setHtml(asHtml(m_model.table(), m_language));
+    QGuiApplication::clipboard()->setMimeData(mime);
+}
+
+bool ResultsPanel::eventFilter(QObject *watched, QEvent *event) {
+    if (watched == m_table && event->type() == QEvent::KeyPress) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) {
+            explain(m_table->currentIndex());
+            return true;
+        }
+        if (key->matches(QKeySequence::Copy)) {
+            copy();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ResultsPanel::retranslate() {
+    m_title->setText(tr("Results"));
+    m_title->setFont(themeFont(TextSize::head));
+    m_rule->setFont(themeFont(TextSize::small));
+    m_viewNote->setFont(themeFont(TextSize::small));
+    m_table->horizontalHeader()->setFont(themeFont(TextSize::small));
+    m_copy->setToolTip(tr("Copy the results as a table (%1)")
+                           .arg(QKeySequence(QKeySequence::Copy).toString(QKeySequence::NativeText)));
+    m_copy->setAccessibleName(tr("Copy the results as a table"));
+    m_table->setAccessibleName(tr("Results"));
+    m_model.retranslate();
+    refresh();
+}
+
+void ResultsPanel::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

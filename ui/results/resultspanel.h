@@ -1,0 +1,60 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "ui/model/selection.h"
+#include "ui/results/resultsmodel.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTableView;
+class QToolButton;
+
+namespace palmer::ui {
+
+class ResultsDelegate;
+class Chip;
+
+/// The results of the test in view: numbers, decision scale, verdicts. Arrows move, Enter or a click explains.
+class ResultsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ResultsPanel(Selection &selection, QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+    /// In narrow windows without decision scale.
+    void setNarrow(bool narrow);
+
+    /// Puts the table on the clipboard: tab-separated for spreadsheets, HTML for texts.
+    void copy() const;
+
+protected:
+    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void refresh();
+    void explain(const QModelIndex &index);
+    void showExplained();
+    void fitColumns();
+    void retranslate();
+
+    Selection &m_selection;
+    ResultsModel m_model;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    Language m_language{Language::Id::english};
+    bool m_narrow = false;
+    QLabel *m_title;
+    QLabel *m_rule;
+    QLabel *m_viewNote;
+    Chip *m_chip;
+    QToolButton *m_copy;
+    QTableView *m_table;
+    ResultsDelegate *m_delegate;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,262 @@
+#include "ui/theme.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QFile>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPalette>
+#include <QPixmapCache>
+#include <QSvgRenderer>
+#include <array>
+#include <utility>
+
+namespace palmer::ui {
+
+namespace {
+
+struct Pair {
+    QRgb light;
+    QRgb dark;
+};
+
+Pair colours(Token token) {
+    switch (token) {
+    case Token::ok:
+        return {0x1B7340, 0x6BC48B};
+    case Token::okGround:
+        return {0xE5F3EA, 0x1D3327};
+    case Token::bad:
+        return {0xB3261E, 0xF28E86};
+    case Token::badGround:
+        return {0xFBE8E6, 0x40231F};
+    case Token::unsure:
+        return {0x855600, 0xE2B65A};
+    case Token::unsureGround:
+        return {0xFDF1D8, 0x3A2F17};
+    case Token::explanation:
+        return {0x7A3E9D, 0xC79AE6};
+    case Token::accent:
+        return {0x1F5FA8, 0x6FA8E6};
+    case Token::secondaryText:
+        return {0x59626B, 0xA4ACB3};
+    case Token::line:
+        return {0xDCDFE2, 0x34393E};
+    case Token::up:
+        return {0x004488, 0x78AEF0};
+    case Token::down:
+        return {0xE07B00, 0xF0A040};
+    case Token::downText:
+        return {0xA85700, 0xF2AC58};
+    default:
+        return {0, 0};
+    }
+}
+
+QColor mixed(const QColor &colour, const QColor &ground, double strength) {
+    const auto part = [&](int a, int b) { return qRound(a * strength + b * (1 - strength)); };
+    return QColor(part(colour.red(), ground.red()), part(colour.green(), ground.green()),
+                  part(colour.blue(), ground.blue()));
+}
+
+void renderIcon(QPainter &painter, const QRectF &area, const QString &name, const QColor &colour) {
+    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+    if (!file.open(QIODevice::ReadOnly))
+        return;
+    QByteArray picture = file.readAll();
+    picture.replace("currentColor", colour.name().toLatin1());
+    QSvgRenderer(picture).render(&painter, area);
+}
+
+/// Draws `:/icons/<name>.svg` anew for every size and colour; the picture is a few strokes.
+class LineIconEngine : public QIconEngine {
+public:
+    LineIconEngine(QString name, QPalette::ColorRole role)
+        : m_name(std::move(name))
+        , m_role(role) {}
+
+    void paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State) override {
+        renderIcon(*painter, rect, m_name, colour(mode));
+    }
+
+    QPixmap pixmap(const QSize &size, QIcon::Mode mode, QIcon::State state) override {
+        const QString key = QStringLiteral("palmer-icon %1 %2 %3x%4")
+                                .arg(m_name, colour(mode).name())
+                                .arg(size.width())
+                                .arg(size.height());
+        QPixmap found;
+        if (QPixmapCache::find(key, &found))
+            return found;
+        found = QPixmap(size);
+        found.fill(Qt::transparent);
+        QPainter painter(&found);
+        paint(&painter, QRect(QPoint(), size), mode, state);
+        painter.end();
+        QPixmapCache::insert(key, found);
+        return found;
+    }
+
+    [[nodiscard]] QIconEngine *clone() const override { return new LineIconEngine(*this); }
+
+private:
+    [[nodiscard]] QColor colour(QIcon::Mode mode) const {
+        const QPalette palette = QApplication::palette();
+        return palette.color(mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active, m_role);
+    }
+
+    QString m_name;
+    QPalette::ColorRole m_role;
+};
+
+/// The one style sheet; @names are filled in.
+constexpr auto styleSheet = R"(
+QMenuBar { background: @window; }
+QToolTip { background: @base; color: @text; border: 1px solid @field; padding: 3px; }
+QStatusBar { background: @window; border-top: 1px solid @line; }
+QStatusBar::item { border: none; }
+QPushButton { background: @base; color: @text; border: 1px solid @field; border-radius: 4px;
+    min-height: 26px; padding: 0 12px; }
+QPushButton:hover { background: @hover; }
+QPushButton:pressed, QPushButton:checked { background: @selected; border-color: @accent; }
+QPushButton:disabled { color: @disabled; border-color: @line; }
+QPushButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 11px; }
+QPushButton[primary="true"] { background: @accent; color: @onAccent; border-color: @accent; }
+QPushButton[primary="true"]:hover { background: @accentHover; }
+QPushButton[primary="true"]:focus { border-color: @text; }
+QPushButton[link="true"] { background: transparent; color: @accent; border-color: transparent; padding: 0 4px; }
+QPushButton[link="true"]:hover { text-decoration: underline; }
+QPushButton[link="true"]:focus { border: 2px solid @accent; padding: 0 3px; }
+QToolButton { background: transparent; color: @text; border: 1px solid transparent; border-radius: 4px;
+    min-height: 26px; padding: 0 7px; }
+QToolButton[iconOnly="true"] { padding: 0 5px; min-width: 16px; }
+QToolButton:hover { background: @hover; }
+QToolButton:pressed, QToolButton:checked { background: @selected; border-color: @accent; }
+QToolButton:disabled { color: @disabled; }
+QToolButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 6px; }
+QToolButton[iconOnly="true"]:focus { padding: 0 4px; }
+QToolButton[segment="first"], QToolButton[segment="middle"], QToolButton[segment="last"] {
+    background: @base; border: 1px solid @field; border-radius: 0; padding: 0 9px; min-height: 24px; }
+QToolButton[segment="first"] { border-top-left-radius: 4px; border-bottom-left-radius: 4px; }
+QToolButton[segment="middle"], QToolButton[segment="last"] { margin-left: -1px; }
+QToolButton[segment="last"] { border-top-right-radius: 4px; border-bottom-right-radius: 4px; }
+QToolButton[segment]:checked { background: @selected; border-color: @accent; }
+QToolButton[segment]:focus { border: 2px solid @accent; padding: 0 8px; min-height: 22px; }
+QLineEdit, QAbstractSpinBox, QComboBox, QPlainTextEdit { background: @base; color: @text; border: 1px solid @field;
+    border-radius: 3px; selection-background-color: @accent; selection-color: @onAccent; }
+QLineEdit, QAbstractSpinBox, QComboBox { min-height: 26px; padding: 0 8px; }
+QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border: 2px solid @accent; min-height: 24px; padding: 0 7px; }
+QPlainTextEdit:focus { border: 2px solid @accent; }
+QLineEdit:disabled, QComboBox:disabled { color: @disabled; }
+QComboBox::drop-down { border: none; width: 22px; }
+QComboBox::down-arrow { image: url(:/icons/down-@kind.svg); width: 14px; height: 14px; }
+QComboBox QAbstractItemView { background: @base; border: 1px solid @field; selection-background-color: @selected;
+    selection-color: @text; outline: none; }
+*[card="true"] { background: @base; border: 1px solid @line; border-radius: 6px; }
+*[ground="window"] { background: @window; }
+*[ground="base"] { background: @base; }
+QFrame[rule="true"] { background: @line; border: none; }
+QLabel[secondary="true"] { color: @secondary; }
+)";
+
+QString filledStyleSheet(const QPalette &palette) {
+    const QColor window = palette.color(QPalette::Window);
+    const QColor base = palette.color(QPalette::Base);
+    const QColor text = palette.color(QPalette::WindowText);
+    const QColor accent = token(Token::accent, palette);
+    const std::array<std::pair<const char *, QString>, 13> values{{
+        // longer names first: one is the beginning of another
+        {"@accentHover", mixed(accent, text, 0.85).name()},
+        {"@accent", accent.name()},
+        {"@onAccent", isDark(palette) ? QStringLiteral("#101316") : QStringLiteral("#ffffff")},
+        {"@selected", mixed(accent, base, isDark(palette) ? 0.3 : 0.13).name()},
+        {"@secondary", token(Token::secondaryText, palette).name()},
+        {"@window", window.name()},
+        {"@base", base.name()},
+        {"@text", text.name()},
+        {"@field", mixed(text, base, 0.3).name()},
+        {"@disabled", palette.color(QPalette::Disabled, QPalette::WindowText).name()},
+        {"@hover", token(Token::hover, palette).name()},
+        {"@line", token(Token::line, palette).name()},
+        {"@kind", isDark(palette) ? QStringLiteral("dark") : QStringLiteral("light")},
+    }};
+    QString sheet = QString::fromLatin1(styleSheet);
+    for (const auto &[name, value] : values)
+        sheet.replace(QLatin1StringView(name), value);
+    return sheet;
+}
+
+/// Refills the style sheet when the system changes the palette.
+class Theme : public QObject {
+public:
+    explicit Theme(QObject *parent)
+        : QObject(parent) {
+        fill();
+        qApp->installEventFilter(this);
+    }
+
+    bool eventFilter(QObject *watched, QEvent *event) override {
+        if (watched == qApp && event->type() == QEvent::ApplicationPaletteChange)
+            fill();
+        return false;
+    }
+
+private:
+    void fill() {
+        const QString sheet = filledStyleSheet(QApplication::palette());
+        if (sheet != qApp->styleSheet())
+            qApp->setStyleSheet(sheet);
+    }
+};
+
+} // namespace
+
+bool isDark(const QPalette &palette) {
+    return palette.color(QPalette::WindowText).lightness() > palette.color(QPalette::Window).lightness();
+}
+
+QColor token(Token token, const QPalette &palette) {
+    const QColor base = palette.color(QPalette::Base);
+    if (token == Token::lineStrong)
+        return mixed(palette.color(QPalette::WindowText), base, 0.35);
+    if (token == Token::hover)
+        return mixed(palette.color(QPalette::WindowText), base, 0.07);
+    const Pair pair = colours(token);
+    return QColor::fromRgb(isDark(palette) ? pair.dark : pair.light);
+}
+
+QColor selectedGround(const QPalette &palette) {
+    return mixed(token(Token::accent, palette), palette.color(QPalette::Base), isDark(palette) ? 0.3 : 0.13);
+}
+
+QFont themeFont(TextSize size) {
+    constexpr std::array factors{1.0, 0.92, 0.85, 1.0, 1.15};
+    QFont font = QApplication::font();
+    const double factor = factors.at(static_cast<std::size_t>(size));
+    if (font.pointSizeF() > 0)
+        font.setPointSizeF(font.pointSizeF() * factor);
+    else
+        font.setPixelSize(qRound(font.pixelSize() * factor));
+    if (size == TextSize::head || size == TextSize::title)
+        font.setWeight(QFont::DemiBold);
+    return font;
+}
+
+QIcon lineIcon(const QString &name, QPalette::ColorRole role) {
+    return QIcon(new LineIconEngine(name, role));
+}
+
+void drawLineIcon(QPainter &painter, const QRect &area, const QString &name, const QColor &colour) {
+    QRectF square(0, 0, 16, 16);
+    square.moveCenter(QRectF(area).center());
+    square.moveTopLeft(square.topLeft().toPoint());
+    renderIcon(painter, square, name, colour);
+}
+
+void installTheme() {
+    static bool installed = false;
+    if (std::exchange(installed, true))
+        return;
+    new Theme(qApp);
+}
+
+} // namespace palmer::ui

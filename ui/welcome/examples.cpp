@@ -1,0 +1,69 @@
+#include "ui/welcome/examples.h"
+
+#include "document/savedocument.h"
+#include "ui/windowlanguage.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <map>
+
+namespace palmer::ui {
+
+namespace {
+
+// The titles inside the files are data; these are the names in the list.
+const char *exampleName(const QString &baseName) {
+    static const std::map<QString, const char *> names{
+        {QStringLiteral("iso230-2-1988-example"), QT_TRANSLATE_NOOP("examples", "X axis, published example")},
+        {QStringLiteral("long-axis-with-zone"), QT_TRANSLATE_NOOP("examples", "Long axis, with its zone")},
+        {QStringLiteral("one-direction"), QT_TRANSLATE_NOOP("examples", "Z axis, from one direction")},
+        {QStringLiteral("rotary-axis"), QT_TRANSLATE_NOOP("examples", "Rotary table C, 360°")},
+    };
+    const auto found = names.find(baseName);
+    return found == names.end() ? nullptr : found->second;
+}
+
+QString words(const Test &test) {
+    const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (!positioning)
+        return QString::fromStdString(test.edition);
+    return QCoreApplication::translate("examples", "%1 · %2 targets, %3 runs")
+        .arg(QString::fromStdString(test.edition))
+        .arg(positioning->targets.size())
+        .arg(positioning->runs.size());
+}
+
+} // namespace
+
+std::vector<Example> examples() {
+    static const std::vector<std::pair<QString, Document>> files = [] {
+        std::vector<std::pair<QString, Document>> result;
+        const QDir folder(QStringLiteral(":/examples"));
+        for (const QString &name : folder.entryList({QStringLiteral("*.palmer")}, QDir::Files, QDir::Name))
+            result.emplace_back(name, openDocument(folder.filePath(name)));
+        return result;
+    }();
+    std::vector<Example> list;
+    for (const auto &[fileName, document] : files) {
+        const QString baseName = QString(fileName).remove(QStringLiteral(".palmer"));
+        Example example;
+        example.path = QStringLiteral(":/examples/") + fileName;
+        const char *name = exampleName(baseName);
+        example.name = name ? QCoreApplication::translate("examples", name)
+                            : QString::fromStdString(document.report.title);
+        if (!document.tests.empty()) {
+            const Test &test = *document.tests.front();
+            example.detail = words(test);
+            example.year = QString::fromStdString(test.edition).section(u':', 1, 1);
+            example.circular = std::holds_alternative<CircularMeasurement>(test.measurement);
+        }
+        list.push_back(std::move(example));
+    }
+    return list;
+}
+
+bool isExample(const QString &path) {
+    return path.startsWith(QLatin1StringView(":/examples/"));
+}
+
+} // namespace palmer::ui

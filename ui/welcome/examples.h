@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+namespace palmer::ui {
+
+/// An example the program carries.
+struct Example {
+    QString path; ///< in the resources
+    QString name; ///< in the window's language
+    QString detail;
+    QString year; ///< of the edition
+    bool circular = false;
+};
+
+/// The examples, the published one first.
+[[nodiscard]] std::vector<Example> examples();
+
+/// Whether the path is that of an example, which is opened as a document without file.
+[[nodiscard]] bool isExample(const QString &path);
+
+} // namespace palmer::ui

@@ -1,0 +1,111 @@
+#include "ui/welcome/recentfiles.h"
+
+#include <QFileInfo>
+#include <QSettings>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr std::size_t mostFiles = 12;
+constexpr auto arrayKey = "recentFiles";
+
+// Words of the settings; none may change, or former entries lose their verdict.
+QString word(std::optional<Verdict> verdict) {
+    if (!verdict)
+        return {};
+    switch (*verdict) {
+    case Verdict::conforms:
+        return QStringLiteral("conforms");
+    case Verdict::notProven:
+        return QStringLiteral("notProven");
+    case Verdict::doesNotConform:
+        return QStringLiteral("doesNotConform");
+    }
+    return {};
+}
+
+std::optional<Verdict> verdictOf(const QString &text) {
+    for (const Verdict verdict : {Verdict::conforms, Verdict::notProven, Verdict::doesNotConform}) {
+        if (text == word(verdict))
+            return verdict;
+    }
+    return std::nullopt;
+}
+
+std::vector<RecentFile> stored() {
+    QSettings settings;
+    std::vector<RecentFile> files;
+    const int size = settings.beginReadArray(QLatin1StringView(arrayKey));
+    for (int i = 0; i < size; ++i) {
+        settings.setArrayIndex(i);
+        const auto text = [&](const char *key) { return settings.value(QLatin1StringView(key)).toString(); };
+        files.push_back({text("path"), text("machine"), text("axes"),
+                         QDate::fromString(text("date"), Qt::ISODate),
+                         settings.value(QStringLiteral("circular")).toBool(), verdictOf(text("verdict"))});
+    }
+    settings.endArray();
+    return files;
+}
+
+} // namespace
+
+RecentFile describeFile(const QString &path, const EvaluatedDocument &evaluated) {
+    const Document &document = *evaluated.document;
+    RecentFile file;
+    file.path = path;
+    file.machine = QString::fromStdString(document.machine.name);
+    file.verdict = evaluated.verdict();
+    file.circular = !document.tests.empty();
+    QStringList axes;
+    for (const TestPointer &test : document.tests) {
+        QString axis;
+        if (const auto *circular = std::get_if<CircularMeasurement>(&test->measurement)) {
+            axis = QString::fromStdString(circular->plane.first + circular->plane.second);
+        } else if (const auto *positioning = std::get_if<PositioningMeasurement>(&test->measurement)) {
+            axis = QString::fromStdString(positioning->axis.name);
+            file.circular = false;
+        } else {
+            axis = QString::fromStdString(std::get<DriftMeasurement>(test->measurement).axis.name);
+            file.circular = false;
+        }
+        if (!axis.isEmpty() && !axes.contains(axis))
+            axes += axis;
+        if (test->date) {
+            const QDate date = QDate::fromString(QString::fromStdString(*test->date), Qt::ISODate);
+            if (!file.date.isValid() || date > file.date)
+                file.date = date;
+        }
+    }
+    file.axes = axes.join(QStringLiteral(", "));
+    return file;
+}
+
+std::vector<RecentFile> recentFiles() {
+    std::vector<RecentFile> files = stored();
+    std::erase_if(files, [](const RecentFile &file) { return !QFileInfo::exists(file.path); });
+    return files;
+}
+
+void rememberFile(const RecentFile &file) {
+    std::vector<RecentFile> files = stored();
+    std::erase_if(files, [&](const RecentFile &other) { return other.path == file.path; });
+    files.insert(files.begin(), file);
+    if (files.size() > mostFiles)
+        files.resize(mostFiles);
+    QSettings settings;
+    settings.beginWriteArray(QLatin1StringView(arrayKey), static_cast<int>(files.size()));
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        settings.setArrayIndex(static_cast<int>(i));
+        settings.setValue(QStringLiteral("path"), files[i].path);
+        settings.setValue(QStringLiteral("machine"), files[i].machine);
+        settings.setValue(QStringLiteral("axes"), files[i].axes);
+        settings.setValue(QStringLiteral("date"), files[i].date.toString(Qt::ISODate));
+        settings.setValue(QStringLiteral("circular"), files[i].circular);
+        settings.setValue(QStringLiteral("verdict"), word(files[i].verdict));
+    }
+    settings.endArray();
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+
+#include <QDate>
+#include <QString>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+namespace palmer::ui {
+
+/// A file that was opened or saved, with what the welcome page says of it.
+struct RecentFile {
+    QString path;
+    QString machine;
+    QString axes; ///< "X, Y, XY"
+    QDate date;   ///< of the latest test; null: not stated
+    bool circular = false;
+    std::optional<Verdict> verdict;
+
+    bool operator==(const RecentFile &) const = default;
+};
+
+/// What a document says of itself on the welcome page.
+[[nodiscard]] RecentFile describeFile(const QString &path, const EvaluatedDocument &evaluated);
+
+/// The files opened last, the latest first, without those that are gone; kept in the settings of the user.
+[[nodiscard]] std::vector<RecentFile> recentFiles();
+
+/// Puts a file first in the list; twelve are kept.
+void rememberFile(const RecentFile &file);
+
+} // namespace palmer::ui

@@ -1,0 +1,201 @@
+#include "ui/welcome/welcomepage.h"
+
+#include "ui/theme.h"
+#include "ui/welcome/examples.h"
+#include "ui/welcome/recentfiles.h"
+#include "ui/welcome/startbutton.h"
+#include "ui/window/languageswitch.h"
+#include "ui/windowlanguage.h"
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QKeySequence>
+#include <QLabel>
+#include <QPainter>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int contentWidth = 1152;
+
+QString kindIcon(bool circular) {
+    return circular ? QStringLiteral("circle") : QStringLiteral("axis");
+}
+
+/// The dashed field that says where files may be dropped; the whole window takes them.
+class DropField : public QLabel {
+public:
+    explicit DropField(QWidget *parent)
+        : QLabel(parent) {
+        setAlignment(Qt::AlignCenter);
+        setFont(themeFont(TextSize::small));
+        setProperty("secondary", true);
+        setMinimumHeight(48);
+        setWordWrap(true);
+    }
+
+protected:
+    void paintEvent(QPaintEvent *event) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(token(Token::lineStrong, palette()), 1, Qt::DashLine));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+        painter.end();
+        QLabel::paintEvent(event);
+    }
+};
+
+/// A card with a title row and a list below it.
+QFrame *makeCard(QWidget *parent, QLabel *title, QLabel *note, const QList<QWidget *> &content) {
+    auto *card = new QFrame(parent);
+    card->setProperty("card", true);
+    auto *column = new QVBoxLayout(card);
+    column->setContentsMargins(1, 1, 1, 4);
+    column->setSpacing(0);
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(12, 8, 12, 8);
+    title->setFont(themeFont(TextSize::head));
+    head->addWidget(title);
+    head->addStretch();
+    if (note) {
+        note->setFont(themeFont(TextSize::small));
+        note->setProperty("secondary", true);
+        head->addWidget(note);
+    }
+    column->addLayout(head);
+    for (QWidget *widget : content)
+        column->addWidget(widget);
+    return card;
+}
+
+} // namespace
+
+WelcomePage::WelcomePage(QWidget *parent)
+    : QWidget(parent)
+    , m_subtitle(new QLabel(this))
+    , m_dropHint(new DropField(this))
+    , m_recentTitle(new QLabel(this))
+    , m_noRecent(new QLabel(this))
+    , m_examplesTitle(new QLabel(this))
+    , m_examplesNote(new QLabel(this))
+    , m_open(new StartButton(QStringLiteral("open"), this))
+    , m_recentList(new StartList(m_recent, 6, this))
+    , m_examplesList(new StartList(m_examples, 6, this)) {
+    setObjectName(QStringLiteral("welcome"));
+    m_open->setObjectName(QStringLiteral("welcomeOpen"));
+    m_recentList->setObjectName(QStringLiteral("recentList"));
+    m_examplesList->setObjectName(QStringLiteral("examplesList"));
+
+    auto *logo = new QLabel(this);
+    logo->setPixmap(QIcon(QStringLiteral(":/icons/palmer.svg")).pixmap(QSize(40, 40)));
+    auto *name = new QLabel(QStringLiteral("Palmer"), this);
+    QFont nameFont = themeFont(TextSize::head);
+    nameFont.setPointSizeF(nameFont.pointSizeF() * 1.8);
+    name->setFont(nameFont);
+    m_subtitle->setProperty("secondary", true);
+    auto *names = new QVBoxLayout;
+    names->setSpacing(0);
+    names->addWidget(name);
+    names->addWidget(m_subtitle);
+
+    auto *head = new QHBoxLayout;
+    head->setSpacing(16);
+    head->addWidget(logo);
+    head->addLayout(names, 1);
+    head->addWidget(new LanguageSwitch(LanguageSwitch::Names::full, this), 0, Qt::AlignVCenter);
+
+    auto *starts = new QVBoxLayout;
+    starts->setSpacing(16);
+    starts->addWidget(m_open);
+    starts->addWidget(m_dropHint);
+    starts->addStretch();
+
+    m_noRecent->setWordWrap(true);
+    m_noRecent->setContentsMargins(12, 0, 12, 8);
+    m_noRecent->setProperty("secondary", true);
+    auto *lists = new QVBoxLayout;
+    lists->setSpacing(16);
+    lists->addWidget(makeCard(this, m_recentTitle, nullptr, {m_noRecent, m_recentList}));
+    lists->addWidget(makeCard(this, m_examplesTitle, m_examplesNote, {m_examplesList}));
+    lists->addStretch();
+
+    auto *content = new QWidget(this);
+    content->setMaximumWidth(contentWidth);
+    auto *grid = new QGridLayout(content);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(24);
+    grid->setVerticalSpacing(24);
+    grid->setRowMinimumHeight(0, 48);
+    grid->addLayout(head, 0, 0, 1, 2);
+    grid->addLayout(starts, 1, 0);
+    grid->addLayout(lists, 1, 1);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    grid->setRowStretch(1, 1);
+
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(32, 64, 32, 16);
+    row->addStretch(1);
+    row->addWidget(content, 1000);
+    row->addStretch(1);
+
+    setTabOrder(m_open, m_recentList);
+    setTabOrder(m_recentList, m_examplesList);
+    connect(m_open, &QAbstractButton::clicked, this, &WelcomePage::openAsked);
+    connect(m_recentList, &StartList::chosen, this, &WelcomePage::fileChosen);
+    connect(m_examplesList, &StartList::chosen, this, &WelcomePage::fileChosen);
+    retranslate();
+}
+
+void WelcomePage::refresh() {
+    std::vector<StartEntry> recent;
+    for (const RecentFile &file : recentFiles()) {
+        QStringList detail{file.machine, file.axes};
+        detail.removeAll(QString());
+        recent.push_back(
+            {file.path, kindIcon(file.circular), QFileInfo(file.path).fileName(),
+             detail.join(QStringLiteral(" · ")),
+             file.date.isValid() ? QLocale().toString(file.date, QLocale::ShortFormat) : QString(),
+             verdictMark(file.verdict)});
+    }
+    m_noRecent->setVisible(recent.empty());
+    m_recentList->setVisible(!recent.empty());
+    m_recent.setEntries(std::move(recent));
+
+    std::vector<StartEntry> carried;
+    for (const Example &example : examples())
+        carried.push_back(
+            {example.path, kindIcon(example.circular), example.name, example.detail, example.year, {}});
+    m_examples.setEntries(std::move(carried));
+}
+
+void WelcomePage::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void WelcomePage::showEvent(QShowEvent *event) {
+    refresh();
+    QWidget::showEvent(event);
+}
+
+void WelcomePage::retranslate() {
+    setAccessibleName(tr("Welcome"));
+    m_subtitle->setText(tr("Tests of machine tools: measure, judge, print the report"));
+    m_open->setTexts(tr("&Open…"), tr("a test file, .palmer"),
+                     QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText));
+    m_dropHint->setText(tr("or drop a file into the window — .palmer"));
+    m_recentTitle->setText(tr("Recent files"));
+    m_noRecent->setText(tr("No file yet. Begin with an example below."));
+    m_examplesTitle->setText(tr("Examples"));
+    m_examplesNote->setText(tr("verified results"));
+    m_recentList->setAccessibleName(tr("Recent files"));
+    m_examplesList->setAccessibleName(tr("Examples"));
+    if (isVisible())
+        refresh();
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "ui/welcome/startlist.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace palmer::ui {
+
+class StartButton;
+
+/// What a window shows before a file is open: ways to start, the files opened last, the examples.
+class WelcomePage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit WelcomePage(QWidget *parent = nullptr);
+
+    /// Reads the recent files anew.
+    void refresh();
+
+signals:
+    void openAsked();
+    void fileChosen(const QString &path);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void retranslate();
+
+    StartModel m_recent;
+    StartModel m_examples;
+    QLabel *m_subtitle;
+    QLabel *m_dropHint;
+    QLabel *m_recentTitle;
+    QLabel *m_noRecent;
+    QLabel *m_examplesTitle;
+    QLabel *m_examplesNote;
+    StartButton *m_open;
+    StartList *m_recentList;
+    StartList *m_examplesList;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,40 @@
+#include "ui/wheelguard.h"
+
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QEvent>
+#include <QScrollBar>
+#include <QTabBar>
+
+namespace palmer::ui {
+
+namespace {
+
+class WheelGuard : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject *watched, QEvent *event) override {
+        if (event->type() != QEvent::Wheel)
+            return false;
+        const auto *widget = qobject_cast<QWidget *>(watched);
+        const bool field =
+            qobject_cast<const QComboBox *>(widget) || qobject_cast<const QTabBar *>(widget) ||
+            qobject_cast<const QAbstractSpinBox *>(widget) ||
+            (qobject_cast<const QAbstractSlider *>(widget) && !qobject_cast<const QScrollBar *>(widget));
+        if (!field || widget->hasFocus())
+            return false;
+        event->ignore(); // goes on to the parent
+        return true;
+    }
+};
+
+} // namespace
+
+void guardWheel(QApplication &application) {
+    application.installEventFilter(new WheelGuard(&application));
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,10 @@
+#pragma once
+
+class QApplication;
+
+namespace palmer::ui {
+
+/// From now on the wheel changes no field that does not have the focus: it scrolls what the field stands in.
+void guardWheel(QApplication &application);
+
+} // namespace palmer::ui

@@ -1,0 +1,56 @@
+#include "ui/window/languageswitch.h"
+
+#include "ui/windowlanguage.h"
+
+#include <QButtonGroup>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace palmer::ui {
+
+LanguageSwitch::LanguageSwitch(Names names, QWidget *parent)
+    : QWidget(parent)
+    , m_french(new QToolButton(this))
+    , m_english(new QToolButton(this)) {
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    auto *group = new QButtonGroup(this);
+    for (QToolButton *button : {m_french, m_english}) {
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        group->addButton(button);
+        row->addWidget(button);
+    }
+    m_french->setObjectName(QStringLiteral("french"));
+    m_english->setObjectName(QStringLiteral("english"));
+    m_french->setProperty("segment", QStringLiteral("first"));
+    m_english->setProperty("segment", QStringLiteral("last"));
+    // Names of languages are the same in every language.
+    m_french->setText(names == Names::codes ? QStringLiteral("FR") : QStringLiteral("Français"));
+    m_english->setText(names == Names::codes ? QStringLiteral("EN") : QStringLiteral("English"));
+    m_french->setAccessibleName(QStringLiteral("Français"));
+    m_english->setAccessibleName(QStringLiteral("English"));
+    connect(m_french, &QToolButton::clicked, this, [] { setWindowLanguage(Language::Id::french); });
+    connect(m_english, &QToolButton::clicked, this, [] { setWindowLanguage(Language::Id::english); });
+    retranslate();
+}
+
+void LanguageSwitch::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void LanguageSwitch::retranslate() {
+    const bool french = windowLanguage().id() == Language::Id::french;
+    m_french->setChecked(french);
+    m_english->setChecked(!french);
+    const QString hint = tr("Language of the window; the report has its own");
+    m_french->setToolTip(hint);
+    m_english->setToolTip(hint);
+    setAccessibleName(hint);
+}
+
+} // namespace palmer::ui

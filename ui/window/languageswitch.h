@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QWidget>
+
+class QToolButton;
+
+namespace palmer::ui {
+
+/// Two buttons that choose the language of the windows, "FR | EN", or in full on the welcome page.
+class LanguageSwitch : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Names { codes, full };
+
+    explicit LanguageSwitch(Names names, QWidget *parent = nullptr);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void retranslate();
+
+    QToolButton *m_french;
+    QToolButton *m_english;
+};
+
+} // namespace palmer::ui

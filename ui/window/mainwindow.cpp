@@ -1,0 +1,619 @@
+#include "ui/window/mainwindow.h"
+
+#include "document/savedocument.h"
+#include "ui/dialogs/reportdialog.h"
+#include "ui/theme.h"
+#include "ui/welcome/examples.h"
+#include "ui/welcome/recentfiles.h"
+#include "ui/welcome/welcomepage.h"
+#include "ui/window/languageswitch.h"
+#include "ui/window/workplace.h"
+#include "ui/windowlanguage.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTime>
+#include <QToolBar>
+#include <QToolButton>
+#include <QUndoStack>
+#include <variant>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int menuHeight = 28;
+constexpr int toolBarHeight = 44;
+constexpr int statusHeight = 27;
+constexpr qint64 readAtOnce = 256 * 1024; ///< bytes; larger files are read on a thread
+constexpr int iconsOnlyBelow = 1180;
+
+/// A name of an edit in the window's language.
+QString editName(const QString &source) {
+    return QCoreApplication::translate("edits", source.toUtf8());
+}
+
+/// The tooltip of an action: its name and its shortcut.
+QString hint(const QAction &action) {
+    QString text = action.text();
+    text.remove(u'&');
+    text.remove(u'…');
+    return action.shortcut().isEmpty()
+               ? text
+               : QStringLiteral("%1 (%2)").arg(text, action.shortcut().toString(QKeySequence::NativeText));
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget *parent)
+    : QMainWindow(parent)
+    , m_stack(new QStackedWidget(this))
+    , m_welcome(new WelcomePage(this))
+    , m_workplace(new Workplace(this)) {
+    setObjectName(QStringLiteral("mainWindow"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setAcceptDrops(true);
+    setMinimumSize(640, 480);
+    m_reader.setMaxThreadCount(1);
+    m_stack->addWidget(m_welcome);
+    m_stack->addWidget(m_workplace);
+    setCentralWidget(m_stack);
+    makeActions();
+    makeToolBar();
+    makeStatusBar();
+    connectParts();
+    resize(1280, 800);
+    const QByteArray geometry = QSettings().value(QStringLiteral("window/geometry")).toByteArray();
+    if (!geometry.isEmpty())
+        restoreGeometry(geometry);
+    retranslate();
+    showState();
+}
+
+MainWindow::~MainWindow() {
+    m_reader.waitForDone();
+    m_model.undoStack()->disconnect(this);
+    m_model.disconnect(this);
+    m_evaluator.disconnect(this);
+}
+
+bool MainWindow::hasDocument() const {
+    return m_open;
+}
+
+QAction *MainWindow::addAction(QMenu *menu, const QString &name, const QString &icon) {
+    auto *action = new QAction(this);
+    action->setObjectName(name);
+    if (!icon.isEmpty())
+        action->setIcon(lineIcon(icon));
+    menu->addAction(action);
+    return action;
+}
+
+void MainWindow::makeActions() {
+    menuBar()->setFixedHeight(menuHeight);
+    m_fileMenu = menuBar()->addMenu(QString());
+    m_editMenu = menuBar()->addMenu(QString());
+    m_testMenu = menuBar()->addMenu(QString());
+    m_viewMenu = menuBar()->addMenu(QString());
+    m_helpMenu = menuBar()->addMenu(QString());
+
+    m_openAction = addAction(m_fileMenu, QStringLiteral("open"), QStringLiteral("open"));
+    m_openAction->setShortcut(QKeySequence::Open);
+    m_recentMenu = m_fileMenu->addMenu(QString());
+    m_examplesMenu = m_fileMenu->addMenu(QString());
+    m_fileMenu->addSeparator();
+    m_saveAction = addAction(m_fileMenu, QStringLiteral("save"), QStringLiteral("save"));
+    m_saveAction->setShortcut(QKeySequence::Save);
+    m_saveAsAction = addAction(m_fileMenu, QStringLiteral("saveAs"));
+    m_saveAsAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+    m_fileMenu->addSeparator();
+    m_reportAction = addAction(m_fileMenu, QStringLiteral("report"), QStringLiteral("report"));
+    m_reportAction->setShortcut(QKeySequence::Print);
+    m_fileMenu->addSeparator();
+    m_newWindowAction = addAction(m_fileMenu, QStringLiteral("newWindow"));
+    m_newWindowAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W));
+    m_closeAction = addAction(m_fileMenu, QStringLiteral("close"));
+    m_closeAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_W));
+    m_quitAction = addAction(m_fileMenu, QStringLiteral("quit"));
+    m_quitAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
+
+    m_undoAction = addAction(m_editMenu, QStringLiteral("undo"), QStringLiteral("undo"));
+    m_undoAction->setShortcut(QKeySequence::Undo);
+    m_redoAction = addAction(m_editMenu, QStringLiteral("redo"), QStringLiteral("redo"));
+    m_redoAction->setShortcuts(
+        {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+
+    m_previousTestAction = addAction(m_testMenu, QStringLiteral("previousTest"));
+    m_previousTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
+    m_nextTestAction = addAction(m_testMenu, QStringLiteral("nextTest"));
+    m_nextTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
+    m_testMenu->addSeparator();
+    m_setEditionAction = addAction(m_testMenu, QStringLiteral("setEditionAction"));
+    m_ownEditionAction = addAction(m_testMenu, QStringLiteral("ownEdition"));
+
+    for (std::size_t i = 0; i < m_pageActions.size(); ++i) {
+        m_pageActions[i] = addAction(m_viewMenu, QStringLiteral("page%1").arg(i + 1));
+        m_pageActions[i]->setShortcut(
+            QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i))));
+    }
+    m_viewMenu->addSeparator();
+    m_nextMissingAction = addAction(m_viewMenu, QStringLiteral("nextMissing"));
+    m_nextMissingAction->setShortcut(QKeySequence(Qt::Key_F8));
+    m_previousMissingAction = addAction(m_viewMenu, QStringLiteral("previousMissing"));
+    m_previousMissingAction->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_F8));
+    m_viewMenu->addSeparator();
+    m_maximiseAction = addAction(m_viewMenu, QStringLiteral("maximiseFigure"), QStringLiteral("maxi"));
+    m_maximiseAction->setShortcut(QKeySequence(Qt::Key_F11));
+    m_viewMenu->addSeparator();
+    m_frenchAction = addAction(m_viewMenu, QStringLiteral("speakFrench"));
+    m_englishAction = addAction(m_viewMenu, QStringLiteral("speakEnglish"));
+    for (QAction *action : {m_frenchAction, m_englishAction})
+        action->setCheckable(true);
+
+    m_aboutAction = addAction(m_helpMenu, QStringLiteral("about"));
+    m_aboutQtAction = addAction(m_helpMenu, QStringLiteral("aboutQt"));
+    m_quitAction->setMenuRole(QAction::QuitRole);
+    m_aboutAction->setMenuRole(QAction::AboutRole);
+    m_aboutQtAction->setMenuRole(QAction::AboutQtRole);
+}
+
+void MainWindow::makeToolBar() {
+    m_toolBar = new QToolBar(this);
+    m_toolBar->setObjectName(QStringLiteral("toolBar"));
+    m_toolBar->setMovable(false);
+    m_toolBar->setContextMenuPolicy(Qt::PreventContextMenu);
+    m_toolBar->setFixedHeight(toolBarHeight);
+    m_toolBar->setIconSize(QSize(16, 16));
+    setContextMenuPolicy(Qt::PreventContextMenu); // nobody shall hide the toolbar by chance
+    m_toolBar->addAction(m_openAction);
+    m_toolBar->addAction(m_saveAction);
+    m_toolBar->addSeparator();
+    m_toolBar->addAction(m_undoAction);
+    m_toolBar->addAction(m_redoAction);
+    m_toolBar->addSeparator();
+    m_toolBar->addAction(m_reportAction);
+    for (QAction *action : {m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
+        auto *button = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action));
+        button->setObjectName(action->objectName() + QStringLiteral("Button"));
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    auto *space = new QWidget(m_toolBar);
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_toolBar->addWidget(space);
+    m_toolBar->addWidget(new LanguageSwitch(LanguageSwitch::Names::codes, m_toolBar));
+    addToolBar(m_toolBar);
+}
+
+void MainWindow::makeStatusBar() {
+    statusBar()->setFixedHeight(statusHeight);
+    statusBar()->setSizeGripEnabled(false);
+    m_content = new QLabel(this);
+    m_hint = new QLabel(this);
+    m_state = new QLabel(this);
+    m_content->setObjectName(QStringLiteral("statusContent"));
+    m_hint->setObjectName(QStringLiteral("statusHint"));
+    m_state->setObjectName(QStringLiteral("statusState"));
+    for (QLabel *label : {m_content, m_hint, m_state})
+        label->setFont(themeFont(TextSize::small));
+    m_hint->setProperty("secondary", true);
+    m_state->setProperty("secondary", true);
+    m_content->setContentsMargins(14, 0, 8, 0);
+    m_state->setContentsMargins(8, 0, 14, 0);
+    statusBar()->addWidget(m_content);
+    statusBar()->addWidget(m_hint, 1);
+    statusBar()->addPermanentWidget(m_state);
+}
+
+void MainWindow::connectParts() {
+    connect(m_openAction, &QAction::triggered, this, &MainWindow::chooseFile);
+    connect(m_saveAction, &QAction::triggered, this, &MainWindow::save);
+    connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveAs);
+    connect(m_reportAction, &QAction::triggered, this, &MainWindow::showReport);
+    connect(m_newWindowAction, &QAction::triggered, this, [] { (new MainWindow)->show(); });
+    connect(m_closeAction, &QAction::triggered, this, &QWidget::close);
+    connect(m_quitAction, &QAction::triggered, qApp, &QApplication::closeAllWindows);
+    connect(m_undoAction, &QAction::triggered, m_model.undoStack(), &QUndoStack::undo);
+    connect(m_redoAction, &QAction::triggered, m_model.undoStack(), &QUndoStack::redo);
+    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::showState);
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    connect(m_examplesMenu, &QMenu::aboutToShow, this, &MainWindow::fillExamplesMenu);
+    connect(m_previousTestAction, &QAction::triggered, this, [this] {
+        if (m_workplace->selection().test() > 0)
+            m_workplace->showTest(m_workplace->selection().test() - 1);
+    });
+    connect(m_nextTestAction, &QAction::triggered, this,
+            [this] { m_workplace->showTest(m_workplace->selection().test() + 1); });
+    connect(m_setEditionAction, &QAction::triggered, this, [this] {
+        const std::size_t test = m_workplace->selection().test();
+        setEdition(test, QString::fromUtf8(m_evaluator.current().tests[test]->edition->word));
+    });
+    connect(m_ownEditionAction, &QAction::triggered, this,
+            [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
+    constexpr std::array pages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        connect(m_pageActions[i], &QAction::triggered, this,
+                [this, page = pages[i]] { m_workplace->showPage(page); });
+    connect(m_nextMissingAction, &QAction::triggered, this, [this] { m_workplace->showNextMissing(true); });
+    connect(m_previousMissingAction, &QAction::triggered, this,
+            [this] { m_workplace->showNextMissing(false); });
+    connect(m_maximiseAction, &QAction::triggered, this,
+            [this] { m_workplace->setFigureMaximised(!m_workplace->isFigureMaximised()); });
+    connect(m_frenchAction, &QAction::triggered, this, [] { setWindowLanguage(Language::Id::french); });
+    connect(m_englishAction, &QAction::triggered, this, [] { setWindowLanguage(Language::Id::english); });
+    connect(m_aboutAction, &QAction::triggered, this, &MainWindow::about);
+    connect(m_aboutQtAction, &QAction::triggered, qApp, &QApplication::aboutQt);
+
+    connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
+    connect(m_welcome, &WelcomePage::fileChosen, this, &MainWindow::openFile);
+    connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
+    connect(&m_model, &DocumentModel::fileChanged, this, &MainWindow::showState);
+    connect(&m_evaluator, &Evaluator::evaluated, this, [this](const EvaluatedDocument &evaluated) {
+        m_workplace->show(evaluated);
+        if (std::exchange(m_rememberNext, false))
+            remember();
+        showState();
+    });
+    connect(&m_evaluator, &Evaluator::busyChanged, this, &MainWindow::showState);
+    connect(m_workplace, &Workplace::viewChosen, this, [this](std::size_t test, const QString &edition) {
+        m_evaluator.setView(test, edition.toStdString());
+    });
+    connect(m_workplace, &Workplace::editionSet, this, &MainWindow::setEdition);
+    connect(m_workplace, &Workplace::contentChanged, m_content, &QLabel::setText);
+    connect(m_workplace, &Workplace::hintChanged, m_hint, &QLabel::setText);
+    connect(&m_workplace->selection(), &Selection::testChanged, this, &MainWindow::showState);
+}
+
+void MainWindow::chooseFile() {
+    QFileDialog dialog(this, tr("Open a test file"),
+                       QSettings().value(QStringLiteral("window/folder")).toString());
+    dialog.setObjectName(QStringLiteral("openDialog"));
+    dialog.setFileMode(QFileDialog::ExistingFiles);
+    dialog.setNameFilters({tr("Test files (*.palmer)"), tr("All files (*)")});
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    QSettings().setValue(QStringLiteral("window/folder"), dialog.directory().absolutePath());
+    for (const QString &path : dialog.selectedFiles())
+        openFile(path);
+}
+
+void MainWindow::openFile(const QString &path) {
+    const QString whole = isExample(path) ? path : QFileInfo(path).absoluteFilePath();
+    for (QWidget *widget : QApplication::topLevelWidgets()) {
+        auto *other = qobject_cast<MainWindow *>(widget);
+        if (other && !isExample(whole) && other->hasDocument() && other->m_model.path() == whole) {
+            other->raise();
+            other->activateWindow();
+            return;
+        }
+    }
+    read(whole);
+}
+
+void MainWindow::read(const QString &path) {
+    using Outcome = std::variant<Document, Error>;
+    const auto open = [path]() -> Outcome {
+        try {
+            return openDocument(path);
+        } catch (const Error &error) {
+            return error;
+        }
+    };
+    const auto finish = [this, path](Outcome outcome) {
+        if (auto *error = std::get_if<Error>(&outcome))
+            showError(tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), path, *error);
+        else
+            take(std::move(std::get<Document>(outcome)), path);
+    };
+    if (QFileInfo(path).size() <= readAtOnce) {
+        finish(open());
+        return;
+    }
+    const int job = ++m_reading;
+    m_state->setText(tr("Reading %1…").arg(QFileInfo(path).fileName()));
+    m_reader.start([this, job, open, finish] {
+        auto outcome = std::make_shared<Outcome>(open());
+        QMetaObject::invokeMethod(
+            this,
+            [this, job, finish, outcome] {
+                if (job == m_reading) {
+                    showState();
+                    finish(std::move(*outcome));
+                }
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void MainWindow::take(Document document, const QString &path) {
+    if (m_open) {
+        auto *other = new MainWindow;
+        other->resize(size());
+        other->move(pos() + QPoint(24, 24));
+        other->show();
+        other->take(std::move(document), path);
+        return;
+    }
+    m_open = true;
+    m_savedAt.clear();
+    m_rememberNext = !isExample(path);
+    m_model.setDocument(std::move(document), isExample(path) ? QString() : path);
+    m_stack->setCurrentWidget(m_workplace);
+    showState();
+}
+
+void MainWindow::showError(const QString &title, const QString &fileName, const Error &error) {
+    auto *box = new QMessageBox(QMessageBox::Critical, title, title, QMessageBox::Ok, this);
+    box->setObjectName(QStringLiteral("errorBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QString sentence = windowLanguage().sentence(error.message);
+    if (!error.place.empty())
+        sentence += QStringLiteral("\n\n") + tr("Place: %1").arg(QString::fromStdString(error.place));
+    box->setInformativeText(sentence);
+    box->setTextFormat(Qt::PlainText);
+    box->setToolTip(fileName);
+    box->open();
+}
+
+bool MainWindow::save() {
+    return m_model.path().isEmpty() ? saveAs() : saveTo(m_model.path());
+}
+
+bool MainWindow::saveAs() {
+    QFileDialog dialog(this, tr("Save the test file"));
+    dialog.setObjectName(QStringLiteral("saveDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({tr("Test files (*.palmer)"), tr("All files (*)")});
+    dialog.setDefaultSuffix(QStringLiteral("palmer"));
+    if (m_model.path().isEmpty())
+        dialog.setDirectory(QSettings().value(QStringLiteral("window/folder")).toString());
+    else
+        dialog.selectFile(m_model.path());
+    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().constFirst());
+}
+
+bool MainWindow::saveTo(const QString &path) {
+    try {
+        m_model.save(path);
+    } catch (const Error &error) {
+        showError(tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), path, error);
+        return false;
+    }
+    m_savedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
+    remember();
+    showState();
+    return true;
+}
+
+void MainWindow::remember() {
+    if (!m_model.path().isEmpty())
+        rememberFile(describeFile(m_model.path(), m_evaluator.current()));
+}
+
+bool MainWindow::mayClose() {
+    if (!m_open || !m_model.isModified())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Close"), tr("Save the changes before closing?"),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setObjectName(QStringLiteral("closeBox"));
+    box.setDefaultButton(QMessageBox::Save);
+    box.setInformativeText(tr("Otherwise the changes since the last saving are lost."));
+    const int answer = box.exec();
+    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+void MainWindow::setEdition(std::size_t test, const QString &edition) {
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "set the edition of the test"), [&](Document &document) {
+        auto changed = std::make_shared<Test>(*document.tests[test]);
+        // A limit that names no edition was agreed for the one the test had: it must not pass to another.
+        for (auto &[id, limit] : changed->limits) {
+            if (limit.value && !limit.edition)
+                limit.edition = changed->edition;
+        }
+        changed->edition = edition.toStdString();
+        document.tests[test] = std::move(changed);
+    });
+    m_evaluator.setView(test, {});
+}
+
+void MainWindow::fillRecentMenu() {
+    m_recentMenu->clear();
+    int number = 1;
+    for (const RecentFile &file : recentFiles()) {
+        QAction *action = m_recentMenu->addAction(QStringLiteral("&%1  %2").arg(number++).arg(
+            QFileInfo(file.path).fileName().replace(u'&', QStringLiteral("&&"))));
+        action->setToolTip(file.path);
+        connect(action, &QAction::triggered, this, [this, path = file.path] { openFile(path); });
+    }
+    if (m_recentMenu->isEmpty())
+        m_recentMenu->addAction(tr("No file yet"))->setEnabled(false);
+}
+
+void MainWindow::fillExamplesMenu() {
+    m_examplesMenu->clear();
+    int number = 1;
+    for (const Example &example : examples()) {
+        QAction *action =
+            m_examplesMenu->addAction(QStringLiteral("&%1  %2").arg(number++).arg(example.name));
+        connect(action, &QAction::triggered, this, [this, path = example.path] { openFile(path); });
+    }
+}
+
+void MainWindow::showState() {
+    const QUndoStack *stack = m_model.undoStack();
+    m_undoAction->setEnabled(m_open && stack->canUndo());
+    m_redoAction->setEnabled(m_open && stack->canRedo());
+    m_undoAction->setText(stack->canUndo() ? tr("&Undo: %1").arg(editName(stack->undoText())) : tr("&Undo"));
+    m_redoAction->setText(stack->canRedo() ? tr("&Redo: %1").arg(editName(stack->redoText())) : tr("&Redo"));
+    m_undoAction->setIconText(tr("Undo"));
+    m_redoAction->setIconText(tr("Redo"));
+    m_undoAction->setToolTip(hint(*m_undoAction));
+    m_redoAction->setToolTip(hint(*m_redoAction));
+
+    const std::size_t tests = m_open ? m_model.document()->tests.size() : 0;
+    const std::size_t test = m_workplace->selection().test();
+    const auto &evaluated = m_evaluator.current().tests;
+    const bool view = m_open && test < evaluated.size() && evaluated[test]->view;
+    m_saveAction->setEnabled(m_open);
+    m_saveAsAction->setEnabled(m_open);
+    m_reportAction->setEnabled(m_open);
+    m_previousTestAction->setEnabled(test > 0 && test < tests);
+    m_nextTestAction->setEnabled(test + 1 < tests);
+    m_setEditionAction->setEnabled(view);
+    m_ownEditionAction->setEnabled(view);
+    for (QAction *action : m_pageActions)
+        action->setEnabled(tests > 0);
+    m_nextMissingAction->setEnabled(tests > 0);
+    m_previousMissingAction->setEnabled(tests > 0);
+    m_maximiseAction->setEnabled(m_open);
+    m_toolBar->setVisible(m_open);
+    m_content->setVisible(m_open);
+    m_hint->setVisible(m_open);
+
+    if (!m_open) {
+        setWindowTitle(QStringLiteral("Palmer"));
+        m_state->setText(QStringLiteral("Palmer " PALMER_VERSION));
+        return;
+    }
+    setWindowFilePath(m_model.path());
+    const QString name = m_model.path().isEmpty() ? QString::fromStdString(m_model.document()->report.title)
+                                                  : QFileInfo(m_model.path()).fileName();
+    setWindowTitle(QStringLiteral("%1[*] — Palmer").arg(name.isEmpty() ? tr("Untitled") : name));
+    setWindowModified(m_model.isModified());
+    if (m_evaluator.isBusy())
+        m_state->setText(tr("Computing…"));
+    else if (m_model.isModified())
+        m_state->setText(tr("Changed"));
+    else if (!m_savedAt.isEmpty())
+        m_state->setText(tr("Saved at %1").arg(m_savedAt));
+    else
+        m_state->setText(m_model.path().isEmpty() ? tr("Example") : QString());
+}
+
+void MainWindow::showReport() {
+    ReportDialog dialog(m_model, m_evaluator, this);
+    dialog.exec();
+}
+
+void MainWindow::about() {
+    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("About Palmer"),
+                                QStringLiteral("Palmer " PALMER_VERSION), QMessageBox::Ok, this);
+    box->setObjectName(QStringLiteral("aboutBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setIconPixmap(QIcon(QStringLiteral(":/icons/palmer.svg")).pixmap(QSize(64, 64)));
+    box->setInformativeText(
+        tr("Evaluates tests of machine tools after ISO 230-2 and ISO 230-4 and prints the "
+           "report. Free software under the GNU General Public License, version 3 or later; "
+           "without any warranty."));
+    box->open();
+}
+
+void MainWindow::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        showState();
+    }
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::closeEvent(QCloseEvent *event) {
+    if (!mayClose()) {
+        event->ignore();
+        return;
+    }
+    QSettings().setValue(QStringLiteral("window/geometry"), saveGeometry());
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event) {
+    for (const QUrl &url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) {
+            event->acceptProposedAction();
+            return;
+        }
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent *event) {
+    event->acceptProposedAction();
+    for (const QUrl &url : event->mimeData()->urls()) {
+        if (url.isLocalFile())
+            openFile(url.toLocalFile());
+    }
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event) {
+    QMainWindow::resizeEvent(event);
+    const bool iconsOnly = width() < iconsOnlyBelow;
+    m_toolBar->setToolButtonStyle(iconsOnly ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+    for (QAction *action : {m_undoAction, m_redoAction}) {
+        auto *button = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action));
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    }
+}
+
+void MainWindow::keyPressEvent(QKeyEvent *event) {
+    if (event->key() == Qt::Key_Escape && m_workplace->isFigureMaximised())
+        m_workplace->setFigureMaximised(false);
+    else
+        QMainWindow::keyPressEvent(event);
+}
+
+void MainWindow::retranslate() {
+    m_fileMenu->setTitle(tr("&File"));
+    m_editMenu->setTitle(tr("&Edit"));
+    m_testMenu->setTitle(tr("&Test"));
+    m_viewMenu->setTitle(tr("&View"));
+    m_helpMenu->setTitle(tr("&Help"));
+    m_openAction->setText(tr("&Open…"));
+    m_openAction->setIconText(tr("Open"));
+    m_recentMenu->setTitle(tr("Open &recent"));
+    m_examplesMenu->setTitle(tr("E&xamples"));
+    m_saveAction->setText(tr("&Save"));
+    m_saveAsAction->setText(tr("Save &as…"));
+    m_reportAction->setText(tr("Re&port…"));
+    m_reportAction->setIconText(tr("Report…"));
+    m_newWindowAction->setText(tr("&New window"));
+    m_closeAction->setText(tr("&Close"));
+    m_quitAction->setText(tr("&Quit"));
+    m_previousTestAction->setText(tr("&Previous test"));
+    m_nextTestAction->setText(tr("&Next test"));
+    m_setEditionAction->setText(tr("&Set as edition of the test"));
+    m_ownEditionAction->setText(tr("&Back to the edition of the test"));
+    m_pageActions[0]->setText(tr("&Readings"));
+    m_pageActions[1]->setText(tr("&Conditions"));
+    m_pageActions[2]->setText(tr("&Agreed points"));
+    m_pageActions[3]->setText(tr("&Limits"));
+    m_nextMissingAction->setText(tr("&Next missing statement"));
+    m_previousMissingAction->setText(tr("&Previous missing statement"));
+    m_maximiseAction->setText(tr("&Maximise the figure"));
+    m_frenchAction->setText(QStringLiteral("&Français"));
+    m_englishAction->setText(QStringLiteral("&English"));
+    m_frenchAction->setChecked(windowLanguage().id() == Language::Id::french);
+    m_englishAction->setChecked(windowLanguage().id() == Language::Id::english);
+    m_aboutAction->setText(tr("&About Palmer"));
+    m_aboutQtAction->setText(tr("About &Qt"));
+    m_toolBar->setWindowTitle(tr("Tools"));
+    m_toolBar->setAccessibleName(tr("Tools"));
+    menuBar()->setAccessibleName(tr("Menus"));
+    statusBar()->setAccessibleName(tr("State"));
+    for (QAction *action : {m_openAction, m_saveAction, m_reportAction})
+        action->setToolTip(hint(*action));
+    for (QAction *action : {m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
+        QString name = action->iconText();
+        m_toolBar->widgetForAction(action)->setAccessibleName(name.remove(u'…'));
+    }
+}
+
+} // namespace palmer::ui

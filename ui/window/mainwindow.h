@@ -1,0 +1,118 @@
+#pragma once
+
+#include "document/documenterror.h"
+#include "ui/model/documentmodel.h"
+#include "ui/model/evaluator.h"
+
+#include <QMainWindow>
+#include <QThreadPool>
+
+class QLabel;
+class QMenu;
+class QStackedWidget;
+class QToolBar;
+
+namespace palmer::ui {
+
+class WelcomePage;
+class Workplace;
+
+/// One window, one file. Builds the parts and connects them; computes nothing.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    /// Opens a test file: here when nothing is open, else in another window; a file that is open already is
+    /// brought to the front. What cannot be opened is said in one sentence, and nothing changes.
+    void openFile(const QString &path);
+
+    /// Saves under that path; false, and a message, when that fails.
+    bool saveTo(const QString &path);
+
+    [[nodiscard]] DocumentModel &model() { return m_model; }
+    [[nodiscard]] Evaluator &evaluator() { return m_evaluator; }
+    [[nodiscard]] Workplace &workplace() { return *m_workplace; }
+    /// Whether a document is open, and not the welcome page.
+    [[nodiscard]] bool hasDocument() const;
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void closeEvent(QCloseEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    QAction *addAction(QMenu *menu, const QString &name, const QString &icon = {});
+    void makeActions();
+    void makeToolBar();
+    void makeStatusBar();
+    void connectParts();
+
+    void chooseFile();
+    bool save();
+    bool saveAs();
+    bool mayClose();
+    void read(const QString &path);
+    void take(Document document, const QString &path);
+    void showError(const QString &title, const QString &fileName, const Error &error);
+    void fillRecentMenu();
+    void fillExamplesMenu();
+    void showState();
+    void remember();
+    void setEdition(std::size_t test, const QString &edition);
+    void showReport();
+    void about();
+    void retranslate();
+
+    DocumentModel m_model;
+    Evaluator m_evaluator;
+    QThreadPool m_reader;
+    int m_reading = 0; ///< number of the latest file being read
+    bool m_open = false;
+    bool m_rememberNext = false;
+    QString m_savedAt;
+
+    QStackedWidget *m_stack;
+    WelcomePage *m_welcome;
+    Workplace *m_workplace;
+    QToolBar *m_toolBar;
+    QMenu *m_fileMenu;
+    QMenu *m_recentMenu;
+    QMenu *m_examplesMenu;
+    QMenu *m_editMenu;
+    QMenu *m_testMenu;
+    QMenu *m_viewMenu;
+    QMenu *m_helpMenu;
+    QLabel *m_content;
+    QLabel *m_hint;
+    QLabel *m_state;
+
+    QAction *m_openAction;
+    QAction *m_saveAction;
+    QAction *m_saveAsAction;
+    QAction *m_reportAction;
+    QAction *m_newWindowAction;
+    QAction *m_closeAction;
+    QAction *m_quitAction;
+    QAction *m_undoAction;
+    QAction *m_redoAction;
+    QAction *m_previousTestAction;
+    QAction *m_nextTestAction;
+    QAction *m_setEditionAction;
+    QAction *m_ownEditionAction;
+    std::array<QAction *, 4> m_pageActions{};
+    QAction *m_nextMissingAction;
+    QAction *m_previousMissingAction;
+    QAction *m_maximiseAction;
+    QAction *m_frenchAction;
+    QAction *m_englishAction;
+    QAction *m_aboutAction;
+    QAction *m_aboutQtAction;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,93 @@
+#include "ui/window/pagetabs.h"
+
+#include "ui/theme.h"
+
+#include <QPainter>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int tabHeight = 40;
+constexpr int padding = 4; ///< the line reaches this far beyond the word
+constexpr int space = 16;  ///< between two tabs
+constexpr int badgeSize = 20;
+constexpr int badgeGap = 6;
+
+QFont tabFont(bool current) {
+    return themeFont(current ? TextSize::head : TextSize::base);
+}
+
+} // namespace
+
+PageTabs::PageTabs(QWidget *parent)
+    : QTabBar(parent) {
+    setDrawBase(false);
+    setExpanding(false);
+    setUsesScrollButtons(true);
+    setElideMode(Qt::ElideNone);
+    setFocusPolicy(Qt::StrongFocus);
+}
+
+void PageTabs::setCount(int tab, int count) {
+    if (tabData(tab).toInt() == count)
+        return;
+    setTabData(tab, count);
+    setTabText(tab, tabText(tab)); // its width has changed
+    updateGeometry();
+    update();
+}
+
+int PageTabs::count(int tab) const {
+    return tabData(tab).toInt();
+}
+
+QSize PageTabs::tabSizeHint(int index) const {
+    // As wide as the bold word, so that nothing moves when another tab is chosen.
+    const QString shown = QString(tabText(index)).remove(u'&');
+    int width = QFontMetrics(tabFont(true)).horizontalAdvance(shown) + 2 * padding;
+    if (count(index) > 0)
+        width += badgeGap + badgeSize;
+    return {width + space - 2 * padding, tabHeight};
+}
+
+QSize PageTabs::minimumTabSizeHint(int index) const {
+    return tabSizeHint(index);
+}
+
+void PageTabs::paintEvent(QPaintEvent *) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor accent = token(Token::accent, palette());
+    for (int tab = 0; tab < count(); ++tab) {
+        const bool current = tab == currentIndex();
+        const bool hovered = tabRect(tab).contains(mapFromGlobal(QCursor::pos())) && underMouse();
+        const QRect area = tabRect(tab).adjusted(0, 0, -(space - 2 * padding), 0);
+        painter.setFont(tabFont(current));
+        painter.setPen(current || hovered ? palette().color(QPalette::WindowText)
+                                          : token(Token::secondaryText, palette()));
+        const QRect word = area.adjusted(padding, 0, -padding, 0);
+        painter.drawText(word, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic, tabText(tab));
+        if (count(tab) > 0) {
+            const QRect badge(area.right() - padding - badgeSize + 1, area.center().y() - badgeSize / 2 + 1,
+                              badgeSize, badgeSize);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(token(Token::unsureGround, palette()));
+            painter.drawRoundedRect(badge, badgeSize / 2.0, badgeSize / 2.0);
+            QFont font = themeFont(TextSize::tiny);
+            font.setWeight(QFont::DemiBold);
+            painter.setFont(font);
+            painter.setPen(token(Token::unsure, palette()));
+            painter.drawText(badge, Qt::AlignCenter, QString::number(count(tab)));
+        }
+        if (current)
+            painter.fillRect(QRect(area.left(), area.bottom() - 2, area.width(), 3), accent);
+        if (current && hasFocus()) {
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(accent, 2));
+            painter.drawRoundedRect(QRectF(area).adjusted(1, 6, -1, -6), 3, 3);
+        }
+    }
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QTabBar>
+
+namespace palmer::ui {
+
+/// The tabs of a test: plain words, a line in the accent below the current one, and after a word the number
+/// of statements that its page lacks.
+class PageTabs : public QTabBar {
+    Q_OBJECT
+
+public:
+    explicit PageTabs(QWidget *parent = nullptr);
+
+    /// Number of missing statements of a tab; 0 shows none.
+    void setCount(int tab, int count);
+    [[nodiscard]] int count(int tab) const;
+    using QTabBar::count;
+
+protected:
+    [[nodiscard]] QSize tabSizeHint(int index) const override;
+    [[nodiscard]] QSize minimumTabSizeHint(int index) const override;
+    void paintEvent(QPaintEvent *event) override;
+};
+
+} // namespace palmer::ui

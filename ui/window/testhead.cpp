@@ -1,0 +1,165 @@
+#include "ui/window/testhead.h"
+
+#include "kernel/evaluation/edition.h"
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+namespace palmer::ui {
+
+QString testSummary(const Test &test) {
+    const auto say = [](const char *text) {
+        return QCoreApplication::translate("palmer::ui::TestHead", text);
+    };
+    const Language &language = windowLanguage();
+    QStringList parts;
+    const auto addAxis = [&](const Axis &axis) {
+        if (!axis.name.empty())
+            parts += say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Axis %1"))
+                         .arg(QString::fromStdString(axis.name));
+        parts += axis.motion == Motion::linear ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "linear"))
+                                               : say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "rotary"));
+        if (axis.travel)
+            parts += language.quantity(*axis.travel,
+                                       axis.motion == Motion::linear ? Quantity::position : Quantity::angle);
+    };
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
+        addAxis(positioning->axis);
+        parts += positioning->cycle == Cycle::standard
+                     ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "standard cycle"))
+                     : say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "step cycle"));
+    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
+        parts += say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Plane %1"))
+                     .arg(QString::fromStdString(circular->plane.first + circular->plane.second));
+        parts += QStringLiteral("R ") + language.quantity(circular->nominalRadius, Quantity::position);
+    } else {
+        addAxis(std::get<DriftMeasurement>(test.measurement).axis);
+        parts += say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "drift test"));
+    }
+    if (test.date)
+        parts += language.date(*test.date);
+    return parts.join(QStringLiteral(" · "));
+}
+
+TestHead::TestHead(QWidget *parent)
+    : QWidget(parent)
+    , m_title(new QLabel(this))
+    , m_subtitle(new QLabel(this))
+    , m_editionLabel(new QLabel(this))
+    , m_set(new QPushButton(this))
+    , m_edition(new QComboBox(this)) {
+    setObjectName(QStringLiteral("testHead"));
+    m_title->setObjectName(QStringLiteral("testTitle"));
+    m_subtitle->setObjectName(QStringLiteral("testSummary"));
+    m_edition->setObjectName(QStringLiteral("edition"));
+    m_set->setObjectName(QStringLiteral("setEdition"));
+    setFixedHeight(48);
+    m_title->setFont(themeFont(TextSize::title));
+    m_subtitle->setFont(themeFont(TextSize::small));
+    m_subtitle->setProperty("secondary", true);
+    m_editionLabel->setFont(themeFont(TextSize::small));
+    m_editionLabel->setProperty("secondary", true);
+    m_editionLabel->setBuddy(m_edition);
+    m_edition->setFocusPolicy(Qt::StrongFocus);
+    m_edition->setFixedHeight(28);
+    m_edition->setMinimumWidth(136);
+    m_set->setFixedHeight(28);
+    m_set->setProperty("link", true);
+    for (QLabel *label : {m_title, m_subtitle}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setMinimumWidth(0);
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+    auto *texts = new QVBoxLayout;
+    texts->setSpacing(0);
+    texts->addStretch();
+    texts->addWidget(m_title);
+    texts->addWidget(m_subtitle);
+    texts->addStretch();
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(16, 0, 16, 0);
+    row->setSpacing(8);
+    row->addLayout(texts, 1);
+    row->addWidget(m_editionLabel);
+    row->addWidget(m_set);
+    row->addWidget(m_edition);
+    connect(m_edition, &QComboBox::activated, this,
+            [this] { emit viewChosen(m_edition->currentData().toString()); });
+    connect(m_set, &QPushButton::clicked, this,
+            [this] { emit editionSet(m_edition->currentData().toString()); });
+    retranslate();
+}
+
+void TestHead::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    const Test &shown = *evaluated.document->tests[test];
+    const TestEvaluation &evaluation = *evaluated.tests[test];
+    m_titleText = QString::fromStdString(shown.title.empty() ? shown.id : shown.title);
+    m_subtitleText = testSummary(shown);
+    const bool hasEdition = evaluation.edition;
+    const bool view = hasEdition && evaluation.view;
+    if (view)
+        m_subtitleText = tr("View; edition of the test: %1").arg(QString::fromStdString(shown.edition));
+    m_edition->setVisible(hasEdition);
+    m_editionLabel->setVisible(hasEdition && !view);
+    m_set->setVisible(view);
+    if (hasEdition) {
+        const QSignalBlocker blocker(m_edition);
+        m_edition->clear();
+        for (const Edition *edition : editions()) {
+            if (edition->kind == evaluation.edition->kind)
+                m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
+        }
+        m_edition->setCurrentIndex(m_edition->findData(QString::fromUtf8(evaluation.edition->word)));
+    }
+    elide();
+}
+
+void TestHead::showTitle(const QString &title, const QString &subtitle) {
+    m_titleText = title;
+    m_subtitleText = subtitle;
+    for (QWidget *widget : {static_cast<QWidget *>(m_edition), static_cast<QWidget *>(m_editionLabel),
+                            static_cast<QWidget *>(m_set)})
+        widget->hide();
+    elide();
+}
+
+void TestHead::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void TestHead::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    elide();
+}
+
+void TestHead::elide() {
+    if (layout())
+        layout()->activate();
+    const auto put = [](QLabel *label, const QString &text) {
+        label->setText(label->fontMetrics().elidedText(text, Qt::ElideRight, label->width()));
+        label->setToolTip(label->text() == text ? QString() : text);
+        label->setAccessibleName(text);
+    };
+    put(m_title, m_titleText);
+    put(m_subtitle, m_subtitleText);
+}
+
+void TestHead::retranslate() {
+    m_editionLabel->setText(tr("E&dition"));
+    m_edition->setAccessibleName(tr("Edition the test is evaluated under"));
+    m_edition->setToolTip(tr("Shows the results under another edition; the file stays as it is"));
+    m_set->setText(tr("&Set as edition of the test"));
+    m_set->setAccessibleName(tr("Set as edition of the test"));
+    m_set->setToolTip(tr("Writes this edition into the test; it can be undone"));
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace palmer::ui {
+
+/// The head of a test: title, axis and cycle, and the edition it is shown under. Another edition is a view;
+/// then a button makes it the edition of the test.
+class TestHead : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TestHead(QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    /// The page of the report in view instead of a test: a title alone.
+    void showTitle(const QString &title, const QString &subtitle);
+
+signals:
+    void viewChosen(const QString &edition);
+    void editionSet(const QString &edition);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void retranslate();
+    void elide();
+
+    QLabel *m_title;
+    QLabel *m_subtitle;
+    QLabel *m_editionLabel;
+    QPushButton *m_set;
+    QComboBox *m_edition;
+    QString m_titleText;
+    QString m_subtitleText;
+};
+
+/// "X axis · linear · 1 800 mm · standard cycle · 12 March 2026".
+[[nodiscard]] QString testSummary(const Test &test);
+
+} // namespace palmer::ui

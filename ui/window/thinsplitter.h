@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QSplitter>
+
+namespace palmer::ui {
+
+/// A splitter whose handle is a line of 1 px that is grabbed on 8.
+class ThinSplitter : public QSplitter {
+    Q_OBJECT
+
+public:
+    explicit ThinSplitter(Qt::Orientation orientation, QWidget *parent = nullptr);
+
+protected:
+    QSplitterHandle *createHandle() override;
+};
+
+} // namespace palmer::ui

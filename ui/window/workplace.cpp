@@ -1,0 +1,405 @@
+#include "ui/window/workplace.h"
+
+#include "ui/figures/figureview.h"
+#include "ui/forms/agreedpointspage.h"
+#include "ui/forms/conditionspage.h"
+#include "ui/forms/limitspage.h"
+#include "ui/forms/reportpages.h"
+#include "ui/navigation/navigationlist.h"
+#include "ui/readings/readingspage.h"
+#include "ui/readings/targetcard.h"
+#include "ui/results/explanationcard.h"
+#include "ui/results/findingspanel.h"
+#include "ui/results/resultspanel.h"
+#include "ui/theme.h"
+#include "ui/window/pagetabs.h"
+#include "ui/window/rightside.h"
+#include "ui/window/testhead.h"
+#include "ui/window/thinsplitter.h"
+#include "ui/windowlanguage.h"
+
+#include <QEvent>
+#include <QFrame>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int centreWidth = 560;
+constexpr int rightWidth = 496;
+constexpr int leastRightWidth = 380;
+constexpr int railBelow = 1180;
+constexpr int stackedBelow = 1000;
+// Heights of the workplace; menu, toolbar and status bar take 99 of the window's.
+constexpr int foldBelow = 760 - 99;
+constexpr int noCardBelow = 640 - 99;
+
+constexpr std::array testPages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
+
+int tabOf(Page page) {
+    const auto found = std::ranges::find(testPages, page);
+    return found == testPages.end() ? -1 : static_cast<int>(found - testPages.begin());
+}
+
+} // namespace
+
+Workplace::Workplace(QWidget *parent)
+    : QWidget(parent)
+    , m_outer(new ThinSplitter(Qt::Horizontal, this))
+    , m_inner(new ThinSplitter(Qt::Horizontal, this))
+    , m_navigation(new NavigationList(m_navigationModel, this)) {
+    setObjectName(QStringLiteral("workplace"));
+    m_centre = makeCentre();
+    m_right = static_cast<RightSide *>(makeRight());
+    m_inner->addWidget(m_centre);
+    m_inner->addWidget(m_right);
+    m_inner->setStretchFactor(0, 1);
+    m_inner->setStretchFactor(1, 0);
+    m_outer->addWidget(m_navigation);
+    m_outer->addWidget(m_inner);
+    m_outer->setStretchFactor(0, 0);
+    m_outer->setStretchFactor(1, 1);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_outer);
+    connectParts();
+    retranslate();
+}
+
+QWidget *Workplace::makeCentre() {
+    auto *centre = new QWidget(this);
+    centre->setObjectName(QStringLiteral("centre"));
+    centre->setAttribute(Qt::WA_StyledBackground);
+    centre->setProperty("ground", QStringLiteral("base"));
+    centre->setMinimumWidth(centreWidth);
+    m_head = new TestHead(centre);
+    m_tabs = new PageTabs(centre);
+    m_tabs->setObjectName(QStringLiteral("pageTabs"));
+    for (std::size_t i = 0; i < testPages.size(); ++i)
+        m_tabs->addTab(QString());
+    m_readings = new ReadingsPage(m_selection, centre);
+    m_conditions = new ConditionsPage(m_selection, centre);
+    m_agreedPoints = new AgreedPointsPage(m_selection, centre);
+    m_limits = new LimitsPage(m_selection, centre);
+    m_reportPages = new ReportPages(centre);
+    m_pages = new QStackedWidget(centre);
+    for (QWidget *page : std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits,
+                                                          m_reportPages})
+        m_pages->addWidget(page);
+    m_target = new TargetCard(m_selection, centre);
+    m_explanation = new ExplanationCard(m_selection, centre);
+    auto *card = new QFrame(centre);
+    m_card = card;
+    card->setObjectName(QStringLiteral("detailCard"));
+    auto *cardLayout = new QVBoxLayout(card);
+    cardLayout->setContentsMargins(0, 0, 0, 0);
+    cardLayout->addWidget(m_target);
+    cardLayout->addWidget(m_explanation);
+    card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+
+    auto *tabRow = new QHBoxLayout;
+    tabRow->setContentsMargins(12, 0, 12, 0);
+    tabRow->addWidget(m_tabs);
+    auto *line = new QFrame(centre);
+    line->setProperty("rule", true);
+    line->setFixedHeight(1);
+    auto *column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_head);
+    column->addLayout(tabRow);
+    column->addWidget(line);
+    column->addWidget(m_pages, 1);
+    column->addWidget(m_card);
+    return centre;
+}
+
+QWidget *Workplace::makeRight() {
+    m_figure = new FigureView(m_selection);
+    m_results = new ResultsPanel(m_selection);
+    m_findings = new FindingsPanel(m_selection);
+    auto *right = new RightSide(m_figure, m_results, m_findings, this);
+    right->setMinimumWidth(leastRightWidth);
+    return right;
+}
+
+void Workplace::connectParts() {
+    connect(m_navigation, &NavigationList::pageChosen, this, &Workplace::showPage);
+    connect(m_navigation, &NavigationList::testChosen, this, &Workplace::showTest);
+    connect(m_tabs, &QTabBar::currentChanged, this, [this](int tab) {
+        if (tab >= 0)
+            showPage(testPages.at(static_cast<std::size_t>(tab)));
+    });
+    connect(m_head, &TestHead::viewChosen, this,
+            [this](const QString &edition) { emit viewChosen(m_selection.test(), edition); });
+    connect(m_head, &TestHead::editionSet, this,
+            [this](const QString &edition) { emit editionSet(m_selection.test(), edition); });
+    connect(&m_selection, &Selection::testChanged, this, [this] {
+        presentTest();
+        presentPage();
+    });
+    connect(&m_selection, &Selection::pageChanged, this, [this] { presentPage(); });
+    connect(&m_selection, &Selection::parameterChanged, this, [this] { presentCard(); });
+    connect(&m_selection, &Selection::readingChanged, this, [this] { presentStatus(); });
+    connect(&m_selection, &Selection::hoveredChanged, this, [this] { presentStatus(); });
+    connect(m_readings, &ReadingsPage::summaryChanged, this, [this](const QString &summary) {
+        if (summary.isEmpty())
+            presentStatus();
+        else
+            emit hintChanged(summary);
+    });
+    connect(m_findings, &FindingsPanel::activated, this, [this](Page page, const QString &id) {
+        showPage(page);
+        m_selection.setField(id);
+    });
+    connect(m_figure, &FigureView::maximiseWanted, this, [this] { setFigureMaximised(!m_maximised); });
+    for (QSplitter *splitter : {m_outer, m_inner})
+        connect(splitter, &QSplitter::splitterMoved, this, [this] { keepSizes(); });
+}
+
+void Workplace::show(const EvaluatedDocument &evaluated) {
+    m_evaluated = evaluated;
+    if (m_selection.test() >= evaluated.tests.size())
+        m_selection.setTest(0);
+    if (evaluated.tests.empty() && !isReportPage())
+        m_selection.setPage(Page::identification);
+    m_navigationModel.show(evaluated);
+    present();
+}
+
+void Workplace::showPage(Page page) {
+    if (tabOf(page) >= 0 && m_evaluated.tests.empty())
+        return;
+    m_selection.setPage(page);
+    presentPage(); // also where it was the page already and only a tab moved
+}
+
+void Workplace::showTest(std::size_t test) {
+    if (test >= m_evaluated.tests.size())
+        return;
+    const bool fromReport = isReportPage();
+    m_selection.setTest(test);
+    if (fromReport)
+        showPage(Page::readings);
+}
+
+void Workplace::present() {
+    presentTest();
+    presentPage();
+}
+
+void Workplace::presentTest() {
+    const std::size_t test = m_selection.test();
+    m_reportPages->show(m_evaluated);
+    if (test >= m_evaluated.tests.size())
+        return;
+    m_readings->show(m_evaluated, test);
+    m_conditions->show(m_evaluated, test);
+    m_agreedPoints->show(m_evaluated, test);
+    m_limits->show(m_evaluated, test);
+    m_target->show(m_evaluated, test);
+    m_explanation->show(m_evaluated, test);
+    m_figure->show(m_evaluated, test);
+    m_results->show(m_evaluated, test);
+    m_findings->show(m_evaluated, test);
+    for (std::size_t i = 0; i < testPages.size(); ++i)
+        m_tabs->setCount(static_cast<int>(i), countMissing(*m_evaluated.tests[test], testPages.at(i)));
+    restoreSizes();
+    presentStatus();
+}
+
+bool Workplace::isReportPage() const {
+    return tabOf(m_selection.page()) < 0;
+}
+
+void Workplace::presentPage() {
+    const Page page = m_selection.page();
+    const int tab = tabOf(page);
+    m_tabs->setVisible(tab >= 0);
+    if (tab >= 0) {
+        m_tabs->setCurrentIndex(tab);
+        m_pages->setCurrentIndex(tab);
+        if (m_selection.test() < m_evaluated.tests.size())
+            m_head->show(m_evaluated, m_selection.test());
+        m_navigation->setCurrentRow(m_navigationModel.indexOfTest(m_selection.test()));
+    } else {
+        m_pages->setCurrentWidget(m_reportPages);
+        m_reportPages->showPage(page);
+        const QModelIndex row = m_navigationModel.indexOf(page);
+        m_head->showTitle(row.data().toString(), m_reportPages->subtitle());
+        m_navigation->setCurrentRow(row);
+    }
+    m_findings->setPage(page);
+    presentCard();
+}
+
+void Workplace::presentCard() {
+    const bool explains = !m_selection.parameter().isEmpty();
+    const bool wanted = explains || m_selection.page() == Page::readings;
+    m_explanation->setVisible(explains);
+    m_target->setVisible(!explains);
+    m_card->setVisible(wanted && (explains || height() >= noCardBelow) && !m_maximised);
+}
+
+void Workplace::presentStatus() {
+    const std::size_t index = m_selection.test();
+    if (index >= m_evaluated.tests.size())
+        return;
+    const Test &test = *m_evaluated.document->tests[index];
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (!measurement) {
+        emit contentChanged({});
+        emit hintChanged({});
+        return;
+    }
+    const QString targets = tr("%n target(s)", nullptr, static_cast<int>(measurement->targets.size()));
+    const QString runs = tr("%n run(s)", nullptr, static_cast<int>(measurement->runs.size()));
+    emit contentChanged(targets + QStringLiteral(" · ") + runs);
+    const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
+    if (!place || place->run >= measurement->runs.size() ||
+        place->target >= measurement->runs[place->run].deviations.size()) {
+        emit hintChanged({});
+        return;
+    }
+    const Run &run = measurement->runs[place->run];
+    const auto count = std::count_if(measurement->runs.begin(),
+                                     measurement->runs.begin() + static_cast<std::ptrdiff_t>(place->run) + 1,
+                                     [&](const Run &other) { return other.approach == run.approach; });
+    const QString arrow = run.approach == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
+    const auto quantity =
+        measurement->axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+    const auto &value = run.deviations[place->target];
+    emit hintChanged(tr("target %1, run %2 %3: %4")
+                         .arg(place->target + 1)
+                         .arg(count)
+                         .arg(arrow, value ? windowLanguage().quantity(*value, quantity) : tr("no reading")));
+}
+
+bool Workplace::showNextMissing(bool forward) {
+    const std::size_t test = m_selection.test();
+    if (test >= m_evaluated.tests.size())
+        return false;
+    const TestEvaluation &evaluation = *m_evaluated.tests[test];
+    std::vector<std::pair<Page, QString>> missing;
+    for (const Finding &finding : evaluation.findings) {
+        if (isMissing(finding, evaluation.edition))
+            missing.emplace_back(pageOf(finding, evaluation.edition), QString::fromStdString(finding.id));
+    }
+    if (missing.empty())
+        return false;
+    // Page by page, so that the walk does not jump to and fro.
+    std::ranges::stable_sort(missing, {}, &std::pair<Page, QString>::first);
+    const auto now = std::ranges::find(missing, std::pair(m_selection.page(), m_selection.field()));
+    std::size_t next = forward ? 0 : missing.size() - 1;
+    if (now != missing.end()) {
+        const auto at = static_cast<std::size_t>(now - missing.begin());
+        next = forward ? (at + 1) % missing.size() : (at + missing.size() - 1) % missing.size();
+    }
+    showPage(missing[next].first);
+    m_selection.setField(missing[next].second);
+    return true;
+}
+
+void Workplace::setFigureMaximised(bool maximised) {
+    if (m_maximised == maximised)
+        return;
+    m_maximised = maximised;
+    m_navigation->setVisible(!maximised);
+    m_centre->setVisible(!maximised);
+    m_right->setMaximised(maximised);
+    presentCard();
+}
+
+void Workplace::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void Workplace::arrange() {
+    const bool rail = width() < railBelow;
+    const bool stacked = width() < stackedBelow;
+    if (rail != m_navigation->isRail() || m_navigation->maximumWidth() > NavigationList::fullWidth * 2) {
+        m_navigation->setRail(rail);
+        m_navigation->setMinimumWidth(rail ? NavigationList::railWidth : 120);
+        m_navigation->setMaximumWidth(rail ? NavigationList::railWidth : NavigationList::fullWidth * 2);
+        m_outer->setSizes({rail ? NavigationList::railWidth : NavigationList::fullWidth, width()});
+    }
+    m_results->setNarrow(rail);
+    if (stacked != m_right->isTabbed()) {
+        m_inner->setOrientation(stacked ? Qt::Vertical : Qt::Horizontal);
+        m_right->setTabbed(stacked);
+        m_right->setMinimumWidth(stacked ? 0 : leastRightWidth);
+        m_sizesOf.clear();
+        restoreSizes();
+    }
+    m_findings->setFolded(!stacked && height() < foldBelow);
+    presentCard();
+}
+
+QString Workplace::sizesKey() const {
+    const std::size_t test = m_selection.test();
+    const bool circular =
+        test < m_evaluated.tests.size() &&
+        std::holds_alternative<CircularMeasurement>(m_evaluated.document->tests[test]->measurement);
+    return QStringLiteral("sizes/%1%2")
+        .arg(circular ? QStringLiteral("circular") : QStringLiteral("positioning"),
+             m_right->isTabbed() ? QStringLiteral("-stacked") : QString());
+}
+
+void Workplace::restoreSizes() {
+    const QString key = sizesKey();
+    if (key == m_sizesOf)
+        return;
+    m_sizesOf = key;
+    const QByteArray kept = QSettings().value(key).toByteArray();
+    const bool stacked = m_right->isTabbed();
+    if (!kept.isEmpty()) {
+        const int right = kept.toInt();
+        m_inner->setSizes({(stacked ? m_inner->height() : m_inner->width()) - right, right});
+    } else if (stacked) {
+        m_inner->setSizes({m_inner->height() * 3 / 5, m_inner->height() * 2 / 5});
+    } else {
+        m_inner->setSizes({std::max(centreWidth, m_inner->width() - rightWidth), rightWidth});
+    }
+}
+
+void Workplace::keepSizes() const {
+    if (!m_maximised)
+        QSettings().setValue(sizesKey(), QByteArray::number(m_inner->sizes().value(1)));
+}
+
+void Workplace::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        if (m_evaluated.document)
+            present();
+    }
+    QWidget::changeEvent(event);
+}
+
+void Workplace::retranslate() {
+    setAccessibleName(tr("Test report"));
+    m_tabs->setAccessibleName(tr("Pages of the test"));
+    m_tabs->setTabText(0, tr("&Readings"));
+    m_tabs->setTabText(1, tr("&Conditions"));
+    m_tabs->setTabText(2, tr("&Agreed points"));
+    m_tabs->setTabText(3, tr("&Limits"));
+    const Language &language = windowLanguage();
+    m_readings->setLanguage(language);
+    m_conditions->setLanguage(language);
+    m_agreedPoints->setLanguage(language);
+    m_limits->setLanguage(language);
+    m_target->setLanguage(language);
+    m_explanation->setLanguage(language);
+    m_figure->setLanguage(language);
+    m_results->setLanguage(language);
+    m_findings->setLanguage(language);
+    m_navigationModel.retranslate();
+}
+
+} // namespace palmer::ui

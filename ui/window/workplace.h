@@ -1,0 +1,108 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "ui/model/selection.h"
+#include "ui/navigation/navigationmodel.h"
+
+#include <QWidget>
+
+class QFrame;
+class QSplitter;
+class QStackedWidget;
+
+namespace palmer::ui {
+
+class AgreedPointsPage;
+class ConditionsPage;
+class ExplanationCard;
+class FigureView;
+class FindingsPanel;
+class LimitsPage;
+class NavigationList;
+class PageTabs;
+class ReadingsPage;
+class ReportPages;
+class ResultsPanel;
+class RightSide;
+class TargetCard;
+class TestHead;
+
+/// A window with a document open: navigation, the pages of a test with the detail card below, and at the
+/// right figure, results and findings. Arranges them for the width and height there is.
+class Workplace : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Workplace(QWidget *parent = nullptr);
+
+    [[nodiscard]] Selection &selection() { return m_selection; }
+
+    /// Shows the document, keeping what is chosen where it still exists.
+    void show(const EvaluatedDocument &evaluated);
+
+    /// Brings a page of the report, or of the current test, into view.
+    void showPage(Page page);
+    void showTest(std::size_t test);
+
+    void setFigureMaximised(bool maximised);
+    [[nodiscard]] bool isFigureMaximised() const { return m_maximised; }
+
+    /// Walks the missing statements of the current test; false where none is missing.
+    bool showNextMissing(bool forward);
+
+signals:
+    void viewChosen(std::size_t test, const QString &edition);
+    void editionSet(std::size_t test, const QString &edition);
+    /// What the status bar says of the current test, and of what is pointed at.
+    void contentChanged(const QString &text);
+    void hintChanged(const QString &text);
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    QWidget *makeCentre();
+    QWidget *makeRight();
+    void connectParts();
+    void present();
+    void presentTest();
+    void presentPage();
+    void presentCard();
+    void presentStatus();
+    void arrange();
+    void restoreSizes();
+    void keepSizes() const;
+    void retranslate();
+    [[nodiscard]] QString sizesKey() const;
+    [[nodiscard]] bool isReportPage() const;
+
+    Selection m_selection;
+    NavigationModel m_navigationModel;
+    EvaluatedDocument m_evaluated;
+
+    QSplitter *m_outer;
+    QSplitter *m_inner;
+    NavigationList *m_navigation;
+    TestHead *m_head;
+    PageTabs *m_tabs;
+    QStackedWidget *m_pages;
+    ReadingsPage *m_readings;
+    ConditionsPage *m_conditions;
+    AgreedPointsPage *m_agreedPoints;
+    LimitsPage *m_limits;
+    ReportPages *m_reportPages;
+    QWidget *m_card;
+    TargetCard *m_target;
+    ExplanationCard *m_explanation;
+    QWidget *m_centre;
+    RightSide *m_right;
+    FigureView *m_figure;
+    ResultsPanel *m_results;
+    FindingsPanel *m_findings;
+    QString m_field;   ///< the missing statement walked to last, by the id of its finding
+    QString m_sizesOf; ///< the kind of test whose sizes are shown
+    bool m_maximised = false;
+};
+
+} // namespace palmer::ui

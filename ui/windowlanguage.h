@@ -1,0 +1,18 @@
+#pragma once
+
+#include "language/language.h"
+
+namespace palmer::ui {
+
+/// The language of the windows, which is not that of the reports. English before the first of the functions
+/// below was called.
+[[nodiscard]] const Language &windowLanguage();
+
+/// Lets all windows speak that language from now on: installs the texts of the program and those of Qt, sets
+/// the locale of new widgets and remembers the choice. Every widget gets QEvent::LanguageChange.
+void setWindowLanguage(Language::Id id);
+
+/// At start: the language chosen last, else that of the system.
+void restoreWindowLanguage();
+
+} // namespace palmer::ui
