@@ -44,9 +44,10 @@ ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *
     m_frozen->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_frozen->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_frozen->setFrameShape(QFrame::NoFrame);
+    for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
+        view->setItemDelegate(new ReadingsDelegate(view)); // both before a model: it tells its current cell
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen}) {
         view->setModel(&model);
-        view->setItemDelegate(new ReadingsDelegate(view));
         view->setHorizontalHeader(new ReadingsHeader(model, view));
         view->verticalHeader()->hide();
         view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
