@@ -2518,5 +2518,185 @@
         <source>the printed report as PDF</source>
         <translation>le rapport imprimé en PDF</translation>
     </message>
+    <message>
+        <source>No value for %1: see what the test lacks.</source>
+        <translation>Pas de valeur pour %1&#xa0;: voir ce qui manque à l’essai.</translation>
+    </message>
+    <message>
+        <source>The test has no measured points in the evaluated range.</source>
+        <translation>L’essai n’a aucun point mesuré dans l’étendue évaluée.</translation>
+    </message>
+    <message>
+        <source>The path %1 covers %2: at least 90° are required.</source>
+        <translation>La trajectoire %1 couvre %2&#xa0;: au moins 90° sont exigés.</translation>
+    </message>
+    <message>
+        <source>Only the path %1 was measured: bi-directional results need both senses.</source>
+        <translation>Seule la trajectoire %1 a été mesurée&#xa0;: les résultats bidirectionnels demandent les deux sens.</translation>
+    </message>
+    <message>
+        <source>No value for D: it needs full circles in both senses.</source>
+        <translation>Pas de valeur pour D&#xa0;: il demande des cercles complets dans les deux sens.</translation>
+    </message>
+    <message>
+        <source>No value for F of a partial arc: the least squares centre is for full circles only.</source>
+        <translation>Pas de valeur pour F d’un arc partiel&#xa0;: le centre des moindres carrés ne vaut que pour des cercles complets.</translation>
+    </message>
+    <message>
+        <source>F is taken about the set-up centre: it contains the set-up error, which table A.1 does not expect of full circles.</source>
+        <translation>F est rapporté au centre de réglage&#xa0;: il contient l’erreur de réglage, que le tableau A.1 ne prévoit pas pour des cercles complets.</translation>
+    </message>
+    <message>
+        <source>The path %1 has no minimum zone circles: they need four different points that do not lie on a straight line.</source>
+        <translation>La trajectoire %1 n’a pas de cercles de zone minimale&#xa0;: il y faut quatre points différents non alignés.</translation>
+    </message>
+    <message>
+        <source>The minimum zone circles are not proven to be the narrowest.</source>
+        <translation>Il n’est pas prouvé que les cercles de zone minimale sont les plus étroits.</translation>
+    </message>
+    <message>
+        <source>The plane %1 is not XY, YZ or ZX: seen from the positive end of the third axis its senses are exchanged.</source>
+        <translation>Le plan %1 n’est ni XY, ni YZ, ni ZX&#xa0;: vus de l’extrémité positive du troisième axe, ses sens sont inversés.</translation>
+    </message>
+    <message>
+        <source>No value for F and D: the reference length is not calibrated.</source>
+        <translation>Pas de valeur pour F et D&#xa0;: la longueur de référence n’est pas étalonnée.</translation>
+    </message>
+    <message>
+        <source>F and D need a calibrated reference length: whether it is calibrated is not stated.</source>
+        <translation>F et D demandent une longueur de référence étalonnée&#xa0;: il n’est pas indiqué si elle l’est.</translation>
+    </message>
+    <message>
+        <source>F and D are not corrected to 20 °C, and the test was made at another temperature.</source>
+        <translation>F et D ne sont pas ramenés à 20&#xa0;°C, et l’essai a été fait à une autre température.</translation>
+    </message>
+    <message>
+        <source>F and D cannot be corrected to 20 °C: temperatures at start and end and the coefficients of thermal expansion of machine and instrument are needed.</source>
+        <translation>F et D ne peuvent pas être ramenés à 20&#xa0;°C&#xa0;: il y faut les températures au début et à la fin et les coefficients de dilatation thermique de la machine et de l’instrument.</translation>
+    </message>
+    <message>
+        <source>The instrument was centred anew between the runs.</source>
+        <translation>L’instrument a été recentré entre les parcours.</translation>
+    </message>
+    <message>
+        <source>Feedback signal: the annex speaks of machines with linear scales; what lies between scale and tool is not seen.</source>
+        <translation>Signal de retour&#xa0;: l’annexe parle de machines à règles de mesure linéaires&#x202f;; ce qui se trouve entre la règle et l’outil n’est pas vu.</translation>
+    </message>
+    <message>
+        <source>F and D cannot be had from a feedback signal.</source>
+        <translation>F et D ne peuvent pas être tirés d’un signal de retour.</translation>
+    </message>
+    <message>
+        <source>bi-directional circular deviation</source>
+        <translation>écart de circularité bidirectionnel</translation>
+    </message>
+    <message>
+        <source>mean bi-directional radial deviation</source>
+        <translation>écart radial moyen bidirectionnel</translation>
+    </message>
+    <message>
+        <source>circular deviation</source>
+        <translation>écart de circularité</translation>
+    </message>
+    <message>
+        <source>radial deviation, maximum</source>
+        <translation>écart radial, maximum</translation>
+    </message>
+    <message>
+        <source>radial deviation, minimum</source>
+        <translation>écart radial, minimum</translation>
+    </message>
+    <message>
+        <source>bi-directional circular deviation using feed back signal</source>
+        <translation>écart de circularité bidirectionnel par signal de retour</translation>
+    </message>
+    <message>
+        <source>circular deviation using feed back signal</source>
+        <translation>écart de circularité par signal de retour</translation>
+    </message>
+    <message>
+        <source>bi-directional circular error</source>
+        <translation>erreur de circularité bidirectionnelle</translation>
+    </message>
+    <message>
+        <source>mean bi-directional radial error</source>
+        <translation>erreur radiale moyenne bidirectionnelle</translation>
+    </message>
+    <message>
+        <source>circular error</source>
+        <translation>erreur de circularité</translation>
+    </message>
+    <message>
+        <source>radial error, maximum</source>
+        <translation>erreur radiale, maximum</translation>
+    </message>
+    <message>
+        <source>radial error, minimum</source>
+        <translation>erreur radiale, minimum</translation>
+    </message>
+    <message>
+        <source>bi-directional circular error using feed back signal</source>
+        <translation>erreur de circularité bidirectionnelle par signal de retour</translation>
+    </message>
+    <message>
+        <source>circular error using feed back signal</source>
+        <translation>erreur de circularité par signal de retour</translation>
+    </message>
+    <message>
+        <source>circular hysteresis</source>
+        <translation>hystérésis circulaire</translation>
+    </message>
+    <message>
+        <source>axes moved</source>
+        <translation>axes en mouvement</translation>
+    </message>
+    <message>
+        <source>contouring feed</source>
+        <translation>vitesse d’avance de contournage</translation>
+    </message>
+    <message>
+        <source>location of the instrument: centre of the circle</source>
+        <translation>position de l’instrument&#xa0;: centre du cercle</translation>
+    </message>
+    <message>
+        <source>location of the instrument: offset to the tool reference</source>
+        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de l’outil</translation>
+    </message>
+    <message>
+        <source>location of the instrument: offset to the workpiece reference</source>
+        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de la pièce</translation>
+    </message>
+    <message>
+        <source>correction of F and D to 20 °C</source>
+        <translation>correction de F et D à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>start point</source>
+        <translation>point de départ</translation>
+    </message>
+    <message>
+        <source>stop point</source>
+        <translation>point d’arrivée</translation>
+    </message>
+    <message>
+        <source>data smoothing</source>
+        <translation>lissage des données</translation>
+    </message>
+    <message>
+        <source>measured one after the other without re-centring</source>
+        <translation>mesures successives sans recentrage</translation>
+    </message>
+    <message>
+        <source>compensation active during the test</source>
+        <translation>compensation active pendant l’essai</translation>
+    </message>
+    <message>
+        <source>The limits agreed do not hold for these tests: no verdict.</source>
+        <translation>Les limites convenues ne valent pas pour ces essais&#xa0;: pas de verdict.</translation>
+    </message>
+    <message>
+        <source>no verdict</source>
+        <translation>pas de verdict</translation>
+    </message>
 </context>
 </TS>

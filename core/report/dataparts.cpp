@@ -228,10 +228,12 @@ std::optional<Table> editionsTable(const TestPart &part) {
     const QString unit = rows.empty() ? QString() : write.language().unit(rows.front()->term.quantity);
     table.columns.push_back({QString(), unit, Alignment::left, true, 20});
     for (const EditionColumn &column : columns)
-        table.columns.push_back(
-            {shortEdition(column.edition->word),
-             write.say(REPORT_TEXT("report", "factor %1"), {Number{column.edition->c, Quantity::number, -1}}),
-             Alignment::decimal, false, 0});
+        table.columns.push_back({shortEdition(column.edition->word),
+                                 column.edition->c > 0
+                                     ? write.say(REPORT_TEXT("report", "factor %1"),
+                                                 {Number{column.edition->c, Quantity::number, -1}})
+                                     : QString(),
+                                 Alignment::decimal, false, 0});
     return table;
 }
 

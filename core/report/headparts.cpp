@@ -264,9 +264,7 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
         const bool inAccordance = evaluation.inAccordance();
         outside += inAccordance ? 0 : 1;
         Cell word;
-        word.text.spans.push_back(
-            {write.text(evaluation.verdict ? verdictText(*evaluation.verdict)
-                                           : REPORT_TEXT("report", "no limit agreed"))});
+        word.text.spans.push_back({write.text(verdictWord(evaluation.verdict, hasLimits(part.test)))});
         word.text.spans.back().bold = evaluation.verdict == Verdict::doesNotConform;
         if (evaluation.verdict)
             word.mark = markOf(*evaluation.verdict);
@@ -286,10 +284,13 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
     VerdictLine line;
     line.verdict = verdict;
     line.label = write.text(REPORT_TEXT("report", "Verdict of the report"));
-    line.word = verdictWord(write, verdict);
-    line.reason =
-        write.text(verdict ? REPORT_TEXT("report", "The worst verdict of the tests.")
-                           : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
+    const bool anyLimit =
+        std::ranges::any_of(parts, [](const TestPart &part) { return hasLimits(part.test); });
+    line.word = write.text(verdictWord(verdict, anyLimit)).toUpper();
+    line.reason = write.text(
+        verdict    ? REPORT_TEXT("report", "The worst verdict of the tests.")
+        : anyLimit ? REPORT_TEXT("report", "The limits agreed do not hold for these tests: no verdict.")
+                   : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
     line.inAccordance = outside == 0;
     const Number all{static_cast<double>(parts.size()), Quantity::count, 0};
     line.accordance =

@@ -240,6 +240,10 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrect
                  "report", "limit. Value left of the limit: conforms; right of it: does not conform."))});
     } else {
         legend.items.push_back({LegendSign::limit, write.text(REPORT_TEXT_FOR("report", "limit", "legend"))});
+    }
+    const bool bands =
+        std::ranges::any_of(parameters, [](const Parameter &p) { return p.guardBand.has_value(); });
+    if (bands) {
         const QString band = factorIsOne(part.test) ? QStringLiteral("U") : QStringLiteral("g");
         const Text words =
             part.test.decisionRule.rule == Rule::rejectionProven
@@ -355,10 +359,9 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
             REPORT_TEXT("report", "Seen under another edition than that of the test (%1): no verdict."),
             {part.test.edition});
     if (!part.evaluation.verdict) {
-        const bool any = std::ranges::any_of(
-            part.test.limits, [](const auto &limit) { return limit.second.value.has_value(); });
         return part.write.text(
-            any ? REPORT_TEXT("report", "The limits agreed do not hold for this test: no verdict.")
+            hasLimits(part.test)
+                ? REPORT_TEXT("report", "The limits agreed do not hold for this test: no verdict.")
                 : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
     }
     const auto failing = resultsWith(results, Verdict::doesNotConform);
@@ -386,7 +389,7 @@ VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &
     VerdictLine line;
     line.verdict = evaluation.verdict;
     line.label = part.write.text(REPORT_TEXT("report", "Verdict of the test"));
-    line.word = verdictWord(part.write, evaluation.verdict);
+    line.word = part.write.text(verdictWord(evaluation.verdict, hasLimits(part.test))).toUpper();
     line.reason = reason(part, results);
     line.inAccordance = evaluation.inAccordance();
     const QString standard = standardName(part.write, QString::fromUtf8(part.edition().word));
@@ -410,8 +413,14 @@ VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &
 
 } // namespace
 
-QString verdictWord(const Writer &write, std::optional<Verdict> verdict) {
-    return write.text(verdict ? verdictText(*verdict) : REPORT_TEXT("report", "no limit agreed")).toUpper();
+Text verdictWord(std::optional<Verdict> verdict, bool anyLimit) {
+    if (verdict)
+        return verdictText(*verdict);
+    return anyLimit ? REPORT_TEXT("report", "no verdict") : REPORT_TEXT("report", "no limit agreed");
+}
+
+bool hasLimits(const Test &test) {
+    return std::ranges::any_of(test.limits, [](const auto &limit) { return limit.second.value.has_value(); });
 }
 
 void addFigure(std::vector<Block> &blocks, const PositioningPart &part) {

@@ -4,8 +4,12 @@
 
 namespace palmer {
 
-/// The word of a verdict in capitals; "no limit agreed" where there is none.
-[[nodiscard]] QString verdictWord(const Writer &write, std::optional<Verdict> verdict);
+/// The word of a verdict; without one "no limit agreed", or "no verdict" where limits were agreed that do not
+/// hold.
+[[nodiscard]] Text verdictWord(std::optional<Verdict> verdict, bool anyLimit);
+
+/// Whether any limit was agreed for the test, for whatever edition.
+[[nodiscard]] bool hasLimits(const Test &test);
 
 /// The figure of a positioning test below its heading.
 void addFigure(std::vector<Block> &blocks, const PositioningPart &part);

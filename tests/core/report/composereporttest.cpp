@@ -474,6 +474,21 @@ private slots:
                     .contains("ten readings are stand-ins with the published mean and s"));
     }
 
+    void limitsThatDoNotHoldAreNoMissingLimits() {
+        Document changed = *document("limits-2006");
+        Test test = *changed.tests[0];
+        const auto lineOf = [&] {
+            changed.tests[0] = std::make_shared<const Test>(test);
+            return blocksOf<VerdictLine>(
+                report(std::make_shared<const Document>(changed), Language(Language::Id::english)))[0];
+        };
+        for (auto &[id, limit] : test.limits)
+            limit.edition = "ISO 230-2:1988";
+        QCOMPARE(lineOf().word, "NO VERDICT");
+        test.limits.clear();
+        QCOMPARE(lineOf().word, "NO LIMIT AGREED");
+    }
+
     void everyKindOfTestHasItsPlace() {
         const auto complete = std::make_shared<const Document>(
             readDocument(content(QString(DOCUMENTS) + "/../complete.palmer")));
