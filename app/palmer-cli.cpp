@@ -56,11 +56,18 @@ int runProgram(const QStringList &words, const Language &language) {
     return runCommand(*found, before + QStringList(name + 1, words.end()), language);
 }
 
+/// stderr is ours: what Qt has to say of its surroundings (no XDG_RUNTIME_DIR) is no error of a file.
+void keepQuiet(QtMsgType type, const QMessageLogContext &, const QString &message) {
+    if (type == QtFatalMsg)
+        printError(message);
+}
+
 /// Figures need a QApplication; it needs no display.
 std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char *argv[]) {
     static int count = 1; // the words are ours, none is Qt's
     if (!needsDrawing(words))
         return std::make_unique<QCoreApplication>(count, argv);
+    qInstallMessageHandler(keepQuiet);
     qputenv("QT_QPA_PLATFORM", "offscreen");
     return std::make_unique<QApplication>(count, argv);
 }

@@ -330,8 +330,13 @@ Strips verdictStrips(const VerdictLine &line, double width) {
     const TextBlock word(line.word, {decided ? 12.0 : 10.5, true, black, 1.2}, widestWord);
     const double reasonLeft = left + std::max(wordLeft + word.width(), label.width()) + reasonGap;
     const double reasonWidth = width - reasonLeft - left;
-    const TextBlock reason(line.reason, {8.5, false, black, 1.2}, reasonWidth);
-    const TextBlock accordance(line.accordance, {8.5, !line.inAccordance, black, 1.2}, reasonWidth);
+    TextStyle style{8.5, false, black, 1.2};
+    constexpr double smallest = 7.5;
+    while (style.size > smallest && TextBlock(line.reason, style, reasonWidth).lineCount() > 2)
+        style.size -= 0.1; // two lines, where that is readable
+    const TextBlock reason(line.reason, style, reasonWidth);
+    style.bold = !line.inAccordance;
+    const TextBlock accordance(line.accordance, style, reasonWidth);
 
     const double leftHeight = label.height() + word.height();
     const double rightHeight =

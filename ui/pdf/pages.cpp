@@ -22,8 +22,8 @@ constexpr double footerText = 1.3 * mm;   ///< below its rule
 constexpr double runningRule = 1.45 * mm; ///< below its text
 constexpr double belowRunningHead = 6 * mm;
 /// To keep the results on the first page, gaps from this size on may shrink to this part.
-constexpr double smallestToNarrow = 3 * mm;
-constexpr double narrowest = 0.55;
+constexpr double smallestToNarrow = 1.5 * mm;
+constexpr double narrowest = 0.5;
 constexpr double roundingRoom = 0.01;
 constexpr double largestGap = 8.5 * mm; ///< where the page has room
 constexpr double sectionRoom = 25 * mm; ///< below the top of a section

@@ -142,6 +142,25 @@ PlacedText decimalText(const QString &text, const TextStyle &style, const Place 
     return {TextBlock(text, style), x};
 }
 
+/// Where a number of a decimal column begins.
+double beginningOf(const Cell &cell, const Place &place) {
+    const QString text = cell.isMissing() ? thinDash : cell.text.plain();
+    const QString whole = text.left(decimalMark(text)); // all of it without a mark
+    return place.right() - place.fraction - textWidth(whole, styled(cell.bold));
+}
+
+/// Short texts that must not break ("10↑ – 12↓") stand out into the free part of the next column, and are set
+/// smaller where that is not enough.
+PlacedText narrowText(const Cell &cell, const Place &place, double room) {
+    constexpr double smallest = 7;
+    TextStyle style = cellStyle;
+    const RichText text = richText(cell.text, cell.bold);
+    while (style.size > smallest && TextBlock(text, style).width() > room)
+        style.size -= 0.1;
+    style.leading *= cellStyle.size / style.size;
+    return {TextBlock(text, style, room), place.left, room, TextAlignment::left};
+}
+
 void addCell(Row &row, const Cell &cell, const Column &column, const Place &place) {
     if (cell.blank)
         return;
@@ -260,7 +279,7 @@ public:
                 std::min(i + static_cast<std::size_t>(std::max(column.titleSpan, 1)), places.size()) - 1;
             const bool right = column.alignment != Alignment::left; // may stand out to the left
             const double room =
-                places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding / 2);
+                places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding);
             Title title;
             if (!column.title.plain().isEmpty())
                 title.name = headText(column.title, room);
@@ -363,8 +382,23 @@ Strips tableStrips(const Table &table, double width) {
     }
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         Row row;
-        for (std::size_t i = 0; i < table.columns.size(); ++i)
-            addCell(row, table.rows[r][i], table.columns[i], columns[i]);
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            const Cell &cell = table.rows[r][i];
+            const Column &column = table.columns[i];
+            const bool beforeNumber = column.alignment == Alignment::left && !column.flexible &&
+                                      cell.mark == Mark::none && !cell.text.plain().isEmpty() &&
+                                      i + 1 < columns.size() &&
+                                      table.columns[i + 1].alignment == Alignment::decimal;
+            if (beforeNumber &&
+                TextBlock(richText(cell.text, cell.bold), cellStyle).width() > columns[i].width) {
+                const double room =
+                    beginningOf(table.rows[r][i + 1], columns[i + 1]) - cellPadding - columns[i].left;
+                row.texts.push_back(narrowText(cell, columns[i], std::max(room, columns[i].width)));
+                row.lines = std::max(row.lines, row.texts.back().block.lineCount());
+            } else {
+                addCell(row, cell, column, columns[i]);
+            }
+        }
         const bool last = r + 1 == table.rows.size();
         const bool group = std::binary_search(table.rulesAfter.begin(), table.rulesAfter.end(), r);
         addRow(strips, std::move(row), textSize * cellStyle.leading, width,

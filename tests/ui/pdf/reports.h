@@ -72,7 +72,7 @@ inline QString squeezed(const QString &text) {
 }
 
 /// The pages as grey pictures.
-inline QList<QImage> pictures(const QByteArray &pdf, int dotsPerInch) {
+inline QList<QImage> pictures(const QByteArray &pdf, double dotsPerInch) {
     const QTemporaryDir folder;
     run(u"pdftoppm"_s,
         {u"-r"_s, QString::number(dotsPerInch), u"-gray"_s, u"-"_s, folder.filePath(u"page"_s)}, pdf);

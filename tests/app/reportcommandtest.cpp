@@ -1,0 +1,177 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Result {
+    int code = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+Result run(const QStringList &arguments, const QString &locale = "C", const QString &zone = "UTC") {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("LC_ALL", locale);
+    environment.insert("TZ", zone);
+    environment.remove("QT_QPA_PLATFORM"); // the program knows itself that it needs no display
+    environment.remove("DISPLAY");
+    environment.remove("XDG_RUNTIME_DIR");
+    process.setProcessEnvironment(environment);
+    process.start(PALMER_CLI, arguments);
+    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+        qFatal("palmer-cli did not end by itself");
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+const QString example = EXAMPLES "iso230-2-1988-example.palmer";
+const QString rejected = DOCUMENTS "limits-2006.palmer";
+
+QByteArray contents(const QString &name) {
+    QFile file(name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+/// The commands that draw.
+class ReportCommandTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void writesOneLanguage();
+    void writesAFileForEachLanguage();
+    void writesTheReportOfARejectedTest();
+    void writesToStandardOutput();
+    void sameBytesAnywhere();
+    void refusesWrongUsage_data();
+    void refusesWrongUsage();
+    void saysWhatItCannotReadOrWrite();
+    void drawsFigures_data();
+    void drawsFigures();
+    void figureSpeaksTheLanguageAskedFor();
+};
+
+void ReportCommandTest::writesOneLanguage() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("r.pdf");
+    const Result result = run({"report", example, "--language", "en", "-o", out});
+    QCOMPARE(result.code, 0);
+    QCOMPARE(result.out, QByteArray());
+    QCOMPARE(result.err, QByteArray());
+    QVERIFY(contents(out).startsWith("%PDF-1.7"));
+}
+
+void ReportCommandTest::writesAFileForEachLanguage() {
+    const QTemporaryDir folder;
+    QCOMPARE(run({"report", example, "--language=fr,en", "-o", folder.filePath("r.pdf")}).code, 0);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files, QDir::Name), QStringList({"r.en.pdf", "r.fr.pdf"}));
+    QVERIFY(contents(folder.filePath("r.en.pdf")) != contents(folder.filePath("r.fr.pdf")));
+}
+
+void ReportCommandTest::writesTheReportOfARejectedTest() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("r.pdf");
+    QCOMPARE(run({"report", rejected, "--language", "fr", "-o", out}).code, 1);
+    QVERIFY(contents(out).startsWith("%PDF-"));
+}
+
+void ReportCommandTest::writesToStandardOutput() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("r.pdf");
+    run({"report", example, "--language", "fr", "-o", out});
+    const Result result = run({"report", example, "--language", "fr", "-o", "-"});
+    QCOMPARE(result.code, 0);
+    QVERIFY(result.out == contents(out));
+}
+
+void ReportCommandTest::sameBytesAnywhere() {
+    for (const QStringList &command : {QStringList{"report", rejected, "--language", "fr", "-o"},
+                                       QStringList{"figure", rejected, "--language", "fr", "-o"}}) {
+        const QTemporaryDir folder;
+        const QString here = folder.filePath("here.pdf");
+        const QString there = folder.filePath("there.pdf");
+        run(command + QStringList{here});
+        QTest::qWait(1100);
+        run(command + QStringList{there}, "fr_FR.UTF-8", "Asia/Tokyo");
+        QVERIFY(!contents(here).isEmpty());
+        QVERIFY(contents(here) == contents(there));
+    }
+}
+
+void ReportCommandTest::refusesWrongUsage_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("report without output") << QStringList{"report", example} << "-o OUT.pdf";
+    QTest::newRow("unknown language")
+        << QStringList{"report", example, "-o", "x.pdf", "--language", "fr,de"} << "de";
+    QTest::newRow("two languages to standard output")
+        << QStringList{"report", example, "-o", "-", "--language", "fr,en"} << "standard output";
+    QTest::newRow("two files") << QStringList{"report", example, example, "-o", "x.pdf"} << "one file";
+    QTest::newRow("figure without output") << QStringList{"figure", example} << "-o OUT.svg|png|pdf";
+    QTest::newRow("unknown ending") << QStringList{"figure", example, "-o", "x.bmp"} << "svg";
+    QTest::newRow("no such test") << QStringList{"figure", example, "-o", "x.svg", "--test", "2"} << "test 2";
+    QTest::newRow("unknown figure") << QStringList{"figure", example, "-o", "x.svg", "--figure", "pie"}
+                                    << "deviation";
+}
+
+void ReportCommandTest::refusesWrongUsage() {
+    QFETCH(const QStringList, arguments);
+    QFETCH(const QString, says);
+    const Result result = run(arguments);
+    QCOMPARE(result.code, 2);
+    QCOMPARE(result.out, QByteArray());
+    QCOMPARE(result.err.count('\n'), 1);
+    QVERIFY2(result.err.contains(says.toUtf8()), result.err.constData());
+}
+
+void ReportCommandTest::saysWhatItCannotReadOrWrite() {
+    const Result unreadable = run({"report", "missing.palmer", "-o", "x.pdf"});
+    QCOMPARE(unreadable.code, 3);
+    QVERIFY2(unreadable.err.startsWith("palmer-cli: missing.palmer: "), unreadable.err.constData());
+    for (const QString &out : {QString("/missing-folder/r.pdf"), QString("/dev/full")}) {
+        const Result unwritable = run({"report", example, "--language", "fr", "-o", out});
+        QCOMPARE(unwritable.code, 3);
+        QVERIFY2(unwritable.err.startsWith("palmer-cli: " + out.toUtf8()), unwritable.err.constData());
+        QCOMPARE(unwritable.err.count('\n'), 1);
+    }
+}
+
+void ReportCommandTest::drawsFigures_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("begins");
+    QTest::newRow("SVG") << "f.svg" << QByteArray("<?xml");
+    QTest::newRow("PDF") << "f.pdf" << QByteArray("%PDF-");
+    QTest::newRow("PNG") << "f.png" << QByteArray("\x89PNG");
+}
+
+void ReportCommandTest::drawsFigures() {
+    QFETCH(const QString, name);
+    QFETCH(const QByteArray, begins);
+    const QTemporaryDir folder;
+    const QString out = folder.filePath(name);
+    const Result result = run({"figure", example, "--figure", "deviation", "--test", "1", "-o", out});
+    QCOMPARE(result.err, QByteArray());
+    QCOMPARE(result.code, 0);
+    QVERIFY(contents(out).startsWith(begins));
+    if (name.endsWith(".png"))
+        QCOMPARE(QImage(out).size(), QSize(2067, 1016)); // 175 × 86 mm at 300 dots per inch
+}
+
+void ReportCommandTest::figureSpeaksTheLanguageAskedFor() {
+    const QTemporaryDir folder;
+    run({"figure", example, "--language", "fr", "-o", folder.filePath("fr.svg")});
+    run({"figure", example, "-o", folder.filePath("en.svg")});
+    QVERIFY(contents(folder.filePath("fr.svg")).contains("Point visé"));
+    QVERIFY(contents(folder.filePath("en.svg")).contains("Target position"));
+}
+
+QTEST_GUILESS_MAIN(ReportCommandTest)
+
+#include "reportcommandtest.moc"
