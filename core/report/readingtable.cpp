@@ -18,17 +18,21 @@ bool scatters(const PositioningResults &results) {
     return std::max(results.positiveRuns, results.negativeRuns) > 1;
 }
 
-/// Whether the test has the quantity at all.
+/// Whether the test has the quantity, and the table shows it: of both directions R, not R↑ and R↓ besides; x̄
+/// stands in the card of the target.
 bool has(std::string_view id, const PositioningResults &results) {
     if (id.starts_with("range") && results.standardDeviation != DeviationMethod::range)
         return false;
     if (!scatters(results) && (id.starts_with("s") || id.starts_with("R")))
         return false;
+    const bool both = results.upward && results.downward;
+    if (id == "mean" || (both && (id == "R+" || id == "R-")))
+        return false;
     if (id.ends_with('+'))
         return results.upward;
     if (id.ends_with('-'))
         return results.downward;
-    return results.upward && results.downward;
+    return both;
 }
 
 } // namespace

@@ -42,7 +42,8 @@ struct StatisticColumn {
     QString name;   ///< the edition's term
 };
 
-/// The quantities per target that the edition knows and this test has, in its order.
+/// x̄ and s of each direction, B and R, as far as the edition knows them and this test has them, in its order; of
+/// a test from one direction R of that.
 [[nodiscard]] std::vector<StatisticColumn> statisticColumns(const TestEvaluation &evaluation,
                                                             const Language &language);
 

@@ -4,6 +4,7 @@
 #include "report/explanation.h"
 #include "report/readingtable.h"
 #include "ui/figures/exportfigure.h"
+#include "ui/elidedlabel.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/ruling.h"
 #include "ui/theme.h"
@@ -78,8 +79,8 @@ std::vector<FigureReading> readingsOf(const CurveFigure &figure, const Positioni
 FigureView::FigureView(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_selection(selection)
-    , m_title(new QLabel(this))
-    , m_note(new QLabel(this))
+    , m_title(new ElidedLabel(this))
+    , m_note(new ElidedLabel(this))
     , m_canvas(new FigureCanvas(selection, this))
     , m_marks(addButton(QStringLiteral("readingMarks"), QStringLiteral("dots")))
     , m_fit(addButton(QStringLiteral("fitFigure"), QStringLiteral("fit")))
@@ -89,7 +90,6 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     , m_maximise(addButton(QStringLiteral("maximiseFigure"), QStringLiteral("maxi"))) {
     setObjectName(QStringLiteral("figureView"));
     m_note->setProperty("secondary", true);
-    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_marks->setCheckable(true);
     m_marks->setChecked(m_readingMarks);
     connect(m_marks, &QToolButton::toggled, this, [this](bool on) {
@@ -175,7 +175,7 @@ void FigureView::refresh() {
         std::erase_if(m_whole->legend, [](const LegendEntry &entry) { return entry.sample == LegendSample::readings; });
     }
     m_shown = zoomed ? withRanges(*m_whole, (*zoomed)[0], (*zoomed)[1], m_language) : *m_whole;
-    m_title->setText(m_whole->title);
+    m_title->setText(m_whole->y.quantity);
     const auto &results = std::get<PositioningResults>(evaluation.results);
     QString note = results.positiveRuns == results.negativeRuns || results.negativeRuns == 0
                        ? QStringLiteral("n = %1").arg(results.positiveRuns)

@@ -1,5 +1,6 @@
 #include "ui/forms/agreedpointspage.h"
 
+#include "ui/elidedlabel.h"
 #include "ui/results/chip.h"
 #include "ui/theme.h"
 
@@ -42,6 +43,7 @@ AgreedPointsPage::AgreedPointsPage(Selection &selection, QWidget *parent)
     m_scroll->setWidget(content);
     auto *bar = new QHBoxLayout;
     bar->setContentsMargins(pageMargin, 8, pageMargin, 4);
+    bar->setSpacing(10);
     bar->addWidget(m_chip);
     bar->addWidget(m_source);
     bar->addStretch();
@@ -68,12 +70,11 @@ void AgreedPointsPage::build(const Edition &edition) {
         auto *area = new QWidget(m_scroll->widget());
         Row row{&point,
                 new Chip(area),
-                new QLabel(area),
+                new ElidedLabel(area),
                 new QToolButton(area),
                 new QToolButton(area),
                 new QToolButton(area),
                 new QLineEdit(area)};
-        row.name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         row.name->setBuddy(row.text);
         row.text->setReadOnly(true);
         row.text->setFixedHeight(fieldHeight);
@@ -81,25 +82,26 @@ void AgreedPointsPage::build(const Edition &edition) {
         const QString places[]{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("last")};
         QToolButton *buttons[]{row.agreed, row.notAgreed, row.notApplicable};
         auto *head = new QHBoxLayout;
-        head->setSpacing(0);
+        head->setSpacing(8);
         head->addWidget(row.letter);
-        head->addSpacing(8);
         head->addWidget(row.name, 1);
+        auto *body = new QHBoxLayout;
+        body->setContentsMargins(letterWidth + 8, 0, 0, 0);
+        body->setSpacing(0);
+        body->addWidget(row.text, 1);
+        body->addSpacing(8);
         for (std::size_t k = 0; k < 3; ++k) {
             buttons[k]->setProperty("segment", places[k]);
             buttons[k]->setCheckable(true);
             buttons[k]->setAttribute(Qt::WA_TransparentForMouseEvents); // shown here, changed nowhere yet
             buttons[k]->setFocusPolicy(Qt::NoFocus);
-            head->addWidget(buttons[k]);
+            body->addWidget(buttons[k]);
         }
         auto *layout = new QVBoxLayout(area);
         layout->setContentsMargins(0, 4, 0, 4);
         layout->setSpacing(4);
         layout->addLayout(head);
-        auto *indented = new QHBoxLayout;
-        indented->setContentsMargins(letterWidth + 8, 0, 0, 0);
-        indented->addWidget(row.text);
-        layout->addLayout(indented);
+        layout->addLayout(body);
         m_body->addWidget(area);
         m_rows.push_back(row);
     }
@@ -139,7 +141,6 @@ void AgreedPointsPage::refresh() {
         row.letter->setAccessibleName(settled ? tr("settled") : tr("not agreed"));
         row.letter->setFixedWidth(letterWidth);
         row.name->setText(m_language.text(row.point->name));
-        row.name->setToolTip(row.name->text());
         row.agreed->setText(tr("Agreed"));
         row.notAgreed->setText(tr("Not agreed"));
         row.notApplicable->setText(tr("Not applicable"));

@@ -1,10 +1,12 @@
 #include "ui/forms/field.h"
 
+#include "ui/elidedlabel.h"
 #include "ui/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QVBoxLayout>
 
 namespace palmer::ui {
@@ -23,26 +25,37 @@ void colour(QWidget *widget, QPalette::ColorRole role, const QColor &colour) {
     widget->setPalette(palette);
 }
 
+/// The bar at the left of a field that is required and empty.
+class RequiredBar : public QWidget {
+public:
+    using QWidget::QWidget;
+
+protected:
+    void paintEvent(QPaintEvent *) override {
+        QPainter(this).fillRect(rect(), token(Token::unsure, palette()));
+    }
+};
+
 } // namespace
 
 Field::Field(Kind kind, QWidget *parent)
     : QWidget(parent)
     , m_kind(kind)
-    , m_label(new QLabel(this))
+    , m_label(new ElidedLabel(this))
     , m_mark(new QLabel(this))
     , m_edit(new QLineEdit(this))
     , m_unit(new QLabel(m_edit))
-    , m_bar(new QWidget(m_edit)) {
+    , m_bar(new RequiredBar(m_edit)) {
     m_label->setFixedHeight(labelHeight);
     m_label->setProperty("secondary", true);
     m_label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_mark->setFixedHeight(labelHeight);
     m_label->setBuddy(m_edit);
     m_edit->setFixedHeight(fieldHeight);
     m_edit->setReadOnly(true);
     m_edit->setAlignment((kind == Kind::number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     m_unit->setProperty("secondary", true);
     m_unit->setAttribute(Qt::WA_TransparentForMouseEvents);
-    m_bar->setAutoFillBackground(true);
     m_bar->setAttribute(Qt::WA_TransparentForMouseEvents);
     auto *head = new QHBoxLayout;
     head->setContentsMargins(0, 0, 0, 0);
@@ -86,6 +99,13 @@ void Field::placeParts() {
     m_unit->setGeometry(m_edit->width() - unitWidth - margin + 4, 0, unitWidth, fieldHeight);
     m_bar->setGeometry(1, 1, barWidth, fieldHeight - 2);
     m_bar->setVisible(m_required);
+    // Where label and word have no room beside each other, the mark stands alone; the bar and the placeholder
+    // say the same.
+    const QString mark = QStringLiteral("● ") + tr("required");
+    const int needed = m_label->fontMetrics().horizontalAdvance(m_label->text()) +
+                       m_mark->fontMetrics().horizontalAdvance(mark) + margin;
+    m_mark->setText(!m_required ? QString() : needed > width() && width() > 0 ? QStringLiteral("●") : mark);
+    m_mark->setToolTip(tr("required"));
     m_unit->setVisible(unitWidth > 0);
 }
 
@@ -93,10 +113,8 @@ void Field::retranslate() {
     m_label->setFont(themeFont(TextSize::small));
     m_unit->setFont(themeFont(TextSize::small));
     m_mark->setFont(themeFont(TextSize::tiny));
-    const QString label = m_labelArgument.isEmpty() ? m_labelSource : m_labelSource.arg(m_labelArgument);
+    const QString label = m_labelArgument.isEmpty() || m_labelSource.isEmpty() ? m_labelSource : m_labelSource.arg(m_labelArgument);
     m_label->setText(label);
-    m_label->setToolTip(label);
-    m_mark->setText(m_required ? QStringLiteral("● ") + tr("required") : QString());
     m_mark->setVisible(m_required);
     m_edit->setPlaceholderText(m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
                                                                                   : tr("not stated"));
@@ -106,7 +124,6 @@ void Field::retranslate() {
                                                                 : m_unit->text());
     const QColor unsure = token(Token::unsure, palette());
     colour(m_mark, QPalette::WindowText, unsure);
-    colour(m_bar, QPalette::Window, unsure);
     placeParts();
 }
 

@@ -38,7 +38,7 @@ void ReadingsHeader::paintColumn(QPainter &painter, int column, const QRect &are
     else if (!grouped)
         colour = palette().color(QPalette::Text);
     drawFormula(painter, lower, Qt::AlignRight | Qt::AlignVCenter, head.text,
-                grouped ? themeFont(TextSize::small) : font(), colour, head.approach.has_value());
+                grouped && !head.approach ? themeFont(TextSize::small) : font(), colour, head.approach.has_value());
 }
 
 void ReadingsHeader::paintEvent(QPaintEvent *event) {

@@ -1,6 +1,7 @@
 #include "ui/results/explanationcard.h"
 
 #include "report/explanation.h"
+#include "ui/elidedlabel.h"
 #include "ui/results/explanationview.h"
 #include "ui/results/targetbarsview.h"
 #include "ui/theme.h"
@@ -27,7 +28,7 @@ constexpr int barsWidth = 180;
 ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_selection(selection)
-    , m_name(new QLabel(this))
+    , m_name(new ElidedLabel(this))
     , m_source(new QLabel(this))
     , m_keys(new QLabel(this))
     , m_copy(new QToolButton(this))
@@ -40,7 +41,6 @@ ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
     m_view->setObjectName(QStringLiteral("explanation"));
     m_copy->setObjectName(QStringLiteral("copyExplanation"));
     m_close->setObjectName(QStringLiteral("closeExplanation"));
-    m_name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_source->setProperty("secondary", true);
     m_keys->setProperty("secondary", true);
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));
@@ -100,7 +100,6 @@ void ExplanationCard::refresh() {
         return;
     }
     m_name->setText(shown->symbol.plain() + QStringLiteral("   ") + shown->name);
-    m_name->setToolTip(shown->name);
     m_view->setExplanation(*shown);
     m_view->setAccessibleName(tr("Explanation of %1").arg(shown->symbol.plain()));
     m_source->setText(shown->source);

@@ -11,6 +11,15 @@ namespace {
 constexpr std::array pages{Page::readings,       Page::conditions, Page::agreedPoints, Page::limits,
                            Page::identification, Page::machine,    Page::instruments};
 
+/// What a finding names: the point that is not agreed.
+QString nameIn(const Finding &finding, const Language &language) {
+    for (const Argument &argument : finding.message.arguments) {
+        if (const auto *text = std::get_if<Text>(&argument))
+            return language.text(*text);
+    }
+    return {};
+}
+
 } // namespace
 
 QString FindingsModel::pageName(Page page) {
@@ -60,8 +69,12 @@ void FindingsModel::show(const TestEvaluationPointer &evaluation, Page page, con
         }
         std::ranges::stable_sort(here, {}, &Finding::grade);
         for (const Finding *finding : here) {
+            const QString sentence = language.sentence(finding->message);
             m_lines.push_back({finding->grade, page, QString::fromStdString(finding->id),
-                               language.sentence(finding->message), QString::fromStdString(finding->clause)});
+                               isMissing(*finding, edition) && page == Page::agreedPoints
+                                   ? tr("Not agreed: %1").arg(nameIn(*finding, language))
+                                   : sentence,
+                               sentence, QString::fromStdString(finding->clause)});
         }
         for (const Page other : pages) {
             if (other == page)
@@ -81,7 +94,8 @@ void FindingsModel::show(const TestEvaluationPointer &evaluation, Page page, con
             QString text = other == Page::agreedPoints && missing == all ? tr("%n point(s) not agreed", nullptr, all)
                            : missing == all ? tr("%n required statement(s) missing", nullptr, all)
                                             : tr("%n finding(s)", nullptr, all);
-            m_lines.push_back({worst, other, {}, tr("%1: %2", "page: what is found there").arg(pageName(other), text), {}});
+            const QString line = tr("%1: %2", "page: what is found there").arg(pageName(other), text);
+            m_lines.push_back({worst, other, {}, line, line, {}});
         }
         QStringList parts;
         if (counts[0] > 0)
@@ -107,9 +121,9 @@ QVariant FindingsModel::data(const QModelIndex &index, int role) const {
     case Qt::DisplayRole:
         return shown.text;
     case Qt::ToolTipRole:
-        return gradeWord(shown.grade) + QStringLiteral(" – ") + shown.text;
+        return gradeWord(shown.grade) + QStringLiteral(" – ") + shown.sentence;
     case Qt::AccessibleTextRole:
-        return gradeWord(shown.grade) + QStringLiteral(": ") + shown.text + u' ' + shown.clause;
+        return gradeWord(shown.grade) + QStringLiteral(": ") + shown.sentence + u' ' + shown.clause;
     default:
         return {};
     }

@@ -1,5 +1,6 @@
 #include "ui/results/findingspanel.h"
 
+#include "ui/elidedlabel.h"
 #include "ui/results/findingsdelegate.h"
 #include "ui/theme.h"
 
@@ -24,7 +25,7 @@ constexpr int visibleRows = 3;
 FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
     : QWidget(parent)
     , m_title(new QLabel(this))
-    , m_summary(new QLabel(this))
+    , m_summary(new ElidedLabel(this))
     , m_fold(new QToolButton(this))
     , m_list(new QListView(this)) {
     setObjectName(QStringLiteral("findingsPanel"));
@@ -32,7 +33,6 @@ FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
     m_fold->setObjectName(QStringLiteral("foldFindings"));
     m_list->setObjectName(QStringLiteral("findings"));
     m_summary->setProperty("secondary", true);
-    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_fold->setProperty("iconOnly", true);
     m_fold->setFocusPolicy(Qt::StrongFocus);
     connect(m_fold, &QToolButton::clicked, this, [this] { setFolded(!m_folded); });
@@ -101,7 +101,6 @@ void FindingsPanel::activate(const QModelIndex &index) {
 void FindingsPanel::refresh() {
     m_model.show(m_test < m_evaluated.tests.size() ? m_evaluated.tests[m_test] : nullptr, m_page, m_language);
     m_summary->setText(m_model.summary());
-    m_summary->setToolTip(m_model.summary());
 }
 
 void FindingsPanel::retranslate() {

@@ -15,6 +15,7 @@ namespace {
 constexpr double scaleHalf = 25;
 constexpr double bandHalfHeight = 5.5;
 constexpr double diamond = 4;
+constexpr double hatchStep = 3.2;
 constexpr int markWidth = 20;
 constexpr double dimmed = 0.55;
 
@@ -27,7 +28,13 @@ void paintScale(QPainter &painter, const QRect &area, const DecisionScale &scale
     if (scale.band) {
         const double half = scaleHalf * DecisionScale::guard;
         const QRectF band(middle - half, y - bandHalfHeight, 2 * half, 2 * bandHalfHeight);
-        painter.fillRect(band, QBrush(token(Token::secondaryText, palette), Qt::BDiagPattern));
+        painter.save();
+        painter.setClipRect(band);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(token(Token::secondaryText, palette), 0.8));
+        for (double x = band.left() - band.height(); x < band.right(); x += hatchStep)
+            painter.drawLine(QPointF(x, band.bottom()), QPointF(x + band.height(), band.top()));
+        painter.restore();
     }
     painter.setPen(QPen(palette.color(QPalette::Text), 2));
     painter.drawLine(QPointF(middle, y - 6), QPointF(middle, y + 6));

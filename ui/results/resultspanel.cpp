@@ -1,5 +1,6 @@
 #include "ui/results/resultspanel.h"
 
+#include "ui/elidedlabel.h"
 #include "ui/results/chip.h"
 #include "ui/results/resultsdelegate.h"
 #include "ui/results/verdictlook.h"
@@ -12,6 +13,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QMimeData>
 #include <QTableView>
 #include <QToolButton>
@@ -25,10 +27,36 @@ namespace {
 constexpr int pageMargin = 16;
 constexpr int rowHeight = 20;
 constexpr int headHeight = 22;
-constexpr int leastRows = 4;
+constexpr int mostRows = 13;
 constexpr int symbolWidth = 40;
 constexpr int scaleWidth = 62;
 constexpr int cellMargin = 10;
+
+/// A head without a look of its own: small words over their columns, a rule below.
+class PlainHeader : public QHeaderView {
+public:
+    explicit PlainHeader(QWidget *parent)
+        : QHeaderView(Qt::Horizontal, parent) {}
+
+protected:
+    void paintEvent(QPaintEvent *) override {
+        QPainter painter(viewport());
+        painter.fillRect(viewport()->rect(), palette().color(QPalette::Base));
+        painter.setFont(themeFont(TextSize::small));
+        for (int column = 0; column < count(); ++column) {
+            if (isSectionHidden(column))
+                continue;
+            const bool right = column >= ResultsModel::value && column <= ResultsModel::limit;
+            const QRect room =
+                QRect(sectionViewportPosition(column), 0, sectionSize(column), height()).adjusted(2, 0, -4, -2);
+            painter.setPen(token(Token::secondaryText, palette()));
+            painter.drawText(room, (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
+                             model()->headerData(column, Qt::Horizontal).toString());
+        }
+        painter.setPen(token(Token::lineStrong, palette()));
+        painter.drawLine(0, height() - 1, viewport()->width(), height() - 1);
+    }
+};
 
 } // namespace
 
@@ -36,7 +64,7 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_selection(selection)
     , m_title(new QLabel(this))
-    , m_rule(new QLabel(this))
+    , m_rule(new ElidedLabel(this))
     , m_viewNote(new QLabel(this))
     , m_chip(new Chip(this))
     , m_copy(new QToolButton(this))
@@ -49,8 +77,6 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     m_copy->setObjectName(QStringLiteral("copyResults"));
     m_table->setObjectName(QStringLiteral("results"));
     m_rule->setProperty("secondary", true);
-    m_rule->setMinimumWidth(0);
-    m_rule->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_viewNote->setProperty("secondary", true);
     m_viewNote->setWordWrap(true);
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));
@@ -58,6 +84,7 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     m_copy->setFocusPolicy(Qt::StrongFocus);
     connect(m_copy, &QToolButton::clicked, this, &ResultsPanel::copy);
 
+    m_table->setHorizontalHeader(new PlainHeader(m_table));
     m_table->setModel(&m_model);
     m_table->setItemDelegate(m_delegate);
     m_table->setFrameShape(QFrame::NoFrame);
@@ -130,7 +157,6 @@ void ResultsPanel::refresh() {
         rule << table.coverage;
     rule.removeAll(QString());
     m_rule->setText(rule.join(QStringLiteral(" · ")));
-    m_rule->setToolTip(m_rule->text());
     m_viewNote->setText(table.viewNote);
     m_viewNote->setVisible(table.view);
     if (table.provisional) {
@@ -141,9 +167,7 @@ void ResultsPanel::refresh() {
     }
     m_chip->setVisible(!table.view && (table.provisional || table.verdict) && !table.lines.empty());
     m_copy->setEnabled(!table.lines.empty());
-    const int rows = std::max(leastRows, m_model.rowCount());
-    m_table->setMinimumHeight(headHeight + leastRows * rowHeight);
-    m_table->setMaximumHeight(headHeight + rows * rowHeight + 2);
+    m_table->setFixedHeight(headHeight + std::min(mostRows, m_model.rowCount()) * rowHeight + 2);
     fitColumns();
     showExplained();
     if (m_selection.parameter().isEmpty() && row >= 0 && row < m_model.rowCount())
@@ -210,7 +234,6 @@ void ResultsPanel::retranslate() {
     m_title->setFont(themeFont(TextSize::head));
     m_rule->setFont(themeFont(TextSize::small));
     m_viewNote->setFont(themeFont(TextSize::small));
-    m_table->horizontalHeader()->setFont(themeFont(TextSize::small));
     m_copy->setToolTip(tr("Copy the results as a table (%1)")
                            .arg(QKeySequence(QKeySequence::Copy).toString(QKeySequence::NativeText)));
     m_copy->setAccessibleName(tr("Copy the results as a table"));
