@@ -1312,140 +1312,176 @@
         <translation>le fichier ne peut pas être lu&#x202f;; vérifiez ses droits d’accès et le support sur lequel il se trouve</translation>
     </message>
     <message>
-        <source>Largest at target %1, smallest at target %2.</source>
-        <translation>Maximum au point visé %1, minimum au point visé %2.</translation>
+        <source>No value for %1: see what the test lacks.</source>
+        <translation>Pas de valeur pour %1&#xa0;: voir ce qui manque à l’essai.</translation>
     </message>
     <message>
-        <source>Target %1 rules it.</source>
-        <translation>Imposé par le point visé %1.</translation>
+        <source>The test has no measured points in the evaluated range.</source>
+        <translation>L’essai n’a aucun point mesuré dans l’étendue évaluée.</translation>
     </message>
     <message>
-        <source>Mean over %1 targets: none rules it alone.</source>
-        <translation>Moyenne sur %1 points visés&#xa0;: aucun ne l’impose seul.</translation>
+        <source>The path %1 covers %2: at least 90° are required.</source>
+        <translation>La trajectoire %1 couvre %2&#xa0;: au moins 90° sont exigés.</translation>
     </message>
     <message>
-        <source>s by the range method: s = W / k(n).</source>
-        <translation>s par la méthode de l’étendue&#xa0;: s = W / k(n).</translation>
+        <source>Only the path %1 was measured: bi-directional results need both senses.</source>
+        <translation>Seule la trajectoire %1 a été mesurée&#xa0;: les résultats bidirectionnels demandent les deux sens.</translation>
     </message>
     <message>
-        <source>With the correction to 20 °C applied here.</source>
-        <translation>Avec la correction à 20&#xa0;°C appliquée ici.</translation>
+        <source>No value for D: it needs full circles in both senses.</source>
+        <translation>Pas de valeur pour D&#xa0;: il demande des cercles complets dans les deux sens.</translation>
     </message>
     <message>
-        <source>Not corrected to 20 °C.</source>
-        <translation>Non corrigé à 20&#xa0;°C.</translation>
+        <source>No value for F of a partial arc: the least squares centre is for full circles only.</source>
+        <translation>Pas de valeur pour F d’un arc partiel&#xa0;: le centre des moindres carrés ne vaut que pour des cercles complets.</translation>
     </message>
     <message>
-        <source>The scatter of one direction alone is the largest form.</source>
-        <translation>La dispersion d’un seul sens est la plus grande des trois formes.</translation>
+        <source>F is taken about the set-up centre: it contains the set-up error, which table A.1 does not expect of full circles.</source>
+        <translation>F est rapporté au centre de réglage&#xa0;: il contient l’erreur de réglage, que le tableau A.1 ne prévoit pas pour des cercles complets.</translation>
     </message>
     <message>
-        <source>What weighs: |B| %1 (%2), %3 %4 (%5), %6 %7 (%8).</source>
-        <translation>Ce qui pèse&#xa0;: |B| %1 (%2), %3 %4 (%5), %6 %7 (%8).</translation>
+        <source>The path %1 has no minimum zone circles: they need four different points that do not lie on a straight line.</source>
+        <translation>La trajectoire %1 n’a pas de cercles de zone minimale&#xa0;: il y faut quatre points différents non alignés.</translation>
     </message>
     <message>
-        <source>%1, clause %2</source>
-        <translation>%1, article %2</translation>
+        <source>The minimum zone circles are not proven to be the narrowest.</source>
+        <translation>Il n’est pas prouvé que les cercles de zone minimale sont les plus étroits.</translation>
     </message>
     <message>
-        <source>%1, clauses %2 and %3</source>
-        <translation>%1, articles %2 et %3</translation>
+        <source>The plane %1 is not XY, YZ or ZX: seen from the positive end of the third axis its senses are exchanged.</source>
+        <translation>Le plan %1 n’est ni XY, ni YZ, ni ZX&#xa0;: vus de l’extrémité positive du troisième axe, ses sens sont inversés.</translation>
     </message>
     <message>
-        <source>%1 readings: mean %2, range %3</source>
-        <translation>%1 relevés&#xa0;: moyenne %2, étendue %3</translation>
+        <source>No value for F and D: the reference length is not calibrated.</source>
+        <translation>Pas de valeur pour F et D&#xa0;: la longueur de référence n’est pas étalonnée.</translation>
     </message>
     <message>
-        <source>accuracy</source>
-        <comment>1988</comment>
-        <translation>précision</translation>
+        <source>F and D need a calibrated reference length: whether it is calibrated is not stated.</source>
+        <translation>F et D demandent une longueur de référence étalonnée&#xa0;: il n’est pas indiqué si elle l’est.</translation>
     </message>
     <message>
-        <source>accuracy</source>
-        <translation>exactitude</translation>
+        <source>F and D are not corrected to 20 °C, and the test was made at another temperature.</source>
+        <translation>F et D ne sont pas ramenés à 20&#xa0;°C, et l’essai a été fait à une autre température.</translation>
     </message>
     <message>
-        <source>systematic deviation</source>
-        <translation>écart systématique</translation>
+        <source>F and D cannot be corrected to 20 °C: temperatures at start and end and the coefficients of thermal expansion of machine and instrument are needed.</source>
+        <translation>F et D ne peuvent pas être ramenés à 20&#xa0;°C&#xa0;: il y faut les températures au début et à la fin et les coefficients de dilatation thermique de la machine et de l’instrument.</translation>
     </message>
     <message>
-        <source>systematic error</source>
-        <translation>écart systématique</translation>
+        <source>The instrument was centred anew between the runs.</source>
+        <translation>L’instrument a été recentré entre les parcours.</translation>
     </message>
     <message>
-        <source>range of x̄</source>
-        <translation>étendue de x̄</translation>
+        <source>Feedback signal: the annex speaks of machines with linear scales; what lies between scale and tool is not seen.</source>
+        <translation>Signal de retour&#xa0;: l’annexe parle de machines à règles de mesure linéaires&#x202f;; ce qui se trouve entre la règle et l’outil n’est pas vu.</translation>
     </message>
     <message>
-        <source>repeatability</source>
-        <translation>répétabilité</translation>
+        <source>F and D cannot be had from a feedback signal.</source>
+        <translation>F et D ne peuvent pas être tirés d’un signal de retour.</translation>
     </message>
     <message>
-        <source>reversal value</source>
-        <translation>réversibilité</translation>
+        <source>bi-directional circular deviation</source>
+        <translation>écart de circularité bidirectionnel</translation>
     </message>
     <message>
-        <source>reversal error</source>
-        <translation>réversibilité</translation>
+        <source>mean bi-directional radial deviation</source>
+        <translation>écart radial moyen bidirectionnel</translation>
     </message>
     <message>
-        <source>mean reversal value</source>
-        <comment>1988</comment>
-        <translation>erreur moy. de réversibilité</translation>
+        <source>circular deviation</source>
+        <translation>écart de circularité</translation>
     </message>
     <message>
-        <source>signed mean</source>
-        <translation>moyenne signée</translation>
+        <source>radial deviation, maximum</source>
+        <translation>écart radial, maximum</translation>
     </message>
     <message>
-        <source>unidirectional</source>
-        <translation>unidirectionnelle</translation>
+        <source>radial deviation, minimum</source>
+        <translation>écart radial, minimum</translation>
     </message>
     <message>
-        <source>unidirectional</source>
-        <comment>masculine</comment>
-        <translation>unidirectionnel</translation>
+        <source>bi-directional circular deviation using feed back signal</source>
+        <translation>écart de circularité bidirectionnel par signal de retour</translation>
     </message>
     <message>
-        <source>smaller of R↑, R↓</source>
-        <translation>min. de R↑ et R↓</translation>
+        <source>circular deviation using feed back signal</source>
+        <translation>écart de circularité par signal de retour</translation>
     </message>
     <message>
-        <source>positional uncertainty</source>
-        <translation>incertitude de position</translation>
+        <source>bi-directional circular error</source>
+        <translation>erreur de circularité bidirectionnelle</translation>
     </message>
     <message>
-        <source>positional deviation</source>
-        <comment>VDI</comment>
-        <translation>écart de position</translation>
+        <source>mean bi-directional radial error</source>
+        <translation>erreur radiale moyenne bidirectionnelle</translation>
     </message>
     <message>
-        <source>scatter, largest</source>
-        <translation>dispersion maximale</translation>
+        <source>circular error</source>
+        <translation>erreur de circularité</translation>
     </message>
     <message>
-        <source>scatter, mean</source>
-        <translation>dispersion moyenne</translation>
+        <source>radial error, maximum</source>
+        <translation>erreur radiale, maximum</translation>
     </message>
     <message>
-        <source>reversal range, largest</source>
-        <translation>réversibilité maximale</translation>
+        <source>radial error, minimum</source>
+        <translation>erreur radiale, minimum</translation>
     </message>
     <message>
-        <source>reversal range, mean</source>
-        <translation>réversibilité moyenne</translation>
+        <source>bi-directional circular error using feed back signal</source>
+        <translation>erreur de circularité bidirectionnelle par signal de retour</translation>
     </message>
     <message>
-        <source>ISO 14253-1</source>
-        <translation>ISO 14253-1</translation>
+        <source>circular error using feed back signal</source>
+        <translation>erreur de circularité par signal de retour</translation>
     </message>
     <message>
-        <source>rejection proven</source>
-        <translation>refus prouvé</translation>
+        <source>circular hysteresis</source>
+        <translation>hystérésis circulaire</translation>
     </message>
     <message>
-        <source>Symbol</source>
-        <translation>Symbole</translation>
+        <source>axes moved</source>
+        <translation>axes en mouvement</translation>
+    </message>
+    <message>
+        <source>contouring feed</source>
+        <translation>vitesse d’avance de contournage</translation>
+    </message>
+    <message>
+        <source>location of the instrument: centre of the circle</source>
+        <translation>position de l’instrument&#xa0;: centre du cercle</translation>
+    </message>
+    <message>
+        <source>location of the instrument: offset to the tool reference</source>
+        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de l’outil</translation>
+    </message>
+    <message>
+        <source>location of the instrument: offset to the workpiece reference</source>
+        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de la pièce</translation>
+    </message>
+    <message>
+        <source>correction of F and D to 20 °C</source>
+        <translation>correction de F et D à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>start point</source>
+        <translation>point de départ</translation>
+    </message>
+    <message>
+        <source>stop point</source>
+        <translation>point d’arrivée</translation>
+    </message>
+    <message>
+        <source>data smoothing</source>
+        <translation>lissage des données</translation>
+    </message>
+    <message>
+        <source>measured one after the other without re-centring</source>
+        <translation>mesures successives sans recentrage</translation>
+    </message>
+    <message>
+        <source>compensation active during the test</source>
+        <translation>compensation active pendant l’essai</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -1848,6 +1884,10 @@
         <translation>entre le fournisseur/constructeur et l’utilisateur</translation>
     </message>
     <message>
+        <source>%1, clause %2</source>
+        <translation>%1, article %2</translation>
+    </message>
+    <message>
         <source>Point</source>
         <translation>Point</translation>
     </message>
@@ -1984,6 +2024,42 @@
         <translation>Origine des données</translation>
     </message>
     <message>
+        <source>Largest at target %1, smallest at target %2.</source>
+        <translation>Maximum au point visé %1, minimum au point visé %2.</translation>
+    </message>
+    <message>
+        <source>Target %1 rules it.</source>
+        <translation>Imposé par le point visé %1.</translation>
+    </message>
+    <message>
+        <source>Mean over %1 targets: none rules it alone.</source>
+        <translation>Moyenne sur %1 points visés&#xa0;: aucun ne l’impose seul.</translation>
+    </message>
+    <message>
+        <source>s by the range method: s = W / k(n).</source>
+        <translation>s par la méthode de l’étendue&#xa0;: s = W / k(n).</translation>
+    </message>
+    <message>
+        <source>With the correction to 20 °C applied here.</source>
+        <translation>Avec la correction à 20&#xa0;°C appliquée ici.</translation>
+    </message>
+    <message>
+        <source>Not corrected to 20 °C.</source>
+        <translation>Non corrigé à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>The scatter of one direction alone is the largest form.</source>
+        <translation>La dispersion d’un seul sens est la plus grande des trois formes.</translation>
+    </message>
+    <message>
+        <source>What weighs: |B| %1 (%2), %3 %4 (%5), %6 %7 (%8).</source>
+        <translation>Ce qui pèse&#xa0;: |B| %1 (%2), %3 %4 (%5), %6 %7 (%8).</translation>
+    </message>
+    <message>
+        <source>%1, clauses %2 and %3</source>
+        <translation>%1, articles %2 et %3</translation>
+    </message>
+    <message>
         <source>Report No. %1</source>
         <translation>Rapport n° %1</translation>
     </message>
@@ -2089,6 +2165,10 @@
         <translation>Essais NON conformes à leur édition&#xa0;: %1 sur %2.</translation>
     </message>
     <message>
+        <source>%1 readings: mean %2, range %3</source>
+        <translation>%1 relevés&#xa0;: moyenne %2, étendue %3</translation>
+    </message>
+    <message>
         <source>of an axis</source>
         <comment>end of the name of a parameter</comment>
         <translation>d’un axe</translation>
@@ -2141,8 +2221,8 @@
         <translation>limite</translation>
     </message>
     <message>
-        <source>limit ± %1. Value left of the band: conforms; in the band: non-conformity not proven; right of the band: does not conform.</source>
-        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: conforme&#x202f;; dans la bande&#xa0;: non-conformité non démontrée&#x202f;; à droite&#xa0;: non conforme.</translation>
+        <source>limit ± %1. Value left of the band: conforms; within: non-conformity not proven; right: does not conform.</source>
+        <translation>limite ± %1. À gauche de la bande&#xa0;: conforme&#x202f;; dedans&#xa0;: non-conformité non démontrée&#x202f;; à droite&#xa0;: non conforme.</translation>
     </message>
     <message>
         <source>limit ± %1. Value left of the band: conforms; in the band: not proven; right of the band: does not conform.</source>
@@ -2276,6 +2356,98 @@
     <message>
         <source>Signed results are compared by their absolute value; the verdict is taken from the unrounded values.</source>
         <translation>Les résultats signés sont comparés par leur valeur absolue&#x202f;; le verdict est pris sur les valeurs non arrondies.</translation>
+    </message>
+    <message>
+        <source>accuracy</source>
+        <comment>1988</comment>
+        <translation>précision</translation>
+    </message>
+    <message>
+        <source>accuracy</source>
+        <translation>exactitude</translation>
+    </message>
+    <message>
+        <source>systematic deviation</source>
+        <translation>écart systématique</translation>
+    </message>
+    <message>
+        <source>systematic error</source>
+        <translation>écart systématique</translation>
+    </message>
+    <message>
+        <source>range of x̄</source>
+        <translation>étendue de x̄</translation>
+    </message>
+    <message>
+        <source>repeatability</source>
+        <translation>répétabilité</translation>
+    </message>
+    <message>
+        <source>reversal value</source>
+        <translation>réversibilité</translation>
+    </message>
+    <message>
+        <source>reversal error</source>
+        <translation>réversibilité</translation>
+    </message>
+    <message>
+        <source>mean reversal value</source>
+        <comment>1988</comment>
+        <translation>erreur moy. de réversibilité</translation>
+    </message>
+    <message>
+        <source>signed mean</source>
+        <translation>moyenne signée</translation>
+    </message>
+    <message>
+        <source>unidirectional</source>
+        <translation>unidirectionnelle</translation>
+    </message>
+    <message>
+        <source>unidirectional</source>
+        <comment>masculine</comment>
+        <translation>unidirectionnel</translation>
+    </message>
+    <message>
+        <source>smaller of R↑, R↓</source>
+        <translation>min. de R↑ et R↓</translation>
+    </message>
+    <message>
+        <source>positional uncertainty</source>
+        <translation>incertitude de position</translation>
+    </message>
+    <message>
+        <source>positional deviation</source>
+        <comment>VDI</comment>
+        <translation>écart de position</translation>
+    </message>
+    <message>
+        <source>scatter, largest</source>
+        <translation>dispersion maximale</translation>
+    </message>
+    <message>
+        <source>scatter, mean</source>
+        <translation>dispersion moyenne</translation>
+    </message>
+    <message>
+        <source>reversal range, largest</source>
+        <translation>réversibilité maximale</translation>
+    </message>
+    <message>
+        <source>reversal range, mean</source>
+        <translation>réversibilité moyenne</translation>
+    </message>
+    <message>
+        <source>ISO 14253-1</source>
+        <translation>ISO 14253-1</translation>
+    </message>
+    <message>
+        <source>rejection proven</source>
+        <translation>refus prouvé</translation>
+    </message>
+    <message>
+        <source>Symbol</source>
+        <translation>Symbole</translation>
     </message>
     <message>
         <source>ISO %1</source>

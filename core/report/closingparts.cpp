@@ -96,13 +96,13 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
     if (instruments.empty())
         return;
     Table table;
-    table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 41},
-                     {write.text(REPORT_TEXT("report", "Serial number")), {}, Alignment::left, false, 24},
-                     {write.text(REPORT_TEXT("report", "Certificate")), {}, Alignment::left, false, 24},
+    table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 37},
+                     {write.text(REPORT_TEXT("report", "Serial number")), {}, Alignment::left, false, 22},
+                     {write.text(REPORT_TEXT("report", "Certificate")), {}, Alignment::left, false, 22},
                      {write.text(REPORT_TEXT("report", "Calibrated by")), {}, Alignment::left, false, 30},
-                     {write.text(REPORT_TEXT("report", "Calibrated")), {}, Alignment::left, false, 20},
-                     {write.text(REPORT_TEXT("report", "Due")), {}, Alignment::left, false, 20},
-                     {write.text(REPORT_TEXT("report", "Resolution")), {}, Alignment::left, false, 16}};
+                     {write.text(REPORT_TEXT("report", "Calibrated")), {}, Alignment::left, false, 23},
+                     {write.text(REPORT_TEXT("report", "Due")), {}, Alignment::left, false, 23},
+                     {write.text(REPORT_TEXT("report", "Resolution")), {}, Alignment::left, false, 18}};
     for (const Instrument *instrument : instruments)
         table.rows.push_back(
             {joined({QString::fromStdString(instrument->description),

@@ -107,8 +107,9 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
     for (const TestPart &part : parts)
         addTest(report.blocks, part);
     if (several) {
-        report.blocks.emplace_back(PageBreak{});
+        // Before the break: the page has no head of its own.
         report.blocks.emplace_back(RunningHead{report.laboratory, reportTitle(write, head)});
+        report.blocks.emplace_back(PageBreak{});
     }
     if (parts.size() != 1 && !head.remarks.empty()) {
         addHeading(report.blocks, write.text(REPORT_TEXT("report", "Remarks")));

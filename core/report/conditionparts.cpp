@@ -9,9 +9,10 @@ namespace palmer {
 
 namespace {
 
-constexpr double conditionsWidth = 104; ///< mm, beside the environment of 62
-constexpr double conditionLabels = 30;  ///< mm
+constexpr double conditionsWidth = 98; ///< mm, beside the environment of 68
+constexpr double conditionLabels = 30; ///< mm
 constexpr int temperatureDecimals = 1;
+constexpr int mostTemperatureDecimals = 3;
 constexpr int correctionDecimals = 2;
 constexpr int expansionDecimals = 1;
 
@@ -190,9 +191,9 @@ Table environment(const PositioningPart &part) {
                       {},
                       Alignment::left,
                       true,
-                      34},
-                     {write.text(REPORT_TEXT("report", "Start")), {}, Alignment::decimal, false, 14},
-                     {write.text(REPORT_TEXT("report", "End")), {}, Alignment::decimal, false, 14}};
+                      42},
+                     {write.text(REPORT_TEXT("report", "Start")), {}, Alignment::decimal, false, 13},
+                     {write.text(REPORT_TEXT("report", "End")), {}, Alignment::decimal, false, 13}};
     const auto shown = [&](std::optional<double> value, Quantity quantity, int decimals) {
         return Cell(value ? write.language().number(*value, quantity, decimals) : QString());
     };
@@ -235,8 +236,16 @@ void addSensors(std::vector<Block> &blocks, const PositioningPart &part) {
         {write.text(REPORT_TEXT("report", "Position of the sensor")), {}, Alignment::left, true, 105},
         {write.text(REPORT_TEXT("report", "Start")), QStringLiteral("°C"), Alignment::decimal, false, 20},
         {write.text(REPORT_TEXT("report", "End")), QStringLiteral("°C"), Alignment::decimal, false, 20}};
+    int decimals = 0;
+    for (const Sensor &sensor : sensors) {
+        for (const auto &value : {startTemperature(sensor), endTemperature(sensor)}) {
+            if (value)
+                decimals = std::max(decimals, decimalsOf(*value, Quantity::temperature));
+        }
+    }
+    decimals = std::min(decimals, mostTemperatureDecimals);
     const auto shown = [&](std::optional<double> value) {
-        return Cell(value ? write.language().number(*value, Quantity::temperature) : QString());
+        return Cell(value ? write.language().number(*value, Quantity::temperature, decimals) : QString());
     };
     for (const Sensor &sensor : sensors)
         table.rows.push_back({write.text(sensorText(sensor.measures)),

@@ -263,14 +263,18 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
         verdict = worst(verdict, evaluation.verdict);
         const bool inAccordance = evaluation.inAccordance();
         outside += inAccordance ? 0 : 1;
-        Cell word(write.text(evaluation.verdict ? verdictText(*evaluation.verdict)
-                                                : REPORT_TEXT("report", "no limit agreed")));
+        Cell word;
+        word.text.spans.push_back(
+            {write.text(evaluation.verdict ? verdictText(*evaluation.verdict)
+                                           : REPORT_TEXT("report", "no limit agreed"))});
+        word.text.spans.back().bold = evaluation.verdict == Verdict::doesNotConform;
         if (evaluation.verdict)
             word.mark = markOf(*evaluation.verdict);
-        word.bold = evaluation.verdict == Verdict::doesNotConform;
-        if (!inAccordance)
+        if (!inAccordance) {
             word.text.spans.push_back(
                 {u'\n' + write.text(REPORT_TEXT("report", "NOT in accordance with the edition"))});
+            word.text.spans.back().bold = true;
+        }
         table.rows.push_back({QString::number(part.number),
                               joined({testName(write, part.test), QString::fromStdString(part.test.title)},
                                      QStringLiteral("\n")),

@@ -15,7 +15,13 @@ namespace {
 
 constexpr double earlierGuardFactor = 1.0;   ///< guard band U: earlier editions of ISO 14253-1
 constexpr double oneSidedGuardFactor = 0.83; ///< 1.65 u: its later 95 % rule for one limit
-constexpr qsizetype mostOfReason = 190;      ///< characters that fit on two lines of the verdict line
+constexpr QChar noBreakSpace(u'\u00A0');
+constexpr double symbolWidth = 7.8; ///< mm, as the widths below
+constexpr double spareBesidePicture = 2;
+constexpr double letterWidth = 1.67;
+constexpr double spaceWidth = 0.9;
+constexpr double cellPadding = 2.2;
+constexpr qsizetype mostOfReason = 190; ///< characters that fit on two lines of the verdict line
 
 bool hasGuardBand(const Test &test) {
     return test.decisionRule.rule != Rule::simpleAcceptance;
@@ -113,22 +119,44 @@ Phrase targetsTitle(const Writer &write) {
                    {QStringLiteral("i"), false, true}});
 }
 
-std::vector<Column> resultColumns(const TestPart &part, const QString &unit) {
+/// Estimated width of a text of 8.5 pt, mm; combining marks take none.
+double estimatedWidth(const QString &text) {
+    double width = 0;
+    for (const QChar c : text) {
+        if (c.category() != QChar::Mark_NonSpacing)
+            width += c.isSpace() ? spaceWidth : letterWidth;
+    }
+    return width;
+}
+
+/// The columns for these rows: the widths of the pictures, unless a symbol or the ruling targets need more.
+/// What they need is taken from the space beside the guard picture, then from the name.
+std::vector<Column> resultColumns(const TestPart &part, const Table &table, const QString &unit) {
     const Writer &write = part.write;
     const bool french = write.language().id() == Language::Id::french;
     QString band;
     if (hasGuardBand(part.test))
         band = write.text(factorIsOne(part.test) ? REPORT_TEXT("report", "Limit ± U")
                                                  : REPORT_TEXT("report", "Limit ± g"));
-    Column quantity{write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 7.8};
+    const double targetsWidth = french ? 13.0 : 13.5;
+    double symbols = symbolWidth;
+    double targets = targetsWidth;
+    for (const auto &row : table.rows) {
+        symbols = std::max(symbols, estimatedWidth(row[0].text.plain()) + cellPadding);
+        targets = std::max(targets, estimatedWidth(row[2].text.plain()) + cellPadding);
+    }
+    const double more = symbols - symbolWidth + targets - targetsWidth;
+    const double fromPicture = std::min(more, spareBesidePicture);
+
+    Column quantity{write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, symbols};
     quantity.titleSpan = 2;
     quantity.paddingLeft = 1.2;
-    Column guard{band, {}, Alignment::left, false, 21.7};
+    Column guard{band, {}, Alignment::left, false, 21.7 - fromPicture};
     guard.paddingLeft = 3.2;
     return {
         quantity,
-        {QString(), {}, Alignment::left, true, french ? 70.0 : 64.0},
-        {targetsTitle(write), {}, Alignment::left, false, french ? 13.0 : 13.5},
+        {QString(), {}, Alignment::left, true, (french ? 70.0 : 64.0) - (more - fromPicture)},
+        {targetsTitle(write), {}, Alignment::left, false, targets},
         {write.text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, french ? 10.8 : 11.0},
         {QStringLiteral("U (k = 2)"), unit, Alignment::decimal, false, french ? 14.0 : 14.2},
         {write.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, french ? 11.0 : 11.2},
@@ -155,10 +183,11 @@ Table resultTable(const TestPart &part, const std::vector<PrintedResult> &result
             name += QStringLiteral("\u00A0*");
         Cell value(result.value);
         value.bold = !result.limit.isEmpty();
-        table.rows.push_back({symbol, name, rulingText(parameter), value, result.uncertainty, result.limit,
-                              guardCell(parameter), verdictCell(part.write, parameter)});
+        table.rows.push_back({symbol, name, rulingText(parameter).replace(u' ', noBreakSpace), value,
+                              result.uncertainty, result.limit, guardCell(parameter),
+                              verdictCell(part.write, parameter)});
     }
-    table.columns = resultColumns(part, unit);
+    table.columns = resultColumns(part, table, unit);
     return table;
 }
 
@@ -215,8 +244,8 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrect
         const Text words =
             part.test.decisionRule.rule == Rule::rejectionProven
                 ? REPORT_TEXT("report",
-                              "limit ± %1. Value left of the band: conforms; in the band: non-conformity not "
-                              "proven; right of the band: does not conform.")
+                              "limit ± %1. Value left of the band: conforms; within: non-conformity not "
+                              "proven; right: does not conform.")
                 : REPORT_TEXT("report",
                               "limit ± %1. Value left of the band: conforms; in the band: not proven; right "
                               "of the band: does not conform.");

@@ -44,6 +44,8 @@ ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *
     m_frozen->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_frozen->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_frozen->setFrameShape(QFrame::NoFrame);
+    for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
+        view->setItemDelegate(new ReadingsDelegate(view)); // both before a model: it tells its current cell
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen}) {
         view->setItemDelegate(new ReadingsDelegate(view)); // before the model, which tells of its current cell
         view->setModel(&model);

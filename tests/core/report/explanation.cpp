@@ -84,8 +84,8 @@ private slots:
     void workedExampleInFrench() {
         const Explanation r = explained(example1988("ISO 230-2:1988"), "R", Language::Id::french);
         QCOMPARE(steps(r), u"R11 = max(3·1,85 + 3·1,39 + |−3,78|\u202f; 6·1,85\u202f; 6·1,39)\n"
-                           u"= max(13,49\u202f; 11,11\u202f; 8,33) = 13,49\u00a0µm"_s);
-        QCOMPARE(r.result, u"R = 13,49\u00a0µm"_s);
+                           u"= max(13,50\u202f; 11,11\u202f; 8,33) = 13,50\u00a0µm"_s);
+        QCOMPARE(r.result, u"R = 13,50\u00a0µm"_s);
         QCOMPARE(r.ruling, (std::vector<Ruling>{{11, std::nullopt}}));
         const Explanation up = explained(example1988("ISO 230-2:1988"), "R+", Language::Id::french);
         QCOMPARE(steps(up), u"R↑ = R10↑ = 6·1,97 = 11,84\u00a0µm"_s);
