@@ -18,6 +18,7 @@ class QPrinter;
 class QPushButton;
 class QScrollArea;
 class QToolButton;
+class QVBoxLayout;
 
 namespace palmer::ui {
 
@@ -56,7 +57,7 @@ private:
 
     QWidget *makeHead();
     QWidget *makeSide();
-    void addChoices(class QVBoxLayout *column);
+    void addChoices(QVBoxLayout *column);
     void showDocument();
     void change(const std::function<void(ReportHead &)> &change);
     void goTo(int page);

@@ -348,8 +348,8 @@ void MainWindow::take(Document document, const QString &path) {
     m_open = true;
     m_savedAt.clear();
     m_rememberNext = !isExample(path);
+    m_stack->setCurrentWidget(m_workplace); // has its size before it is filled
     m_model.setDocument(std::move(document), isExample(path) ? QString() : path);
-    m_stack->setCurrentWidget(m_workplace);
     showState();
 }
 
