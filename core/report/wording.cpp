@@ -12,9 +12,7 @@ namespace {
 
 constexpr int decimalsOfLengths = 2; ///< positions along a linear axis: 0.01 mm
 constexpr int mostPositionDecimals = 3;
-constexpr int mostReadingDecimals = 4;
-constexpr int mostAngularDecimals = 2; ///< degrees have no short form in arc seconds: there 0.01″ has to do
-constexpr std::size_t readingsLooked = 2000; ///< enough to see how many decimals readings have
+constexpr std::size_t readingsLooked = 2000; ///< enough to see how many decimals positions have
 
 } // namespace
 
@@ -88,12 +86,6 @@ Quantity deviationQuantity(const PositioningMeasurement &measurement) {
     return measurement.axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
 }
 
-int decimalsOf(double value, Quantity quantity) {
-    const std::string digits = Decimal(value, quantity).shortest();
-    const auto point = digits.find('.');
-    return point == std::string::npos ? 0 : static_cast<int>(digits.size() - point - 1);
-}
-
 int positionDecimals(const std::vector<double> &positions, Quantity quantity) {
     if (quantity == Quantity::position)
         return decimalsOfLengths;
@@ -101,27 +93,6 @@ int positionDecimals(const std::vector<double> &positions, Quantity quantity) {
     for (std::size_t i = 0; i < std::min(positions.size(), readingsLooked); ++i)
         result = std::max(result, decimalsOf(positions[i], quantity));
     return std::min(result, mostPositionDecimals);
-}
-
-int readingDecimals(const PositioningMeasurement &measurement) {
-    const Quantity quantity = deviationQuantity(measurement);
-    const int most = quantity == Quantity::angularDeviation ? mostAngularDecimals : mostReadingDecimals;
-    int result = 0;
-    std::size_t looked = 0;
-    for (const Run &run : measurement.runs) {
-        for (const auto &deviation : run.deviations) {
-            if (looked++ == readingsLooked)
-                return std::min(result, most);
-            if (deviation)
-                result = std::max(result, decimalsOf(*deviation, quantity));
-        }
-    }
-    return std::min(result, most);
-}
-
-int statisticDecimals(const PositioningMeasurement &measurement) {
-    const bool angular = measurement.axis.motion == Motion::rotary;
-    return std::min(readingDecimals(measurement) + 1, angular ? mostAngularDecimals : mostReadingDecimals);
 }
 
 std::optional<double> finestResolution(const Document &document, const Test &test) {

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "kernel/evaluation/testevaluation.h"
+#include "language/decimals.h"
 #include "language/language.h"
 #include "report/report.h"
 
@@ -24,17 +25,8 @@ namespace palmer {
 [[nodiscard]] Quantity positionQuantity(const PositioningMeasurement &measurement);
 [[nodiscard]] Quantity deviationQuantity(const PositioningMeasurement &measurement);
 
-/// Digits after the point of the shortest form of a number, in the unit it is shown in.
-[[nodiscard]] int decimalsOf(double value, Quantity quantity);
-
 /// Decimals of positions: 0.01 mm; of angles those they have in common, at most 3.
 [[nodiscard]] int positionDecimals(const std::vector<double> &positions, Quantity quantity);
-
-/// The common decimals of the readings as they were entered, at most 4, of angles 2.
-[[nodiscard]] int readingDecimals(const PositioningMeasurement &measurement);
-
-/// Statistics per target have one digit more than the readings, within the same bounds.
-[[nodiscard]] int statisticDecimals(const PositioningMeasurement &measurement);
 
 /// The finest step any instrument of the test shows, in mm or degrees; null where none is stated.
 [[nodiscard]] std::optional<double> finestResolution(const Document &document, const Test &test);
