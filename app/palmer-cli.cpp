@@ -1,9 +1,12 @@
 #include "commands/command.h"
 #include "commands/streams.h"
 
+#include <QApplication>
 #include <QCoreApplication>
+#include <QHashFunctions>
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace {
 
@@ -53,14 +56,26 @@ int runProgram(const QStringList &words, const Language &language) {
     return runCommand(*found, before + QStringList(name + 1, words.end()), language);
 }
 
+/// Figures need a QApplication; it needs no display.
+std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char *argv[]) {
+    static int count = 1; // the words are ours, none is Qt's
+    if (!needsDrawing(words))
+        return std::make_unique<QCoreApplication>(count, argv);
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    return std::make_unique<QApplication>(count, argv);
+}
+
 } // namespace
 
 int main(int argc, char *argv[]) {
+    QHashSeed::setDeterministicGlobalSeed(); // else no two PDFs were alike
     const Language ofLocale = languageOfLocale();
     // Qt speaks UTF-8 only and would say so on stderr under any other locale.
     qputenv("LC_ALL", "C.UTF-8");
-    const QCoreApplication application(argc, argv);
-    const QStringList words = QCoreApplication::arguments().mid(1);
+    QStringList words;
+    for (int i = 1; i < argc; ++i)
+        words << QString::fromLocal8Bit(argv[i]);
+    const auto application = applicationFor(words, argv);
     const Language language = chosenLanguage(words).value_or(ofLocale);
     try {
         return runProgram(words, language);

@@ -5,11 +5,12 @@
 #include "ui/windowlanguage.h"
 
 #include <QApplication>
+#include <QHashSeed>
 #include <QIcon>
-#include <QStyleFactory>
 
 int main(int argc, char *argv[]) {
     using namespace palmer::ui;
+    QHashSeed::setDeterministicGlobalSeed(); // before all else: the same report is the same bytes
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("palmer"));
     QCoreApplication::setOrganizationName(QStringLiteral("palmer"));

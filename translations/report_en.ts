@@ -10,5 +10,12 @@
             <numerusform>NOT in accordance with %1: %n requirements not met.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Test NOT in accordance with %1: %n requirement(s) not met</source>
+        <translation>
+            <numerusform>Test NOT in accordance with %1: %n requirement not met</numerusform>
+            <numerusform>Test NOT in accordance with %1: %n requirements not met</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

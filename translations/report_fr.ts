@@ -1312,6 +1312,718 @@
         <translation>le fichier ne peut pas être lu&#x202f;; vérifiez ses droits d’accès et le support sur lequel il se trouve</translation>
     </message>
     <message>
+        <source>No value for %1: see what the test lacks.</source>
+        <translation>Pas de valeur pour %1&#xa0;: voir ce qui manque à l’essai.</translation>
+    </message>
+    <message>
+        <source>The test has no measured points in the evaluated range.</source>
+        <translation>L’essai n’a aucun point mesuré dans l’étendue évaluée.</translation>
+    </message>
+    <message>
+        <source>The path %1 covers %2: at least 90° are required.</source>
+        <translation>La trajectoire %1 couvre %2&#xa0;: au moins 90° sont exigés.</translation>
+    </message>
+    <message>
+        <source>Only the path %1 was measured: bi-directional results need both senses.</source>
+        <translation>Seule la trajectoire %1 a été mesurée&#xa0;: les résultats bidirectionnels demandent les deux sens.</translation>
+    </message>
+    <message>
+        <source>No value for D: it needs full circles in both senses.</source>
+        <translation>Pas de valeur pour D&#xa0;: il demande des cercles complets dans les deux sens.</translation>
+    </message>
+    <message>
+        <source>No value for F of a partial arc: the least squares centre is for full circles only.</source>
+        <translation>Pas de valeur pour F d’un arc partiel&#xa0;: le centre des moindres carrés ne vaut que pour des cercles complets.</translation>
+    </message>
+    <message>
+        <source>F is taken about the set-up centre: it contains the set-up error, which table A.1 does not expect of full circles.</source>
+        <translation>F est rapporté au centre de réglage&#xa0;: il contient l’erreur de réglage, que le tableau A.1 ne prévoit pas pour des cercles complets.</translation>
+    </message>
+    <message>
+        <source>The path %1 has no minimum zone circles: they need four different points that do not lie on a straight line.</source>
+        <translation>La trajectoire %1 n’a pas de cercles de zone minimale&#xa0;: il y faut quatre points différents non alignés.</translation>
+    </message>
+    <message>
+        <source>The minimum zone circles are not proven to be the narrowest.</source>
+        <translation>Il n’est pas prouvé que les cercles de zone minimale sont les plus étroits.</translation>
+    </message>
+    <message>
+        <source>The plane %1 is not XY, YZ or ZX: seen from the positive end of the third axis its senses are exchanged.</source>
+        <translation>Le plan %1 n’est ni XY, ni YZ, ni ZX&#xa0;: vus de l’extrémité positive du troisième axe, ses sens sont inversés.</translation>
+    </message>
+    <message>
+        <source>No value for F and D: the reference length is not calibrated.</source>
+        <translation>Pas de valeur pour F et D&#xa0;: la longueur de référence n’est pas étalonnée.</translation>
+    </message>
+    <message>
+        <source>F and D need a calibrated reference length: whether it is calibrated is not stated.</source>
+        <translation>F et D demandent une longueur de référence étalonnée&#xa0;: il n’est pas indiqué si elle l’est.</translation>
+    </message>
+    <message>
+        <source>F and D are not corrected to 20 °C, and the test was made at another temperature.</source>
+        <translation>F et D ne sont pas ramenés à 20&#xa0;°C, et l’essai a été fait à une autre température.</translation>
+    </message>
+    <message>
+        <source>F and D cannot be corrected to 20 °C: temperatures at start and end and the coefficients of thermal expansion of machine and instrument are needed.</source>
+        <translation>F et D ne peuvent pas être ramenés à 20&#xa0;°C&#xa0;: il y faut les températures au début et à la fin et les coefficients de dilatation thermique de la machine et de l’instrument.</translation>
+    </message>
+    <message>
+        <source>The instrument was centred anew between the runs.</source>
+        <translation>L’instrument a été recentré entre les parcours.</translation>
+    </message>
+    <message>
+        <source>Feedback signal: the annex speaks of machines with linear scales; what lies between scale and tool is not seen.</source>
+        <translation>Signal de retour&#xa0;: l’annexe parle de machines à règles de mesure linéaires&#x202f;; ce qui se trouve entre la règle et l’outil n’est pas vu.</translation>
+    </message>
+    <message>
+        <source>F and D cannot be had from a feedback signal.</source>
+        <translation>F et D ne peuvent pas être tirés d’un signal de retour.</translation>
+    </message>
+    <message>
+        <source>bi-directional circular deviation</source>
+        <translation>écart de circularité bidirectionnel</translation>
+    </message>
+    <message>
+        <source>mean bi-directional radial deviation</source>
+        <translation>écart radial moyen bidirectionnel</translation>
+    </message>
+    <message>
+        <source>circular deviation</source>
+        <translation>écart de circularité</translation>
+    </message>
+    <message>
+        <source>radial deviation, maximum</source>
+        <translation>écart radial, maximum</translation>
+    </message>
+    <message>
+        <source>radial deviation, minimum</source>
+        <translation>écart radial, minimum</translation>
+    </message>
+    <message>
+        <source>bi-directional circular deviation using feed back signal</source>
+        <translation>écart de circularité bidirectionnel par signal de retour</translation>
+    </message>
+    <message>
+        <source>circular deviation using feed back signal</source>
+        <translation>écart de circularité par signal de retour</translation>
+    </message>
+    <message>
+        <source>bi-directional circular error</source>
+        <translation>erreur de circularité bidirectionnelle</translation>
+    </message>
+    <message>
+        <source>mean bi-directional radial error</source>
+        <translation>erreur radiale moyenne bidirectionnelle</translation>
+    </message>
+    <message>
+        <source>circular error</source>
+        <translation>erreur de circularité</translation>
+    </message>
+    <message>
+        <source>radial error, maximum</source>
+        <translation>erreur radiale, maximum</translation>
+    </message>
+    <message>
+        <source>radial error, minimum</source>
+        <translation>erreur radiale, minimum</translation>
+    </message>
+    <message>
+        <source>bi-directional circular error using feed back signal</source>
+        <translation>erreur de circularité bidirectionnelle par signal de retour</translation>
+    </message>
+    <message>
+        <source>circular error using feed back signal</source>
+        <translation>erreur de circularité par signal de retour</translation>
+    </message>
+    <message>
+        <source>circular hysteresis</source>
+        <translation>hystérésis circulaire</translation>
+    </message>
+    <message>
+        <source>axes moved</source>
+        <translation>axes en mouvement</translation>
+    </message>
+    <message>
+        <source>contouring feed</source>
+        <translation>vitesse d’avance de contournage</translation>
+    </message>
+    <message>
+        <source>location of the instrument: centre of the circle</source>
+        <translation>position de l’instrument&#xa0;: centre du cercle</translation>
+    </message>
+    <message>
+        <source>location of the instrument: offset to the tool reference</source>
+        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de l’outil</translation>
+    </message>
+    <message>
+        <source>location of the instrument: offset to the workpiece reference</source>
+        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de la pièce</translation>
+    </message>
+    <message>
+        <source>correction of F and D to 20 °C</source>
+        <translation>correction de F et D à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>start point</source>
+        <translation>point de départ</translation>
+    </message>
+    <message>
+        <source>stop point</source>
+        <translation>point d’arrivée</translation>
+    </message>
+    <message>
+        <source>data smoothing</source>
+        <translation>lissage des données</translation>
+    </message>
+    <message>
+        <source>measured one after the other without re-centring</source>
+        <translation>mesures successives sans recentrage</translation>
+    </message>
+    <message>
+        <source>compensation active during the test</source>
+        <translation>compensation active pendant l’essai</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>dates</comment>
+        <translation>du %1 au %2</translation>
+    </message>
+    <message>
+        <source>control %1</source>
+        <translation>commande %1</translation>
+    </message>
+    <message>
+        <source>year %1</source>
+        <translation>année %1</translation>
+    </message>
+    <message>
+        <source>self-test not run</source>
+        <translation>autocontrôle non exécuté</translation>
+    </message>
+    <message>
+        <source>self-test against published data passed</source>
+        <translation>autocontrôle sur des données publiées réussi</translation>
+    </message>
+    <message>
+        <source>self-test against published data NOT passed</source>
+        <translation>autocontrôle sur des données publiées NON réussi</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Laboratoire</translation>
+    </message>
+    <message>
+        <source>Supplier/manufacturer</source>
+        <translation>Fournisseur/constructeur</translation>
+    </message>
+    <message>
+        <source>Customer/user</source>
+        <translation>Client/utilisateur</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Instrument</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Numéro de série</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificat</translation>
+    </message>
+    <message>
+        <source>Calibrated by</source>
+        <translation>Étalonné par</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>Étalonné le</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Échéance</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Traceability of the instruments</source>
+        <translation>Traçabilité des instruments</translation>
+    </message>
+    <message>
+        <source>range of the deviations %1</source>
+        <translation>étendue des écarts %1</translation>
+    </message>
+    <message>
+        <source>Drift tests</source>
+        <translation>Essais de dérive</translation>
+    </message>
+    <message>
+        <source>environmental variation error</source>
+        <translation>erreur de variation environnementale</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Procedure</source>
+        <translation>Procédure</translation>
+    </message>
+    <message>
+        <source>Tests carried out</source>
+        <translation>Essais exécutés</translation>
+    </message>
+    <message>
+        <source>Details of the machine</source>
+        <translation>Précisions sur la machine</translation>
+    </message>
+    <message>
+        <source>Condition of the machine</source>
+        <translation>État de la machine</translation>
+    </message>
+    <message>
+        <source>Adjustments made</source>
+        <translation>Réglages effectués</translation>
+    </message>
+    <message>
+        <source>replaces %1</source>
+        <translation>remplace %1</translation>
+    </message>
+    <message>
+        <source>Revision</source>
+        <translation>Révision</translation>
+    </message>
+    <message>
+        <source>Authorised by</source>
+        <translation>Autorisé par</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Fingerprint SHA-256</source>
+        <translation>Empreinte SHA-256</translation>
+    </message>
+    <message>
+        <source>Statements</source>
+        <translation>Mentions</translation>
+    </message>
+    <message>
+        <source>The results relate only to the machine tested in the stated condition.</source>
+        <translation>Les résultats ne se rapportent qu’à la machine soumise à l’essai, dans l’état indiqué.</translation>
+    </message>
+    <message>
+        <source>This report may be reproduced only in full.</source>
+        <translation>Ce rapport ne peut être reproduit que dans son intégralité.</translation>
+    </message>
+    <message>
+        <source>The fingerprint is that of the test file this report was made from.</source>
+        <translation>L’empreinte est celle du fichier d’essai dont ce rapport est issu.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Signature</translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation>Signatures</translation>
+    </message>
+    <message>
+        <source>End of the report</source>
+        <translation>Fin du rapport</translation>
+    </message>
+    <message>
+        <source>Results for the %1 axis</source>
+        <translation>Résultats de l’axe %1</translation>
+    </message>
+    <message>
+        <source>Report %1</source>
+        <translation>Rapport %1</translation>
+    </message>
+    <message>
+        <source>Fingerprint SHA-256 %1</source>
+        <translation>Empreinte SHA-256 %1</translation>
+    </message>
+    <message>
+        <source>page %1 / %2</source>
+        <translation>page %1 / %2</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>agreed or maker’s procedure</source>
+        <translation>procédure convenue ou du constructeur</translation>
+    </message>
+    <message>
+        <source>dry run</source>
+        <translation>essai à blanc préalable</translation>
+    </message>
+    <message>
+        <source>set-up movements only</source>
+        <translation>mouvements de réglage seulement</translation>
+    </message>
+    <message>
+        <source>chosen freely</source>
+        <translation>choix libre</translation>
+    </message>
+    <message>
+        <source>faces of the polygon</source>
+        <translation>faces du polygone</translation>
+    </message>
+    <message>
+        <source>fixed by the instrument</source>
+        <translation>imposés par l’instrument</translation>
+    </message>
+    <message>
+        <source>nominal interval %1</source>
+        <translation>intervalle nominal %1</translation>
+    </message>
+    <message>
+        <source>period %1</source>
+        <translation>période %1</translation>
+    </message>
+    <message>
+        <source>random part of seed %1</source>
+        <translation>part aléatoire de germe %1</translation>
+    </message>
+    <message>
+        <source>tool offset: %1</source>
+        <translation>décalage d’outil&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>workpiece offset: %1</source>
+        <translation>décalage de pièce&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Warm-up</source>
+        <translation>Mise en température</translation>
+    </message>
+    <message>
+        <source>rapid feed</source>
+        <translation>vitesse rapide</translation>
+    </message>
+    <message>
+        <source>Feed between targets</source>
+        <translation>Avance entre points</translation>
+    </message>
+    <message>
+        <source>Dwell at target</source>
+        <translation>Arrêt au point visé</translation>
+    </message>
+    <message>
+        <source>Approach distance</source>
+        <translation>Distance d’approche</translation>
+    </message>
+    <message>
+        <source>machine unloaded</source>
+        <comment>1988</comment>
+        <translation>machine non chargée</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>machine loaded</source>
+        <translation>machine chargée</translation>
+    </message>
+    <message>
+        <source>State of the machine</source>
+        <translation>État de la machine</translation>
+    </message>
+    <message>
+        <source>complete and in working order</source>
+        <translation>complète et en état de marche</translation>
+    </message>
+    <message>
+        <source>not complete</source>
+        <translation>incomplète</translation>
+    </message>
+    <message>
+        <source>levelled and aligned</source>
+        <translation>mise à niveau et alignée</translation>
+    </message>
+    <message>
+        <source>not levelled</source>
+        <translation>non mise à niveau</translation>
+    </message>
+    <message>
+        <source>Active compensation</source>
+        <translation>Compensation active</translation>
+    </message>
+    <message>
+        <source>Other axes</source>
+        <translation>Autres axes</translation>
+    </message>
+    <message>
+        <source>Measuring line</source>
+        <translation>Ligne de mesurage</translation>
+    </message>
+    <message>
+        <source>Choice of targets</source>
+        <translation>Choix des points</translation>
+    </message>
+    <message>
+        <source>Target positions</source>
+        <translation>Points visés</translation>
+    </message>
+    <message>
+        <source>Zero of displacement</source>
+        <translation>Zéro du déplacement</translation>
+    </message>
+    <message>
+        <source>Soak</source>
+        <translation>Stabilisation thermique</translation>
+    </message>
+    <message>
+        <source>Thermal shielding</source>
+        <translation>Protection thermique</translation>
+    </message>
+    <message>
+        <source>Maker’s thermal guidelines</source>
+        <translation>Recommandations thermiques du constructeur</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Air</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <comment>1988</comment>
+        <translation>Environnement d’essai</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Environnement</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Air pressure</source>
+        <translation>Pression de l’air</translation>
+    </message>
+    <message>
+        <source>Relative humidity</source>
+        <translation>Humidité relative</translation>
+    </message>
+    <message>
+        <source>Temperature gradient</source>
+        <translation>Gradient de température</translation>
+    </message>
+    <message>
+        <source>α machine</source>
+        <translation>α de la machine</translation>
+    </message>
+    <message>
+        <source>α instrument</source>
+        <translation>α de l’instrument</translation>
+    </message>
+    <message>
+        <source>Temperature of</source>
+        <translation>Température de</translation>
+    </message>
+    <message>
+        <source>Position of the sensor</source>
+        <translation>Position du capteur</translation>
+    </message>
+    <message>
+        <source>Temperature sensors</source>
+        <translation>Capteurs de température</translation>
+    </message>
+    <message>
+        <source>Test conditions</source>
+        <translation>Conditions d’essai</translation>
+    </message>
+    <message>
+        <source>Nominal differential expansion (NDE): %1.</source>
+        <translation>Dilatation différentielle nominale (DDN)&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>between supplier/manufacturer and user</source>
+        <comment>1988</comment>
+        <translation>entre le fournisseur et le client</translation>
+    </message>
+    <message>
+        <source>between supplier/manufacturer and user</source>
+        <translation>entre le fournisseur/constructeur et l’utilisateur</translation>
+    </message>
+    <message>
+        <source>%1, clause %2</source>
+        <translation>%1, article %2</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Accord</translation>
+    </message>
+    <message>
+        <source>Agreed text</source>
+        <translation>Texte convenu</translation>
+    </message>
+    <message>
+        <source>agreed</source>
+        <translation>convenu</translation>
+    </message>
+    <message>
+        <source>not agreed</source>
+        <translation>non convenu</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>sans objet</translation>
+    </message>
+    <message>
+        <source>Points to be agreed</source>
+        <translation>Points soumis à accord</translation>
+    </message>
+    <message>
+        <source>Measurement uncertainty</source>
+        <translation>Incertitude de mesure</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainties U beside the results were stated by the laboratory.</source>
+        <translation>Les incertitudes étendues U indiquées avec les résultats ont été données par le laboratoire.</translation>
+    </message>
+    <message>
+        <source>%1 asks for the uncertainty beside every result; some are not stated.</source>
+        <translation>L’édition %1 demande l’incertitude de chaque résultat&#x202f;; certaines ne sont pas indiquées.</translation>
+    </message>
+    <message>
+        <source>%1 asks for the uncertainty beside every result; none is stated.</source>
+        <translation>L’édition %1 demande l’incertitude de chaque résultat&#x202f;; aucune n’est indiquée.</translation>
+    </message>
+    <message>
+        <source>Whether the readings are corrected to 20 °C is not stated; nothing is corrected here.</source>
+        <translation>Il n’est pas indiqué si les relevés sont corrigés à 20&#xa0;°C&#x202f;; rien n’est corrigé ici.</translation>
+    </message>
+    <message>
+        <source>The readings are not corrected to 20 °C.</source>
+        <translation>Les relevés ne sont pas corrigés à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>The material compensation of the instrument was on: the readings hold at 20 °C, nothing is corrected here.</source>
+        <translation>La compensation de matériau de l’instrument était active&#xa0;: les relevés valent pour 20&#xa0;°C, rien n’est corrigé ici.</translation>
+    </message>
+    <message>
+        <source>The correction was to be made here, but temperatures or coefficients of expansion are missing: nothing is corrected.</source>
+        <translation>La correction devait être faite ici, mais il manque des températures ou des coefficients de dilatation&#xa0;: rien n’est corrigé.</translation>
+    </message>
+    <message>
+        <source>Made here for the expansion of the machine (α = %1, θ = %2); the instrument compensates the air only.</source>
+        <translation>Faite ici pour la dilatation de la machine (α = %1, θ = %2)&#x202f;; l’instrument ne compense que l’air.</translation>
+    </message>
+    <message>
+        <source>Made here for the expansion of the machine (α = %1, θ = %2) and of the instrument (α = %3, θ = %4).</source>
+        <translation>Faite ici pour la dilatation de la machine (α = %1, θ = %2) et de l’instrument (α = %3, θ = %4).</translation>
+    </message>
+    <message>
+        <source>nominal differential expansion (NDE)</source>
+        <translation>dilatation différentielle nominale (DDN)</translation>
+    </message>
+    <message>
+        <source>Added to the readings</source>
+        <translation>Ajouté aux relevés</translation>
+    </message>
+    <message>
+        <source>factor %1</source>
+        <translation>facteur %1</translation>
+    </message>
+    <message>
+        <source>Results per target position</source>
+        <translation>Résultats par point visé</translation>
+    </message>
+    <message>
+        <source>factor %1; bold: the value that rules the parameter of the axis</source>
+        <translation>facteur %1&#x202f;; en gras la valeur qui gouverne le paramètre de l’axe</translation>
+    </message>
+    <message>
+        <source>positioning deviations</source>
+        <translation>écarts de position</translation>
+    </message>
+    <message>
+        <source>positional deviations</source>
+        <translation>écarts de position</translation>
+    </message>
+    <message>
+        <source>as read, without the correction to 20 °C</source>
+        <translation>tels que relevés, sans la correction à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Relevés</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motif</translation>
+    </message>
+    <message>
+        <source>Excluded readings</source>
+        <translation>Relevés écartés</translation>
+    </message>
+    <message>
+        <source>set aside: they have no part in the results</source>
+        <translation>ils ne sont pas pris en compte dans les résultats</translation>
+    </message>
+    <message>
+        <source>Comparison of editions</source>
+        <translation>Comparaison des éditions</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Result stated by the instrument’s program</source>
+        <translation>Résultat donné par le programme de l’instrument</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Origin of the data</source>
+        <translation>Origine des données</translation>
+    </message>
+    <message>
         <source>Largest at target %1, smallest at target %2.</source>
         <translation>Maximum au point visé %1, minimum au point visé %2.</translation>
     </message>
@@ -1344,16 +2056,306 @@
         <translation>Ce qui pèse&#xa0;: |B| %1 (%2), %3 %4 (%5), %6 %7 (%8).</translation>
     </message>
     <message>
-        <source>%1, clause %2</source>
-        <translation>%1, article %2</translation>
-    </message>
-    <message>
         <source>%1, clauses %2 and %3</source>
         <translation>%1, articles %2 et %3</translation>
     </message>
     <message>
+        <source>Report No. %1</source>
+        <translation>Rapport n° %1</translation>
+    </message>
+    <message>
+        <source>revision %1</source>
+        <translation>révision %1</translation>
+    </message>
+    <message>
+        <source>issued %1</source>
+        <translation>émis le %1</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
+        <source>Supplier</source>
+        <translation>Fournisseur</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Client</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>n° %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>certificate, date</comment>
+        <translation>%1 du %2</translation>
+    </message>
+    <message>
+        <source>m = %1; n = %2 %3</source>
+        <translation>m = %1&#x202f;; n = %2 %3</translation>
+    </message>
+    <message>
+        <source>m = %1; n = %2 per direction</source>
+        <translation>m = %1&#x202f;; n = %2 par sens</translation>
+    </message>
+    <message>
+        <source>Acceptance test report</source>
+        <translation>Rapport d’essai de réception</translation>
+    </message>
+    <message>
+        <source>Test %1 of %2</source>
+        <translation>Essai %1 de %2</translation>
+    </message>
+    <message>
+        <source>Measurement travel</source>
+        <translation>Course de mesurage</translation>
+    </message>
+    <message>
+        <source>Measuring system</source>
+        <translation>Système de mesure</translation>
+    </message>
+    <message>
+        <source>Summary of the tests</source>
+        <translation>Récapitulation des essais</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Commande numérique</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>no limit agreed</source>
+        <translation>aucune limite convenue</translation>
+    </message>
+    <message>
+        <source>NOT in accordance with the edition</source>
+        <translation>essai NON conforme à l’édition</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Verdict of the report</source>
+        <translation>Verdict du rapport</translation>
+    </message>
+    <message>
+        <source>The worst verdict of the tests.</source>
+        <translation>Le plus défavorable des verdicts des essais.</translation>
+    </message>
+    <message>
+        <source>No limit was agreed: the results have no verdict.</source>
+        <translation>Aucune limite n’a été convenue&#xa0;: les résultats sont sans verdict.</translation>
+    </message>
+    <message>
+        <source>All tests carried out in accordance with their editions.</source>
+        <translation>Tous les essais ont été exécutés conformément à leur édition.</translation>
+    </message>
+    <message>
+        <source>Tests NOT in accordance with their edition: %1 of %2.</source>
+        <translation>Essais NON conformes à leur édition&#xa0;: %1 sur %2.</translation>
+    </message>
+    <message>
         <source>%1 readings: mean %2, range %3</source>
         <translation>%1 relevés&#xa0;: moyenne %2, étendue %3</translation>
+    </message>
+    <message>
+        <source>of an axis</source>
+        <comment>end of the name of a parameter</comment>
+        <translation>d’un axe</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <comment>followed by i</comment>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Limit ± U</source>
+        <translation>Limite ± U</translation>
+    </message>
+    <message>
+        <source>Limit ± g</source>
+        <translation>Limite ± g</translation>
+    </message>
+    <message>
+        <source>ISO 14253-1, conformity has to be proven</source>
+        <translation>ISO 14253-1, conformité à prouver</translation>
+    </message>
+    <message>
+        <source>non-conformity has to be proven</source>
+        <translation>non-conformité à prouver</translation>
+    </message>
+    <message>
+        <source>s by the range method</source>
+        <translation>s par la méthode de l’étendue</translation>
+    </message>
+    <message>
+        <source>s by the calculation method</source>
+        <translation>s par la méthode de calcul</translation>
+    </message>
+    <message>
+        <source>verdict taken from the unrounded values</source>
+        <translation>verdict pris sur les valeurs non arrondies</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <comment>legend</comment>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>limit. Value left of the limit: conforms; right of it: does not conform.</source>
+        <translation>limite. Valeur à gauche de la limite&#xa0;: conforme&#x202f;; à droite&#xa0;: non conforme.</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <comment>legend</comment>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>limit ± %1. Value left of the band: conforms; within: non-conformity not proven; right: does not conform.</source>
+        <translation>limite ± %1. À gauche de la bande&#xa0;: conforme&#x202f;; dedans&#xa0;: non-conformité non démontrée&#x202f;; à droite&#xa0;: non conforme.</translation>
+    </message>
+    <message>
+        <source>limit ± %1. Value left of the band: conforms; in the band: not proven; right of the band: does not conform.</source>
+        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: conforme&#x202f;; dans la bande&#xa0;: non prouvé&#x202f;; à droite&#xa0;: non conforme.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 against %3)</source>
+        <translation>%1 (%2 pour %3)</translation>
+    </message>
+    <message>
+        <source>Limits exceeded by more than the guard band: %1.</source>
+        <translation>Limites dépassées de plus que la bande de garde&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Limits exceeded: %1.</source>
+        <translation>Limites dépassées&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 exceeds its limit: %2 against %3.</source>
+        <translation>%1 dépasse sa limite&#xa0;: %2 pour %3.</translation>
+    </message>
+    <message>
+        <source>%1 exceeds its limit by more than the uncertainty: %2 against %3 + %4 = %5.</source>
+        <translation>%1 dépasse sa limite de plus que l’incertitude&#xa0;: %2 pour %3 + %4 = %5.</translation>
+    </message>
+    <message>
+        <source>%1 exceeds its limit by more than the guard band: %2 against %3 + %4 = %5.</source>
+        <translation>%1 dépasse sa limite de plus que la bande de garde&#xa0;: %2 pour %3 + %4 = %5.</translation>
+    </message>
+    <message>
+        <source>Not corrected to 20 °C, nothing is proven for %1.</source>
+        <translation>Sans correction à 20&#xa0;°C, rien n’est prouvé pour %1.</translation>
+    </message>
+    <message>
+        <source>Without the measurement uncertainty nothing is proven for %1.</source>
+        <translation>Sans l’incertitude de mesure, rien n’est prouvé pour %1.</translation>
+    </message>
+    <message>
+        <source>For %1 non-conformity not proven: may not be rejected.</source>
+        <translation>Pour %1, non-conformité non démontrée&#xa0;: ne peut être refusé.</translation>
+    </message>
+    <message>
+        <source>For %1 neither conformity nor non-conformity is proven.</source>
+        <translation>Pour %1, ni la conformité ni la non-conformité n’est prouvée.</translation>
+    </message>
+    <message>
+        <source>The limits agreed do not hold for this test: no verdict.</source>
+        <translation>Les limites convenues ne valent pas pour cet essai&#xa0;: pas de verdict.</translation>
+    </message>
+    <message>
+        <source>Within its limit: %1.</source>
+        <translation>Limite respectée&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Others: no limit agreed.</source>
+        <translation>Autres&#xa0;: pas de limite.</translation>
+    </message>
+    <message>
+        <source>Verdict of the test</source>
+        <translation>Verdict de l’essai</translation>
+    </message>
+    <message>
+        <source>Test carried out in accordance with %1.</source>
+        <translation>Essai exécuté conformément à %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Test NOT in accordance with %1: %n requirement(s) not met</source>
+        <translation>
+            <numerusform>Essai NON conforme à %1&#xa0;: %n exigence non satisfaite</numerusform>
+            <numerusform>Essai NON conforme à %1&#xa0;: %n exigences non satisfaites</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>see page %1</source>
+        <translation>voir page %1</translation>
+    </message>
+    <message>
+        <source>means</source>
+        <comment>figure</comment>
+        <translation>moyennes</translation>
+    </message>
+    <message>
+        <source>means and limits at ± %1s</source>
+        <translation>moyennes et limites à ± %1s</translation>
+    </message>
+    <message>
+        <source>bidirectional test</source>
+        <translation>essai bidirectionnel</translation>
+    </message>
+    <message>
+        <source>unidirectional test</source>
+        <translation>essai unidirectionnel</translation>
+    </message>
+    <message>
+        <source>what the edition asks for and this test does not have</source>
+        <translation>ce que l’édition demande et que cet essai n’a pas</translation>
+    </message>
+    <message>
+        <source>Limits and decision rule</source>
+        <translation>Limites et règle de décision</translation>
+    </message>
+    <message>
+        <source>Agreed for</source>
+        <translation>Convenue pour</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <comment>of a limit</comment>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Simple acceptance: a value conforms when it is not above its limit; the uncertainty has no part in it.</source>
+        <translation>Acceptation simple&#xa0;: une valeur est conforme lorsqu’elle ne dépasse pas sa limite&#x202f;; l’incertitude n’intervient pas.</translation>
+    </message>
+    <message>
+        <source>ISO 14253-1, conformity has to be proven: a value conforms when it is at least g below its limit, does not conform when it is more than g above it, and is not proven between; g = %1·U.</source>
+        <translation>ISO 14253-1, conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g, non conforme lorsqu’elle la dépasse de plus de g, et non prouvée entre les deux&#x202f;; g = %1·U.</translation>
+    </message>
+    <message>
+        <source>Non-conformity has to be proven: a value conforms when it is at least g below its limit and does not conform when it is more than g above it; between, non-conformity is not proven: may not be rejected; g = %1·U.</source>
+        <translation>Non-conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g et non conforme lorsqu’elle la dépasse de plus de g&#x202f;; entre les deux, non-conformité non démontrée&#xa0;: ne peut être refusé&#x202f;; g = %1·U.</translation>
+    </message>
+    <message>
+        <source>The factor 1 is the guard band of the earlier editions of ISO 14253-1.</source>
+        <translation>Le facteur 1 est la bande de garde des éditions antérieures de l’ISO 14253-1.</translation>
+    </message>
+    <message>
+        <source>The factor 0.83 (1.65 u) is the later 95 % rule of ISO 14253-1 for one limit.</source>
+        <translation>Le facteur 0,83 (1,65 u) est la règle à 95&#xa0;% des éditions ultérieures de l’ISO 14253-1 pour une seule limite.</translation>
+    </message>
+    <message>
+        <source>Signed results are compared by their absolute value; the verdict is taken from the unrounded values.</source>
+        <translation>Les résultats signés sont comparés par leur valeur absolue&#x202f;; le verdict est pris sur les valeurs non arrondies.</translation>
     </message>
     <message>
         <source>accuracy</source>
@@ -1446,6 +2448,75 @@
     <message>
         <source>Symbol</source>
         <translation>Symbole</translation>
+    </message>
+    <message>
+        <source>ISO %1</source>
+        <comment>after a preposition</comment>
+        <translation>l’ISO %1</translation>
+    </message>
+    <message>
+        <source>Positioning test of the %1 axis</source>
+        <translation>Essai de positionnement de l’axe %1</translation>
+    </message>
+    <message>
+        <source>Circular test in the %1 plane</source>
+        <translation>Essai de circularité dans le plan %1</translation>
+    </message>
+    <message>
+        <source>Drift test of the %1 axis</source>
+        <translation>Essai de dérive de l’axe %1</translation>
+    </message>
+    <message>
+        <source>the picture to write; its ending says what it is</source>
+        <translation>l’image à écrire&#x202f;; son extension dit ce qu’elle est</translation>
+    </message>
+    <message>
+        <source>which test of the file, from 1; without it the first</source>
+        <translation>quel essai du fichier, à partir de 1&#x202f;; sans elle, le premier</translation>
+    </message>
+    <message>
+        <source>which figure; without it that of the test</source>
+        <translation>quelle figure&#x202f;; sans elle, celle de l’essai</translation>
+    </message>
+    <message>
+        <source>there is no test %1; the file has %2</source>
+        <translation>il n’y a pas d’essai %1&#x202f;; le fichier en a %2</translation>
+    </message>
+    <message>
+        <source>the command %1 needs a file to write (%2)</source>
+        <translation>la commande %1 a besoin d’un fichier à écrire (%2)</translation>
+    </message>
+    <message>
+        <source>the command %1 takes one file</source>
+        <translation>la commande %1 prend un seul fichier</translation>
+    </message>
+    <message>
+        <source>unknown figure %1; known: %2</source>
+        <translation>figure %1 inconnue&#x202f;; connues&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>the test %1 has no figure %2</source>
+        <translation>l’essai %1 n’a pas de figure %2</translation>
+    </message>
+    <message>
+        <source>one figure as a picture</source>
+        <translation>une figure comme image</translation>
+    </message>
+    <message>
+        <source>the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf</source>
+        <translation>le PDF à écrire&#x202f;; pour deux langues OUT.fr.pdf et OUT.en.pdf</translation>
+    </message>
+    <message>
+        <source>language of the report; without it those the file asks for</source>
+        <translation>langue du rapport&#x202f;; sans elle, celles que le fichier demande</translation>
+    </message>
+    <message>
+        <source>standard output takes one report; choose --language</source>
+        <translation>la sortie standard prend un seul rapport&#x202f;; choisir --language</translation>
+    </message>
+    <message>
+        <source>the printed report as PDF</source>
+        <translation>le rapport imprimé en PDF</translation>
     </message>
 </context>
 </TS>

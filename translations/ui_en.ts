@@ -67,6 +67,23 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::ReportDialog</name>
+    <message numerus="yes">
+        <source>%n required statement(s) missing; printed as “–”</source>
+        <translation>
+            <numerusform>%n required statement missing; printed as “–”</numerusform>
+            <numerusform>%n required statements missing; printed as “–”</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s) %1 · preview = PDF = paper</source>
+        <translation>
+            <numerusform>%n page %1 · preview = PDF = paper</numerusform>
+            <numerusform>%n pages %1 · preview = PDF = paper</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::Workplace</name>
     <message numerus="yes">
         <source>%n target(s)</source>

@@ -7,6 +7,10 @@
         <source>set the edition of the test</source>
         <translation>définir l’édition de l’essai</translation>
     </message>
+    <message>
+        <source>choose what the report has</source>
+        <translation>choisir ce que contient le rapport</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -942,6 +946,14 @@
         <source>State</source>
         <translation>État</translation>
     </message>
+    <message>
+        <source>Re&amp;port…</source>
+        <translation>Ra&amp;pport…</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NavigationList</name>
@@ -1072,6 +1084,159 @@
     <message>
         <source>Readings</source>
         <translation>Relevés</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ReportDialog</name>
+    <message>
+        <source>Values per target</source>
+        <translation>Valeurs par point visé</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Relevés</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation>Signatures</translation>
+    </message>
+    <message>
+        <source>Single readings in the figure</source>
+        <translation>Relevés dans la figure</translation>
+    </message>
+    <message>
+        <source>Mean repeatability (1988)</source>
+        <translation>Répétabilité moyenne (1988)</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Laboratoire</translation>
+    </message>
+    <message>
+        <source>Supplier</source>
+        <translation>Fournisseur</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Client</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n required statement(s) missing; printed as “–”</source>
+        <translation>
+            <numerusform>%n information requise manque&#x202f;; elle sera imprimée «&#xa0;–&#xa0;»</numerusform>
+            <numerusform>%n informations requises manquent&#x202f;; elles seront imprimées «&#xa0;–&#xa0;»</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Report %1</source>
+        <translation>Rapport %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s) %1 · preview = PDF = paper</source>
+        <translation>
+            <numerusform>%n page %1 · aperçu = PDF = papier</numerusform>
+            <numerusform>%n pages %1 · aperçu = PDF = papier</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>Fichiers PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be saved</source>
+        <translation>%1 ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The printer did not accept the report.</source>
+        <translation>L’imprimante n’a pas accepté le rapport.</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Page précédente</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Page suivante</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Plus petit</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Plus grand</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Largeur</translation>
+    </message>
+    <message>
+        <source>Pages of the report</source>
+        <translation>Pages du rapport</translation>
+    </message>
+    <message>
+        <source>Pages in small</source>
+        <translation>Pages en petit</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <source>Both languages</source>
+        <translation>Les deux langues</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>P&amp;apier</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Sections</translation>
+    </message>
+    <message>
+        <source>&amp;Save PDF…</source>
+        <translation>&amp;Enregistrer le PDF…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Imprimer…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,8 @@
 
 #include "commands/check.h"
 #include "commands/evaluate.h"
+#include "commands/figure.h"
+#include "commands/report.h"
 #include "commands/selftest.h"
 #include "report/plaintext.h"
 
@@ -40,7 +42,8 @@ QString rows(const std::vector<HelpRow> &list) {
 }
 
 QString optionName(const Option &option) {
-    QString name = QStringLiteral("--") + QString::fromUtf8(option.name);
+    const QString bare = QString::fromUtf8(option.name);
+    QString name = (bare.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + bare;
     if (*option.value != 0)
         name += u' ' + QString::fromUtf8(option.value);
     return name;
@@ -55,14 +58,18 @@ QString commandLine(const Command &command) {
     return QString::fromUtf8(command.name) + u' ' + QString::fromUtf8(command.arguments);
 }
 
+const Option *findOwnOption(const Command &command, const QString &name) {
+    const auto found = std::ranges::find_if(
+        command.options, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
+    return found == command.options.end() ? nullptr : &*found;
+}
+
 const Option *findOption(const Command &command, const QString &name) {
-    for (const std::span<const Option> list : {command.options, std::span<const Option>(commonOptions)}) {
-        const auto found = std::ranges::find_if(
-            list, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
-        if (found != list.end())
-            return &*found;
-    }
-    return nullptr;
+    if (const Option *own = findOwnOption(command, name))
+        return own;
+    const auto found = std::ranges::find_if(
+        commonOptions, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
+    return found == commonOptions.end() ? nullptr : &*found;
 }
 
 /// An option with its value, which is `given` ("--name=value") or the next word.
@@ -96,8 +103,15 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(), selftestCommand()};
+    static const std::array table{evaluateCommand(), checkCommand(), reportCommand(), figureCommand(),
+                                  selftestCommand()};
     return table;
+}
+
+bool needsDrawing(const QStringList &words) {
+    return std::ranges::any_of(commands(), [&words](const Command &command) {
+        return command.draws && words.contains(QString::fromUtf8(command.name));
+    });
 }
 
 Invocation parseArguments(const Command &command, const QStringList &words, Language language) {
@@ -111,8 +125,11 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
             onlyFiles = true;
         } else {
             const qsizetype mark = word.indexOf(u'=');
-            const QString name =
-                word.startsWith(QLatin1StringView("--")) ? word.mid(2, mark < 0 ? -1 : mark - 2) : QString();
+            const bool isLong = word.startsWith(QLatin1StringView("--"));
+            const QString longName = word.mid(2, mark < 0 ? -1 : mark - 2);
+            QString name = word.size() == 2 ? word.mid(1) : QString(); // -o
+            if (isLong)
+                name = longName.size() > 1 ? longName : QString();
             const Option *option = findOption(command, name);
             if (!option)
                 throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),
@@ -120,7 +137,9 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
             take(result, *option, mark < 0 ? std::nullopt : std::optional(word.mid(mark + 1)), words, next);
         }
     }
-    if (const auto chosen = result.value(QLatin1StringView("language"))) {
+    // A command may give the option another meaning: the languages of its reports.
+    const bool ownLanguage = findOwnOption(command, QStringLiteral("language"));
+    if (const auto chosen = result.value(QLatin1StringView("language")); chosen && !ownLanguage) {
         const auto found = Language::fromName(*chosen);
         if (!found)
             throw UsageError(
@@ -176,7 +195,10 @@ QString programHelp(const Language &language) {
 QString commandHelp(const Command &command, const Language &language) {
     std::vector<HelpRow> options;
     addOptions(options, command.options, language);
-    addOptions(options, commonOptions, language);
+    for (const Option &option : commonOptions) {
+        if (!findOwnOption(command, QString::fromUtf8(option.name)))
+            addOptions(options, {&option, 1}, language);
+    }
     return QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) + QStringLiteral(" [OPTION]… ") +
            QString::fromUtf8(command.arguments) + QStringLiteral("\n\n") +
            wrapped(language.text(command.description), terminalWidth).join(u'\n') + QStringLiteral("\n\n") +

@@ -23,7 +23,8 @@ enum ExitCode : int {
 /// The worse of two codes, by rank and not by number alone.
 [[nodiscard]] int worse(int a, int b);
 
-/// An option of a command: --name, or --name VALUE where `value` stands for something.
+/// An option of a command: --name, or --name VALUE where `value` stands for something. A name of one letter
+/// has one dash.
 struct Option {
     const char *name;
     const char *value; ///< placeholder in the help; empty for a switch
@@ -48,6 +49,7 @@ struct Command {
     Text description;
     std::span<const Option> options;
     int (*run)(const Invocation &);
+    bool draws = false; ///< needs a QApplication
 };
 
 /// Wrong usage: one line on stderr, exit code 2.
@@ -62,6 +64,9 @@ public:
 
 /// The commands there are.
 [[nodiscard]] std::span<const Command> commands();
+
+/// Whether a command among the words draws figures or pages.
+[[nodiscard]] bool needsDrawing(const QStringList &words);
 
 /// Takes the words after the command's name apart. Throws UsageError.
 [[nodiscard]] Invocation parseArguments(const Command &command, const QStringList &words, Language language);

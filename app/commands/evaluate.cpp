@@ -1,6 +1,7 @@
 #include "commands/evaluate.h"
 
 #include "commands/eachfile.h"
+#include "commands/rejection.h"
 #include "export/resultsjson.h"
 #include "report/plaintext.h"
 #include "report/results.h"
@@ -32,15 +33,6 @@ std::string editionOf(const Invocation &invocation) {
     throw UsageError({REPORT_TEXT("report", "unknown edition %1; known: %2"), {word->toStdString(), known}});
 }
 
-/// A verdict other than "conforms"; where rejection has to be proven, only "does not conform".
-bool isRejected(const Test &test, const TestEvaluation &evaluation) {
-    if (!evaluation.verdict)
-        return false;
-    if (test.decisionRule.rule == Rule::rejectionProven)
-        return *evaluation.verdict == Verdict::doesNotConform;
-    return *evaluation.verdict != Verdict::conforms;
-}
-
 int run(const Invocation &invocation) {
     const std::string edition = editionOf(invocation);
     const bool json = invocation.has(QLatin1StringView("json"));
@@ -59,12 +51,7 @@ int run(const Invocation &invocation) {
             printOut(head + plainText(composeResults(evaluated, invocation.language)));
         }
         first = false;
-        int code = done;
-        for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
-            if (isRejected(*evaluated.document->tests[i], *evaluated.tests[i]))
-                code = difference;
-        }
-        return code;
+        return hasRejection(evaluated) ? difference : done;
     });
 }
 

@@ -33,8 +33,7 @@ constexpr qint64 sizeLimit = qint64(1) << 30;
 
 } // namespace
 
-void saveDocument(const Document &document, const QString &path) {
-    const QByteArray bytes = writeDocument(document);
+void saveBytes(const QByteArray &bytes, const QString &path) {
     const QFileInfo info(path);
     if (info.isDir())
         refuse(Error::Kind::unwritable,
@@ -52,6 +51,10 @@ void saveDocument(const Document &document, const QString &path) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
         refuseSaving();
+}
+
+void saveDocument(const Document &document, const QString &path) {
+    saveBytes(writeDocument(document), path);
 }
 
 Document openDocument(const QString &path) {

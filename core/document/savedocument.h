@@ -3,13 +3,17 @@
 #include "document/document.h"
 #include "document/documenterror.h"
 
+#include <QByteArray>
 #include <QString>
 
 namespace palmer {
 
-/// Writes the test file of a document in one step: beside, flushed, renamed. Whatever fails, the file that
-/// was there before stays as it was; then throws Error(unwritable), which says why and what to do. Devices
-/// and pipes are written directly.
+/// Writes a file in one step: beside, flushed, renamed. Whatever fails, the file that was there before stays
+/// as it was; then throws Error(unwritable), which says why and what to do. Devices and pipes are written
+/// directly.
+void saveBytes(const QByteArray &bytes, const QString &path);
+
+/// The test file of a document, written so.
 void saveDocument(const Document &document, const QString &path);
 
 /// Reads the test file at that path. Throws Error(unreadable) for what cannot be read, Error(tooLarge) above

@@ -130,6 +130,32 @@ Json parameters(const TestEvaluation &evaluation, const Language &language) {
     return list;
 }
 
+const char *word(CircleOf of) {
+    switch (of) {
+    case CircleOf::both:
+        return "both";
+    case CircleOf::counterclockwise:
+        return "counterclockwise";
+    case CircleOf::clockwise:
+        return "clockwise";
+    }
+    return "";
+}
+
+Json circles(const CircularResults &results) {
+    Json list = Json::array();
+    for (const CircleResult &circle : results.circles)
+        list.push_back({{"of", word(circle.of)},
+                        {"kind", fileWord(circle.kind)},
+                        {"centre", Json::array({circle.centre.x, circle.centre.y})},
+                        {"radius", circle.radius},
+                        {"innerRadius", circle.innerRadius},
+                        {"outerRadius", circle.outerRadius},
+                        {"width", circle.width},
+                        {"certified", circle.certified ? Json(*circle.certified) : Json(nullptr)}});
+    return list;
+}
+
 Json uncertainty(UncertaintyMethod method) {
     return {{"method", fileWord(method)}, {"contributions", Json::array()}};
 }
@@ -157,9 +183,10 @@ Json testResults(const Test &source, const TestEvaluation &evaluation, const Lan
         test["uncertainty"] = uncertainty(m->uncertainty.method);
     } else if (const auto *circle = std::get_if<CircularMeasurement>(&source.measurement)) {
         addHead(test, source, evaluation, circle->conditions.common.correctionTo20, language);
-        test["circles"] = Json::array();
+        const auto &results = std::get<CircularResults>(evaluation.results);
+        test["circles"] = circles(results);
         test["uncertainty"] = uncertainty(circle->uncertainty.method);
-        test["correction"] = nullptr;
+        test["correction"] = number(results.correction);
     } else if (const auto *results = std::get_if<DriftResults>(&evaluation.results)) {
         const auto &drift = std::get<DriftMeasurement>(source.measurement);
         test["range"] = number(results->range);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int mostOfLengths = 3;
 constexpr int mostOfAngles = 4;
-constexpr int mostOfReadings = 3;
+constexpr int mostOfReadings = 4;
+constexpr int mostOfAngularReadings = 2; ///< degrees have no short form in arc seconds: 0.01″ has to do
 constexpr int finest = 9; ///< beyond stand the rounding errors of conversions
 constexpr std::size_t looked = 2000; ///< enough to see how many decimals numbers have
 
@@ -33,8 +34,17 @@ int positionDecimals(const PositioningMeasurement &measurement) {
     return std::min(result, most);
 }
 
+namespace {
+
+int mostDecimals(const Axis &axis) {
+    return axis.motion == Motion::rotary ? mostOfAngularReadings : mostOfReadings;
+}
+
+} // namespace
+
 int readingDecimals(const PositioningMeasurement &measurement) {
-    int result = 1;
+    const int most = mostDecimals(measurement.axis);
+    int result = 0;
     std::size_t seen = 0;
     for (const Run &run : measurement.runs) {
         for (const auto &deviation : run.deviations) {
@@ -42,15 +52,14 @@ int readingDecimals(const PositioningMeasurement &measurement) {
                 return result;
             if (deviation)
                 result = std::min(
-                    mostOfReadings,
-                    std::max(result, decimalsOf(*deviation, deviationQuantity(measurement.axis))));
+                    most, std::max(result, decimalsOf(*deviation, deviationQuantity(measurement.axis))));
         }
     }
     return result;
 }
 
 int statisticDecimals(const PositioningMeasurement &measurement) {
-    return readingDecimals(measurement) + 1;
+    return std::min(readingDecimals(measurement) + 1, mostDecimals(measurement.axis));
 }
 
 std::optional<double> finestResolution(std::span<const Instrument> instruments, const Test &test) {

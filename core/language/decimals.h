@@ -18,10 +18,10 @@ namespace palmer {
 /// The common decimals of target positions: those they have, at most 3 (mm) or 4 (degrees).
 [[nodiscard]] int positionDecimals(const PositioningMeasurement &measurement);
 
-/// The common decimals of the readings as deviations: those they have, at least 1 and at most 3.
+/// The common decimals of the readings as deviations: as they were entered, at most 4, of angles 2.
 [[nodiscard]] int readingDecimals(const PositioningMeasurement &measurement);
 
-/// Statistics per target: one more than the readings.
+/// Statistics per target: one more than the readings, within the same bounds.
 [[nodiscard]] int statisticDecimals(const PositioningMeasurement &measurement);
 
 /// The finest resolution of the instruments a test names, mm or degrees; null where none states one.

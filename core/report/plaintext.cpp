@@ -1,5 +1,7 @@
 #include "report/plaintext.h"
 
+#include "report/pagetext.h"
+
 #include <QStringList>
 #include <algorithm>
 #include <array>
@@ -78,7 +80,7 @@ Layout layout(const Table &table, std::size_t index) {
     const Column &column = table.columns[index];
     Layout result;
     for (const auto &row : table.rows) {
-        result.cells << orDash(row[index].plain());
+        result.cells << orDash(row[index].text.plain());
         if (column.alignment == Alignment::decimal && isNumber(result.cells.back()))
             result.whole = std::max(result.whole, wholeWidth(result.cells.back()));
     }
@@ -232,7 +234,16 @@ public:
         }
     }
     void operator()(const VerdictLine &line) {
-        m_lines << wrapped(line.limits, m_width) << wrapped(line.accordance, m_width);
+        const QString first = line.label.isEmpty() ? line.word : line.label + u' ' + line.word;
+        for (const QString &part : {first, line.reason, line.accordance}) {
+            if (!part.isEmpty())
+                m_lines << wrapped(part, m_width);
+        }
+    }
+    /// What is drawn on pages only reads as the words it carries.
+    void operator()(const auto &block) {
+        for (const QString &line : pageText(Block(block)).split(u'\n', Qt::SkipEmptyParts))
+            m_lines << wrapped(line, m_width);
     }
 
     void newBlock() {

@@ -1,9 +1,14 @@
 #pragma once
 
+#include "document/document.h"
+#include "figures/figure.h"
 #include "kernel/evaluation/finding.h"
 #include "kernel/evaluation/parameter.h"
 
+#include <QByteArray>
 #include <QString>
+#include <QStringList>
+#include <map>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -11,21 +16,26 @@
 
 namespace palmer {
 
+// Lengths in mm, for a text width of 175 mm (A4). On wider paper what is left goes to the flexible columns.
+
 /// A part of a text; a subscript stands lower on paper and beside it in plain text.
 struct Span {
     QString text;
     bool subscript = false;
+    bool italic = false;
+    bool muted = false; ///< grey and regular, as the unit beside a name
+    bool bold = false;
 
     bool operator==(const Span &) const = default;
 };
 
-/// A short text made of spans: a symbol with its index, a number, a name.
+/// A short text made of spans: a symbol with its index, a number, a name. A '\n' begins a line.
 struct Phrase {
     std::vector<Span> spans;
 
     Phrase() = default;
     Phrase(QString text) // NOLINT(google-explicit-constructor): most phrases are plain
-        : spans{{std::move(text), false}} {}
+        : spans{{std::move(text)}} {}
     explicit Phrase(std::vector<Span> parts)
         : spans(std::move(parts)) {}
 
@@ -34,21 +44,71 @@ struct Phrase {
     bool operator==(const Phrase &) const = default;
 };
 
-/// Level 1: a report or test; 2: a section; 3: within a section.
+/// Signs that are drawn as paths: no font has them all.
+enum class Mark {
+    none,
+    check,     ///< conforms, agreed
+    cross,     ///< does not conform, not agreed, requirement; the word beside it is bold
+    openCircle ///< not proven, recommendation, note
+};
+
+[[nodiscard]] Mark markOf(Verdict verdict);
+[[nodiscard]] Mark markOf(Grade grade);
+
+/// The guard picture of a result: base line from 0, tick at the limit, value as a diamond, and, where the
+/// rule has one, the band limit ± g. All in one unit, value by absolute value, limit > 0.
+struct Guard {
+    double limit = 1;
+    double value = 0;
+    std::optional<double> guardBand;
+
+    bool operator==(const Guard &) const = default;
+};
+
+/// A field of a table. Without text, mark and picture it prints a thin dash, unless it is blank.
+struct Cell {
+    Phrase text;
+    bool bold = false;
+    bool blank = false;     ///< nothing is to stand here, not even a dash
+    Mark mark = Mark::none; ///< before the text
+    std::optional<Guard> guard = {};
+
+    Cell() = default;
+    Cell(Phrase phrase) // NOLINT(google-explicit-constructor): most cells are a phrase
+        : text(std::move(phrase)) {}
+    Cell(QString words) // NOLINT(google-explicit-constructor)
+        : text(std::move(words)) {}
+
+    /// Prints the dash of a missing value.
+    [[nodiscard]] bool isMissing() const;
+
+    bool operator==(const Cell &) const = default;
+};
+
+[[nodiscard]] Cell blankCell();
+
+// ---- Blocks --------------------------------------------------------------------------------------------
+
+/// Level 1: a report or test; 2: a section; 3: within a section. Never parted from the block below it.
 struct Heading {
     int level = 2;
     QString text;
+    Phrase note = {};    ///< small and regular on the same line
+    QString anchor = {}; ///< what `VerdictLine::anchor` points to
 
     bool operator==(const Heading &) const = default;
 };
 
+enum class TextSize { normal, small }; ///< 9 pt black, 8 pt dark grey
+
 struct Paragraph {
-    QString text;
+    QString text; ///< '\n' begins a line
+    TextSize size = TextSize::normal;
 
     bool operator==(const Paragraph &) const = default;
 };
 
-/// A label and what is stated; an empty value prints as a thin dash.
+/// A label and what is stated; an empty value prints as a thin dash, '\n' begins a line.
 struct KeyValue {
     QString key;
     QString value;
@@ -58,37 +118,125 @@ struct KeyValue {
 
 struct KeyValues {
     std::vector<KeyValue> rows;
+    double labelWidth = 30;
 
     bool operator==(const KeyValues &) const = default;
 };
 
-/// decimal: aligned on the decimal mark.
+/// decimal: aligned on the decimal mark, the whole at the right edge.
 enum class Alignment { left, right, decimal };
 
 struct Column {
-    Phrase title;
-    QString unit; ///< second line of the head
+    Phrase title;      ///< bold, first line of the head
+    QString unit = {}; ///< regular, second line of the head
     Alignment alignment = Alignment::left;
-    bool flexible = false; ///< breaks into lines where the table is too wide
+    bool flexible = false; ///< breaks into lines where the table is too wide; takes what is left over
+    double width = 0;      ///< mm; 0: these columns share what the others leave, equally
+    int titleSpan = 1;     ///< columns the title spreads over; the titles of those are empty
+    double gapBefore = 0;  ///< mm before the column
+    double paddingLeft = 1;
 
     bool operator==(const Column &) const = default;
 };
 
-/// Rows of cells, one a column; an empty cell prints as a thin dash. A rule follows the rows whose index
-/// stands in `rulesAfter`, ascending; head and end have theirs anyway.
+/// A title over several columns, with a rule below it; stands on the first line of the head.
+struct Spanner {
+    std::size_t first = 0;
+    std::size_t count = 1;
+    Phrase title;
+
+    bool operator==(const Spanner &) const = default;
+};
+
+/// Rows of cells, one a column. A rule follows the rows whose index stands in `rulesAfter`, ascending; head
+/// and end have theirs anyway. The head is repeated on every page of a table that is split.
 struct Table {
     std::vector<Column> columns;
-    std::vector<std::vector<Phrase>> rows;
-    std::vector<std::size_t> rulesAfter;
+    std::vector<std::vector<Cell>> rows = {};
+    std::vector<std::size_t> rulesAfter = {};
+    std::vector<Spanner> spanners = {};
+    bool unbroken = false; ///< never split over two pages
+    bool headless = false; ///< without head
 
     bool operator==(const Table &) const = default;
 };
 
-/// One finding in words.
+/// What may stand in a half of a page.
+using Part = std::variant<Heading, Paragraph, KeyValues, Table>;
+
+/// Two columns of blocks from the same height on; drawn and read left, then right. Never split.
+struct SideBySide {
+    std::vector<Part> left;
+    std::vector<Part> right;
+    double leftWidth = 83; ///< mm
+    double gap = 9;        ///< mm
+
+    bool operator==(const SideBySide &) const = default;
+};
+
+/// The head of a test or of the summary. Empty texts are left out together with their lines.
+struct TestHead {
+    QString laboratory;
+    QString address;         ///< may have several lines
+    QString accreditation;   ///< below the address
+    QByteArray logo;         ///< PNG or SVG, at most 10 mm high; before the name of the laboratory
+    QByteArray mark;         ///< of the accreditation body, PNG or SVG, likewise
+    QString number;          ///< "Report No. …", right
+    QStringList numberNotes; ///< revision and what it replaces, date of issue, "Test 1 of 2": right, small
+    QString title;
+    QString subtitle;
+    QString editionTitle; ///< the edition's own title words; small, below the subtitle
+    QString notice;       ///< that this is no acceptance result: bold, below the titles
+    KeyValues left;       ///< 74 wide, gap 9
+    KeyValues right;
+
+    bool operator==(const TestHead &) const = default;
+};
+
+/// A figure with its caption, the heading above it.
+struct FigureBlock {
+    Figure figure;
+    double width = 175;
+    double height = 86;
+
+    bool operator==(const FigureBlock &) const = default;
+};
+
+enum class LegendSign { none, value, limit, band };
+
+struct LegendItem {
+    LegendSign sign = LegendSign::none;
+    QString text;
+
+    bool operator==(const LegendItem &) const = default;
+};
+
+/// One line below the results: what the guard pictures mean. Stays with the table above it.
+struct ResultsLegend {
+    std::vector<LegendItem> items;
+
+    bool operator==(const ResultsLegend &) const = default;
+};
+
+/// The two parts of the verdict on a test: its limits, and its accordance with the edition. Stays with the
+/// block above it. Order of the text: label, word, reason, accordance.
+struct VerdictLine {
+    std::optional<Verdict> verdict;
+    QString label;  ///< "Verdict of the test"
+    QString word;   ///< in capitals where there is a verdict
+    QString reason; ///< which limits, at most two lines
+    bool inAccordance = true;
+    QString accordance; ///< with "%1" for the page of `anchor`, where there is one; bold if not in accordance
+    QString anchor = {};
+
+    bool operator==(const VerdictLine &) const = default;
+};
+
+/// One finding in words. Order of the text: grade, sentence, clause.
 struct FindingLine {
     Grade grade = Grade::note;
     QString gradeName;
-    QString clause; ///< "4.3.2"; empty where it is not known
+    QString clause; ///< "4.3.2"; empty where it is not known: a dash
     QString sentence;
 
     bool operator==(const FindingLine &) const = default;
@@ -100,24 +248,71 @@ struct FindingsBlock {
     bool operator==(const FindingsBlock &) const = default;
 };
 
-/// The two parts of the verdict on a test: its limits, and its accordance with the edition.
-struct VerdictLine {
-    std::optional<Verdict> verdict;
-    QString limits;
-    bool inAccordance = true;
-    QString accordance;
+/// A line to be filled by hand, with what is known already printed on it.
+struct SignatureLine {
+    QString label;
+    QString value = {};
+    bool forSignature = false; ///< with the free space of a signature
 
-    bool operator==(const VerdictLine &) const = default;
+    bool operator==(const SignatureLine &) const = default;
 };
 
-using Block = std::variant<Heading, Paragraph, KeyValues, Table, FindingsBlock, VerdictLine>;
+struct SignatureColumn {
+    QString heading;
+    std::vector<SignatureLine> lines;
+
+    bool operator==(const SignatureColumn &) const = default;
+};
+
+/// Columns side by side, at most four; never split. Order of the text: column by column, in each the heading
+/// and then label and value of each line.
+struct Signatures {
+    std::vector<SignatureColumn> columns;
+
+    bool operator==(const Signatures &) const = default;
+};
+
+/// From here on every page but the first (the one this stands on) carries these lines above a rule.
+struct RunningHead {
+    QString left;
+    QString right;
+
+    bool operator==(const RunningHead &) const = default;
+};
+
+struct PageBreak {
+    bool operator==(const PageBreak &) const = default;
+};
+
+/// The last words of a report, centred.
+struct EndMark {
+    QString text;
+
+    bool operator==(const EndMark &) const = default;
+};
+
+using Block =
+    std::variant<Heading, Paragraph, KeyValues, Table, SideBySide, TestHead, FigureBlock, ResultsLegend,
+                 VerdictLine, FindingsBlock, Signatures, RunningHead, PageBreak, EndMark>;
 
 /// What is to be read, block by block in the order of reading, in one language; where it stands on a page or
 /// a terminal is the business of who draws it.
 struct Report {
     std::vector<Block> blocks;
+    QString language = {}; ///< "en", "fr"
+    Paper paper = Paper::a4;
+    QString title = {};        ///< of the PDF
+    QString laboratory = {};   ///< its author
+    QString date = {};         ///< YYYY-MM-DD or empty: the only date the PDF carries
+    QString fingerprint = {};  ///< SHA-256 of the test file, 64 hex digits
+    QString footerLeft = {};   ///< "Report …"
+    QString footerCentre = {}; ///< "Fingerprint SHA-256 …"
+    QString footerRight = {};  ///< "page %1 / %2"
 
     bool operator==(const Report &) const = default;
 };
+
+/// The report with the pages of its anchors put in. Anchors without a page print a dash.
+[[nodiscard]] Report withPages(Report report, const std::map<QString, int> &pages);
 
 } // namespace palmer

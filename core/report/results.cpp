@@ -1,42 +1,14 @@
 #include "report/results.h"
 
 #include "kernel/evaluation/targetvalue.h"
-#include "language/rounding.h"
+#include "report/wording.h"
 
 #include <QStringList>
 #include <algorithm>
-#include <cmath>
 
 namespace palmer {
 
 namespace {
-
-constexpr int mostDecimals = 3;              ///< of readings and positions, whatever the file holds
-constexpr std::size_t readingsLooked = 2000; ///< enough to see how many decimals readings have
-
-Text verdictText(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::conforms:
-        return REPORT_TEXT("report", "conforms");
-    case Verdict::notProven:
-        return REPORT_TEXT("report", "not proven");
-    case Verdict::doesNotConform:
-        return REPORT_TEXT("report", "does not conform");
-    }
-    return {};
-}
-
-Text gradeText(Grade grade) {
-    switch (grade) {
-    case Grade::requirement:
-        return REPORT_TEXT("report", "requirement");
-    case Grade::recommendation:
-        return REPORT_TEXT("report", "recommendation");
-    case Grade::note:
-        return REPORT_TEXT("report", "note");
-    }
-    return {};
-}
 
 Text ruleText(Rule rule) {
     switch (rule) {
@@ -48,66 +20,6 @@ Text ruleText(Rule rule) {
         return REPORT_TEXT("report", "non-conformity to be proven");
     }
     return {};
-}
-
-Text correctionText(CorrectionTo20 correction) {
-    switch (correction) {
-    case CorrectionTo20::notStated:
-        return REPORT_TEXT("report", "not stated");
-    case CorrectionTo20::notApplied:
-        return REPORT_TEXT("report", "not applied");
-    case CorrectionTo20::appliedByInstrument:
-        return REPORT_TEXT("report", "applied by the instrument");
-    case CorrectionTo20::appliedHere:
-        return REPORT_TEXT("report", "applied here");
-    }
-    return {};
-}
-
-/// Digits after the point of the shortest form of a number, in the unit it is shown in.
-int decimalsOf(double value, Quantity quantity) {
-    const std::string digits = Decimal(value, quantity).shortest();
-    const auto point = digits.find('.');
-    return point == std::string::npos ? 0 : static_cast<int>(digits.size() - point - 1);
-}
-
-/// The common decimals of positions, at most `mostDecimals`.
-int positionDecimals(const std::vector<double> &targets, Quantity quantity) {
-    int result = 0;
-    for (std::size_t i = 0; i < std::min(targets.size(), readingsLooked); ++i)
-        result = std::max(result, decimalsOf(targets[i], quantity));
-    return std::min(result, mostDecimals);
-}
-
-/// Statistics per target have one digit more than the readings. Angles in degrees have no short form in arc
-/// seconds: there 0.01″ has to do.
-int statisticDecimals(const PositioningMeasurement &measurement, Quantity quantity) {
-    const int most = quantity == Quantity::angularDeviation ? 1 : mostDecimals;
-    int result = 0;
-    std::size_t looked = 0;
-    for (const Run &run : measurement.runs) {
-        for (const auto &deviation : run.deviations) {
-            if (looked++ == readingsLooked)
-                return std::min(result, most) + 1;
-            if (deviation)
-                result = std::max(result, decimalsOf(*deviation, quantity));
-        }
-    }
-    return std::min(result, most) + 1;
-}
-
-QString arrow(Direction direction) {
-    return direction == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
-}
-
-Phrase symbolPhrase(const Symbol &symbol, const std::string &index = {}) {
-    std::vector<Span> spans{{QString::fromUtf8(symbol.base), false}};
-    const QString lower = QString::fromUtf8(symbol.subscript) + QString::fromStdString(index);
-    if (!lower.isEmpty())
-        spans.push_back({lower, true});
-    if (*symbol.arrow != 0)
-        spans.push_back({QString::fromUtf8(symbol.arrow), false});
-    return Phrase(std::move(spans));
 }
 
 /// Composes one test after the other; everything in the one language.
@@ -277,64 +189,25 @@ private:
                         results.range ? m_language.quantity(*results.range, quantity, 2) : QString()}}});
     }
 
-    [[nodiscard]] bool isPrinted(const Parameter &parameter) const {
-        const auto &include = m_document.report.include;
-        return parameter.term.printed == Printed::always ||
-               std::ranges::find(include, ReportExtra::meanRepeatability) != include.end();
-    }
-
-    /// The finest that any instrument of the test shows, in mm or degrees.
-    [[nodiscard]] std::optional<double> resolution(const Test &test) const {
-        std::optional<double> result;
-        for (const std::string &id : test.instruments) {
-            const auto found = std::ranges::find(m_document.instruments, id, &Instrument::id);
-            if (found != m_document.instruments.end() && found->resolution)
-                result = std::min(result.value_or(*found->resolution), *found->resolution);
-        }
-        return result;
-    }
-
-    [[nodiscard]] static int decimals(const Parameter &parameter, std::optional<double> resolution) {
-        const Quantity quantity = parameter.term.quantity;
-        int result = decimalsWithoutUncertainty;
-        if (parameter.expandedUncertainty)
-            result = decimalsWithUncertainty(*parameter.expandedUncertainty, quantity, resolution);
-        if (parameter.value && parameter.limit && parameter.limit->value)
-            result =
-                decimalsShowingSide(std::abs(*parameter.value), *parameter.limit->value, quantity, result);
-        return result;
-    }
-
-    [[nodiscard]] static QString rulingText(const Parameter &parameter) {
-        QStringList ends;
-        for (const auto &ruling : parameter.ruling) {
-            if (ruling)
-                ends << QString::number(ruling->target) +
-                            (ruling->approach ? arrow(*ruling->approach) : QString());
-        }
-        return ends.join(QStringLiteral(" – "));
-    }
-
     [[nodiscard]] QString nameOf(const Parameter &parameter, const Edition &edition,
                                  bool notCorrected) const {
         QString name = text(parameter.term.name);
-        const auto row = std::ranges::find(edition.rows, std::string_view(parameter.term.id),
-                                           [](const Row &r) { return std::string_view(r.term.id); });
-        if (notCorrected && row != edition.rows.end() && row->dependsOnTemperature)
+        const Row *row = rowOf(edition, parameter);
+        if (notCorrected && row && row->dependsOnTemperature)
             name += QStringLiteral(" (") + text(REPORT_TEXT("report", "not corrected to 20 °C")) + u')';
         return name;
     }
 
     void addParameters(const Test &test, const TestEvaluation &evaluation, bool notCorrected) {
         Table table;
-        const std::optional<double> finest = resolution(test);
+        const std::optional<double> finest = finestResolution(m_document, test);
         char group = 0;
         QString unit;
         for (const Parameter &parameter : evaluation.parameters) {
-            if (!isPrinted(parameter))
+            if (!isPrinted(parameter, m_document.report))
                 continue;
             const Quantity quantity = parameter.term.quantity;
-            const int digits = decimals(parameter, finest);
+            const int digits = parameterDecimals(parameter, finest);
             const auto shown = [&](std::optional<double> value, int places) {
                 return value ? Phrase(m_language.number(*value, quantity, places)) : Phrase();
             };
@@ -365,27 +238,13 @@ private:
         m_report.blocks.emplace_back(std::move(table));
     }
 
-    /// Whether the column of a quantity per target says anything about this test.
-    [[nodiscard]] static bool isShown(std::string_view id, const PositioningResults &results) {
-        const bool scatter = std::max(results.positiveRuns, results.negativeRuns) > 1;
-        if (id.starts_with("range") && results.standardDeviation != DeviationMethod::range)
-            return false;
-        if (!scatter && (id.starts_with("s") || id.starts_with("R")))
-            return false;
-        if (id.ends_with('+'))
-            return results.upward;
-        if (id.ends_with('-'))
-            return results.downward;
-        return results.upward && results.downward;
-    }
-
     [[nodiscard]] Table targetTable(const PositioningMeasurement &m, const Edition &edition,
                                     const PositioningResults &results) const {
         const bool linear = m.axis.motion == Motion::linear;
         const Quantity along = linear ? Quantity::position : Quantity::angle;
         const Quantity deviation = linear ? Quantity::deviation : Quantity::angularDeviation;
         const int places = positionDecimals(m.targets, along);
-        const int digits = statisticDecimals(m, deviation);
+        const int digits = statisticDecimals(m);
         Table table;
         table.columns = {{QStringLiteral("i"), {}, Alignment::right, false},
                          {Phrase({{QStringLiteral("P"), false}, {QStringLiteral("i"), true}}),
@@ -399,7 +258,7 @@ private:
                 {symbolPhrase(term.symbol), m_language.unit(deviation), Alignment::decimal, false});
         }
         for (std::size_t i = 0; i < results.targets.size(); ++i) {
-            std::vector<Phrase> row{QString::number(i + 1), m_language.number(m.targets[i], along, places)};
+            std::vector<Cell> row{QString::number(i + 1), m_language.number(m.targets[i], along, places)};
             for (const char *id : ids) {
                 const auto value = targetValue(id, results.targets[i], edition.c);
                 row.push_back(value ? Phrase(m_language.number(*value, deviation, digits)) : Phrase());
@@ -429,7 +288,7 @@ private:
                          {verdictText(*evaluation.verdict), ruleOf(test).toStdString()});
         else if (test.limits.empty())
             limits = text(REPORT_TEXT("report", "Limits: none agreed, no verdict."));
-        return {evaluation.verdict, limits, evaluation.inAccordance(), accordance(evaluation)};
+        return {evaluation.verdict, {}, {}, limits, evaluation.inAccordance(), accordance(evaluation)};
     }
 
     void addFindings(const TestEvaluation &evaluation) {

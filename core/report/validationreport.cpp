@@ -27,7 +27,7 @@ double rounded(double value, int digits) {
     return QString::number(value, 'g', digits).toDouble();
 }
 
-std::vector<Phrase> row(const Comparison &comparison, Quantity quantity, const Language &language) {
+std::vector<Cell> row(const Comparison &comparison, Quantity quantity, const Language &language) {
     const Expectation &expected = comparison.expectation;
     const Quantity ofDifference = expected.relative ? Quantity::number : quantity;
     const auto shown = [&](std::optional<double> value) {

@@ -112,7 +112,7 @@ void NavigationModel::rebuild() {
 }
 
 const NavigationModel::Row *NavigationModel::rowAt(const QModelIndex &index) const {
-    return checkIndex(index, CheckIndexOption::IndexIsValid) ? &m_rows[static_cast<std::size_t>(index.row())]
+    return index.isValid() && checkIndex(index, CheckIndexOption::IndexIsValid) ? &m_rows[static_cast<std::size_t>(index.row())]
                                                              : nullptr;
 }
 

@@ -47,6 +47,7 @@ ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
         view->setItemDelegate(new ReadingsDelegate(view)); // both before a model: it tells its current cell
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen}) {
+        view->setItemDelegate(new ReadingsDelegate(view)); // before the model, which tells of its current cell
         view->setModel(&model);
         view->setHorizontalHeader(new ReadingsHeader(model, view));
         view->verticalHeader()->hide();

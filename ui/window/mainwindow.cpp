@@ -1,6 +1,7 @@
 #include "ui/window/mainwindow.h"
 
 #include "document/savedocument.h"
+#include "ui/dialogs/reportdialog.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
@@ -118,6 +119,9 @@ void MainWindow::makeActions() {
     m_saveAsAction = addAction(m_fileMenu, QStringLiteral("saveAs"));
     m_saveAsAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
     m_fileMenu->addSeparator();
+    m_reportAction = addAction(m_fileMenu, QStringLiteral("report"), QStringLiteral("report"));
+    m_reportAction->setShortcut(QKeySequence::Print);
+    m_fileMenu->addSeparator();
     m_newWindowAction = addAction(m_fileMenu, QStringLiteral("newWindow"));
     m_newWindowAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W));
     m_closeAction = addAction(m_fileMenu, QStringLiteral("close"));
@@ -178,7 +182,9 @@ void MainWindow::makeToolBar() {
     m_toolBar->addSeparator();
     m_toolBar->addAction(m_undoAction);
     m_toolBar->addAction(m_redoAction);
-    for (QAction *action : {m_openAction, m_saveAction, m_undoAction, m_redoAction}) {
+    m_toolBar->addSeparator();
+    m_toolBar->addAction(m_reportAction);
+    for (QAction *action : {m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
         auto *button = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action));
         button->setObjectName(action->objectName() + QStringLiteral("Button"));
         button->setFocusPolicy(Qt::TabFocus);
@@ -214,6 +220,7 @@ void MainWindow::connectParts() {
     connect(m_openAction, &QAction::triggered, this, &MainWindow::chooseFile);
     connect(m_saveAction, &QAction::triggered, this, &MainWindow::save);
     connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveAs);
+    connect(m_reportAction, &QAction::triggered, this, &MainWindow::showReport);
     connect(m_newWindowAction, &QAction::triggered, this, [] { (new MainWindow)->show(); });
     connect(m_closeAction, &QAction::triggered, this, &QWidget::close);
     connect(m_quitAction, &QAction::triggered, qApp, &QApplication::closeAllWindows);
@@ -341,8 +348,8 @@ void MainWindow::take(Document document, const QString &path) {
     m_open = true;
     m_savedAt.clear();
     m_rememberNext = !isExample(path);
+    m_stack->setCurrentWidget(m_workplace); // has its size before it is filled
     m_model.setDocument(std::move(document), isExample(path) ? QString() : path);
-    m_stack->setCurrentWidget(m_workplace);
     showState();
 }
 
@@ -460,6 +467,7 @@ void MainWindow::showState() {
     const bool view = m_open && test < evaluated.size() && evaluated[test]->view;
     m_saveAction->setEnabled(m_open);
     m_saveAsAction->setEnabled(m_open);
+    m_reportAction->setEnabled(m_open);
     m_previousTestAction->setEnabled(test > 0 && test < tests);
     m_nextTestAction->setEnabled(test + 1 < tests);
     m_setEditionAction->setEnabled(view);
@@ -491,6 +499,11 @@ void MainWindow::showState() {
         m_state->setText(tr("Saved at %1").arg(m_savedAt));
     else
         m_state->setText(m_model.path().isEmpty() ? tr("Example") : QString());
+}
+
+void MainWindow::showReport() {
+    ReportDialog dialog(m_model, m_evaluator, this);
+    dialog.exec();
 }
 
 void MainWindow::about() {
@@ -569,6 +582,8 @@ void MainWindow::retranslate() {
     m_examplesMenu->setTitle(tr("E&xamples"));
     m_saveAction->setText(tr("&Save"));
     m_saveAsAction->setText(tr("Save &as…"));
+    m_reportAction->setText(tr("Re&port…"));
+    m_reportAction->setIconText(tr("Report…"));
     m_newWindowAction->setText(tr("&New window"));
     m_closeAction->setText(tr("&Close"));
     m_quitAction->setText(tr("&Quit"));
@@ -593,9 +608,9 @@ void MainWindow::retranslate() {
     m_toolBar->setAccessibleName(tr("Tools"));
     menuBar()->setAccessibleName(tr("Menus"));
     statusBar()->setAccessibleName(tr("State"));
-    for (QAction *action : {m_openAction, m_saveAction})
+    for (QAction *action : {m_openAction, m_saveAction, m_reportAction})
         action->setToolTip(hint(*action));
-    for (QAction *action : {m_openAction, m_saveAction, m_undoAction, m_redoAction}) {
+    for (QAction *action : {m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
         QString name = action->iconText();
         m_toolBar->widgetForAction(action)->setAccessibleName(name.remove(u'…'));
     }

@@ -65,6 +65,7 @@ private:
     void showState();
     void remember();
     void setEdition(std::size_t test, const QString &edition);
+    void showReport();
     void about();
     void retranslate();
 
@@ -94,6 +95,7 @@ private:
     QAction *m_openAction;
     QAction *m_saveAction;
     QAction *m_saveAsAction;
+    QAction *m_reportAction;
     QAction *m_newWindowAction;
     QAction *m_closeAction;
     QAction *m_quitAction;

@@ -9,17 +9,21 @@ Verdict decide(std::optional<double> value, double limit, std::optional<double> 
                const DecisionRule &rule) {
     if (!value)
         return Verdict::notProven;
-    const double size = std::abs(*value);
+    return decideUpper(std::abs(*value), limit, expandedUncertainty, rule);
+}
+
+Verdict decideUpper(double value, double limit, std::optional<double> expandedUncertainty,
+                    const DecisionRule &rule) {
     // 18 against 18 is equal, whatever the rounding errors of doubles made of the readings.
-    const double rounding = 1e-12 * std::max(size, std::abs(limit));
+    const double rounding = 1e-12 * std::max(std::abs(value), std::abs(limit));
     if (rule.rule == Rule::simpleAcceptance)
-        return size <= limit + rounding ? Verdict::conforms : Verdict::doesNotConform;
+        return value <= limit + rounding ? Verdict::conforms : Verdict::doesNotConform;
     const auto guard = guardBand(expandedUncertainty, rule);
     if (!guard)
         return Verdict::notProven;
-    if (size <= limit - *guard + rounding)
+    if (value <= limit - *guard + rounding)
         return Verdict::conforms;
-    return size > limit + *guard + rounding ? Verdict::doesNotConform : Verdict::notProven;
+    return value > limit + *guard + rounding ? Verdict::doesNotConform : Verdict::notProven;
 }
 
 std::optional<double> guardBand(std::optional<double> expandedUncertainty, const DecisionRule &rule) {

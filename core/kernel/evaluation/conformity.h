@@ -13,6 +13,10 @@ namespace palmer {
 [[nodiscard]] Verdict decide(std::optional<double> value, double limit,
                              std::optional<double> expandedUncertainty, const DecisionRule &rule);
 
+/// The same for a signed value that exists: value ≤ limit, whatever its sign.
+[[nodiscard]] Verdict decideUpper(double value, double limit, std::optional<double> expandedUncertainty,
+                                  const DecisionRule &rule);
+
 /// guardFactor·U, null under simple acceptance or without U.
 [[nodiscard]] std::optional<double> guardBand(std::optional<double> expandedUncertainty,
                                               const DecisionRule &rule);

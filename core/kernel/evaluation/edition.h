@@ -46,21 +46,29 @@ struct AgreementPoint {
 enum class Kind { positioning, circular, drift };
 
 struct PositioningCase; // a test and all that is known of it: positioningcase.h
+struct CircularCase;    // likewise: iso230_4/circularcase.h
 
 /// One thing an edition asks of a test. `unmet`: the sentence of the finding, or null when it is met.
-struct Requirement {
+template <class Case>
+struct RequirementOf {
     const char *id; ///< of a missing statement: the key in the file
-    const char *clause = "";
+    const char *clause;
     Grade grade;
-    std::optional<Message> (*unmet)(const PositioningCase &);
+    std::optional<Message> (*unmet)(const Case &);
 };
+using Requirement = RequirementOf<PositioningCase>;
 
 /// Something the report has to state.
-struct Statement {
+template <class Case>
+struct StatementOf {
     const char *id; ///< the key in the file
     Text name = {};
-    bool (*stated)(const PositioningCase &); ///< or does not apply to this test
+    bool (*stated)(const Case &); ///< or does not apply to this test
 };
+using Statement = StatementOf<PositioningCase>;
+
+/// What an edition of ISO 230-4 computes and asks for; see iso230_4/circularrules.h.
+struct CircularRules;
 
 /// The kind of test and what is asked of it; the first of an edition that applies is taken.
 struct Scheme {
@@ -73,7 +81,7 @@ struct Edition {
     const char *word;   ///< what the file says: "ISO 230-2:2006"
     const char *family; ///< word of the edition whose rules these are; verdicts hold within it
     Kind kind = Kind::positioning;
-    Text title = {};               ///< the standard's own title; empty where the designation stands alone
+    Text title = {};          ///< the standard's own title; empty where the designation stands alone
     double c = 0;             ///< factor of s (ISO 230-2)
     bool rangeMethod = false; ///< s by the range method allowed
     Text standardCycle = {};  ///< what the measuring cycles are called (ISO 230-2)
@@ -86,6 +94,7 @@ struct Edition {
     const char *statementsClause = "";
     std::span<const AgreementPoint> points = {};
     const char *pointsClause = "";
+    const CircularRules *circles = nullptr; ///< of ISO 230-4; null for ISO 230-2
 };
 
 /// All editions in the order they are offered in.

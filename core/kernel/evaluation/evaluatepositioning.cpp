@@ -1,6 +1,7 @@
 #include "kernel/evaluation/evaluatetest.h"
 
-#include "kernel/evaluation/conformity.h"
+#include "kernel/evaluation/agreedpoints.h"
+#include "kernel/evaluation/applylimits.h"
 #include "kernel/evaluation/iso230_2/correction.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
 #include "kernel/evaluation/positioningcase.h"
@@ -41,6 +42,7 @@ Parameter parameter(const Row &row, const PositioningMeasurement &measurement,
                     std::span<const TargetStatistics> targets, double c) {
     Parameter result;
     result.term = row.term;
+    result.dependsOnTemperature = row.dependsOnTemperature;
     if (measurement.axis.motion == Motion::rotary)
         result.term.quantity = Quantity::angularDeviation;
     const Outcome outcome = row.value(targets, c);
@@ -86,68 +88,6 @@ void explainMissingValues(TestEvaluation &evaluation, std::span<const TargetStat
     evaluation.findings.push_back({Grade::requirement, "noValue", "", std::move(message)});
 }
 
-/// The limit of a parameter where it holds: agreed for the edition in use or one of its aliases.
-bool holds(const Limit &limit, const TestEvaluation &evaluation) {
-    if (evaluation.view)
-        return false;
-    if (!limit.edition)
-        return true;
-    const Edition *agreed = findEdition(*limit.edition);
-    return agreed && std::string_view(agreed->family) == evaluation.edition->family;
-}
-
-void applyLimits(TestEvaluation &evaluation, const Test &test, const PositioningResults &results) {
-    bool proofNeedsUncertainty = false;
-    for (const auto &[id, limit] : test.limits) {
-        if (!limit.value || evaluation.view)
-            continue;
-        const auto found =
-            std::ranges::find_if(evaluation.parameters, [&](const Parameter &p) { return id == p.term.id; });
-        if (found == evaluation.parameters.end()) {
-            evaluation.findings.push_back(
-                {Grade::note,
-                 "limits",
-                 "",
-                 {REPORT_TEXT("report",
-                              "The limit of %1 has no verdict: this test has no such parameter under %2."),
-                  {id, std::string(evaluation.edition->word)},
-                  {}}});
-            continue;
-        }
-        if (!holds(limit, evaluation)) {
-            evaluation.findings.push_back(
-                {Grade::note,
-                 "limits",
-                 "",
-                 {REPORT_TEXT("report", "The limit of %1 has no verdict: it was agreed for %2, the test is "
-                                        "evaluated under %3."),
-                  {plainSymbol(*found), *limit.edition, std::string(evaluation.edition->word)},
-                  {}}});
-            continue;
-        }
-        found->limit = limit;
-        found->guardBand = guardBand(found->expandedUncertainty, test.decisionRule);
-        found->verdict = decide(found->value, *limit.value, found->expandedUncertainty, test.decisionRule);
-        if (test.decisionRule.rule != Rule::simpleAcceptance) {
-            proofNeedsUncertainty |= !found->expandedUncertainty;
-            const auto row = std::ranges::find(evaluation.edition->rows, id,
-                                               [](const Row &r) { return std::string_view(r.term.id); });
-            if (results.notCorrected && row->dependsOnTemperature)
-                found->verdict = Verdict::notProven;
-        }
-        evaluation.verdict = worst(evaluation.verdict, found->verdict);
-    }
-    if (proofNeedsUncertainty)
-        evaluation.findings.push_back(
-            {Grade::requirement,
-             "decisionRule",
-             "",
-             {REPORT_TEXT("report", "The decision rule needs the measurement uncertainty: without it "
-                                    "nothing is proven."),
-              {},
-              {}}});
-}
-
 void findUnmet(std::span<const Requirement> requirements, const PositioningCase &test,
                std::vector<Finding> &findings) {
     for (const Requirement &row : requirements) {
@@ -163,21 +103,6 @@ void findNotStated(const Edition &edition, const PositioningCase &test, std::vec
                                 row.id,
                                 edition.statementsClause,
                                 {REPORT_TEXT("report", "Not stated: %1."), {row.name}, {}}});
-    }
-}
-
-void findNotAgreed(const Edition &edition, const PositioningCase &test, std::vector<Finding> &findings) {
-    for (const AgreementPoint &row : edition.points) {
-        const AgreedPoint *point = test.agreedPoint(row.point);
-        if (!point || point->state == AgreementState::notAgreed)
-            findings.push_back(
-                {Grade::recommendation,
-                 std::string("agreedPoints.") + row.point,
-                 edition.pointsClause,
-                 {REPORT_TEXT("report",
-                              "To be agreed between supplier/manufacturer and user, not agreed: %1."),
-                  {row.name},
-                  {}}});
     }
 }
 
@@ -229,8 +154,12 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
         std::ranges::find(evaluation.findings, "cycle", &Finding::id) != evaluation.findings.end();
     explainMissingValues(evaluation, results.targets, results);
     findNotStated(edition, whole, evaluation.findings);
-    findNotAgreed(edition, whole, evaluation.findings);
-    applyLimits(evaluation, test, results);
+    findNotAgreed(edition, test, evaluation.findings);
+    applyLimits(evaluation, test, results.notCorrected, [&](const std::string &id) {
+        const auto found =
+            std::ranges::find_if(evaluation.parameters, [&](const Parameter &p) { return id == p.term.id; });
+        return found == evaluation.parameters.end() ? std::vector<Judged>{} : std::vector<Judged>{{&*found}};
+    });
 
     evaluation.results = std::move(results);
     return evaluation;

@@ -35,13 +35,10 @@ TestEvaluation evaluateTest(const Test &test, const Surroundings &surroundings, 
     if (const auto *drift = std::get_if<DriftMeasurement>(&test.measurement))
         return evaluateDrift(*drift);
     const Edition *edition = editionFor(test, asked);
-    if (std::holds_alternative<PositioningMeasurement>(test.measurement) && edition)
-        return evaluatePositioning(test, surroundings, *edition);
-    TestEvaluation evaluation;
-    evaluation.edition = edition;
-    evaluation.view = edition && test.edition != edition->word;
-    evaluation.results = CircularResults{};
-    return evaluation;
+    if (!edition)
+        return {}; // a word no reader lets in
+    return edition->kind == Kind::positioning ? evaluatePositioning(test, surroundings, *edition)
+                                              : evaluateCircular(test, surroundings, *edition);
 }
 
 } // namespace palmer

@@ -19,4 +19,9 @@ namespace palmer {
 [[nodiscard]] TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroundings,
                                                  const Edition &edition);
 
+/// The evaluation of a circular test; `test.measurement` holds a CircularMeasurement and `edition` is one of
+/// ISO 230-4.
+[[nodiscard]] TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundings,
+                                              const Edition &edition);
+
 } // namespace palmer

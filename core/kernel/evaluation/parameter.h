@@ -45,7 +45,9 @@ enum class Verdict { conforms, notProven, doesNotConform };
 /// `value` is null where a statistic it needs is missing; a finding says why.
 struct Parameter {
     Term term;
-    std::string index; ///< axes of a circular result ("XY"); empty for positioning
+    std::string index;                 ///< axes of a circular result ("XY"); empty for positioning
+    bool dependsOnTemperature = false; ///< wrong away from 20 °C unless corrected
+    bool required = true;              ///< one of the results the parties asked for (circular tests)
     std::optional<double> value;
     std::array<std::optional<Ruling>, 2> ruling; ///< the larger end first; first target on ties
     std::optional<double> expandedUncertainty;   ///< U, k = 2, of the deciding method

@@ -1,6 +1,6 @@
 #include "kernel/evaluation/positioningcase.h"
 
-#include <algorithm>
+#include "kernel/evaluation/agreedpoints.h"
 
 namespace palmer {
 
@@ -22,14 +22,8 @@ double PositioningCase::judgedTravel() const {
     return zoneTest() ? measurement.zone->to - measurement.zone->from : travel();
 }
 
-const AgreedPoint *PositioningCase::agreedPoint(std::string_view point) const {
-    const auto found = std::ranges::find(test.agreedPoints, point, &AgreedPoint::point);
-    return found == test.agreedPoints.end() ? nullptr : &*found;
-}
-
 bool PositioningCase::agreed(std::string_view point) const {
-    const AgreedPoint *found = agreedPoint(point);
-    return found && found->state == AgreementState::agreed;
+    return isAgreed(test, point);
 }
 
 } // namespace palmer

@@ -23,6 +23,7 @@ struct PositioningCase {
     bool uncertaintyStated = false; ///< every parameter with a value has its U
 
     [[nodiscard]] const PositioningConditions &conditions() const { return measurement.conditions; }
+    [[nodiscard]] const Conditions &common() const { return measurement.conditions.common; }
     [[nodiscard]] bool linear() const { return measurement.axis.motion == Motion::linear; }
 
     /// Axis travel; where it is not stated, the measurement travel. mm, rotary: degrees.
@@ -36,7 +37,6 @@ struct PositioningCase {
     /// A test of a long axis over its whole travel.
     [[nodiscard]] bool wholeTravelOfLongAxis() const { return longAxis() && !zoneTest(); }
 
-    [[nodiscard]] const AgreedPoint *agreedPoint(std::string_view point) const;
     [[nodiscard]] bool agreed(std::string_view point) const;
 };
 

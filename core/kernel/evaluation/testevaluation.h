@@ -6,7 +6,11 @@
 #include "kernel/evaluation/parameter.h"
 #include "kernel/evaluation/statistics.h"
 
+#include "kernel/measurement/circular.h"
+#include "kernel/numerics/points.h"
+
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -27,8 +31,44 @@ struct PositioningResults {
     bool stepCycleNotAgreed = false; ///< the title says: not an acceptance result under the edition
 };
 
-/// Results of a circular test; filled by the evaluation of circles.
-struct CircularResults {};
+/// The evaluated part of an arc. Points in mm about the programmed centre; of commanded angles rebuilt from
+/// the centring error of the test (kernel/numerics/centringerror.h).
+struct EvaluatedPath {
+    std::size_t arc = 0; ///< index in the measurement
+    Sense sense = Sense::counterclockwise;
+    std::string index;       ///< "XY": axes in the order in which the path crosses their positive ends
+    Interval evaluated;      ///< unwrapped degrees
+    double extent = 0;       ///< degrees; 360 for a full circle
+    bool fullCircle = false; ///< the gap that closes it is at most twice its largest inner step
+    Points points;           ///< evaluated points
+    std::vector<std::size_t> source; ///< of each point: its index in the arc
+};
+
+enum class CircleOf { both, counterclockwise, clockwise };
+
+/// A reference circle. Centre in mm relative to the programmed centre.
+struct CircleResult {
+    CircleOf of = CircleOf::both;
+    ReferenceCircle kind = ReferenceCircle::minimumZone;
+    Point centre;
+    double radius = 0;             ///< of minimum zone circles: the mean of both, mm
+    double innerRadius = 0;        ///< min r about the centre, mm
+    double outerRadius = 0;        ///< max r, mm
+    double width = 0;              ///< outer − inner, mm
+    std::optional<bool> certified; ///< minimum zone: proven the least; null for least squares
+};
+
+/// What a circular test yields besides its parameters.
+struct CircularResults {
+    std::vector<EvaluatedPath> paths;     ///< the first of each sense, in the order of measurement
+    std::vector<std::size_t> repetitions; ///< further arcs: for repeatability, shown on request
+    std::vector<CircleResult> circles;
+    std::optional<double> correction;   ///< C to 20 °C, mm, added to F and D; null: not applied here
+    std::optional<Point> centringError; ///< of commanded angles, mm
+    bool notCorrected = false;          ///< away from 20 °C and not corrected: F and D say so
+
+    [[nodiscard]] const CircleResult *circle(CircleOf of, ReferenceCircle kind) const;
+};
 
 /// A drift test: E_VE = max − min of its deviations.
 struct DriftResults {

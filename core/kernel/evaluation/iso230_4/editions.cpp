@@ -1,5 +1,7 @@
 #include "kernel/evaluation/iso230_4/editions.h"
 
+#include "kernel/evaluation/iso230_4/rules.h"
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -21,22 +23,25 @@ constexpr std::array points{
     AgreementPoint{"results", "c", REPORT_TEXT("report", "which of the results are required")},
 };
 
-Edition edition(const char *word, const char *pointsClause) {
+Edition edition(const char *word, const char *statementsClause, const char *pointsClause,
+                const CircularRules &rules) {
     return {.word = word,
             .family = word,
             .kind = Kind::circular,
             .title = title,
+            .statementsClause = statementsClause,
             .points = points,
-            .pointsClause = pointsClause};
+            .pointsClause = pointsClause,
+            .circles = &rules};
 }
 
 } // namespace
 
 std::span<const Edition> editions() {
     static const std::vector<Edition> table{
-        edition("ISO 230-4:1996", ""),
-        edition("ISO 230-4:2005", "7"),
-        edition("ISO 230-4:2022", ""),
+        edition("ISO 230-4:1996", "", "", rules1996()),
+        edition("ISO 230-4:2005", "4.4", "7", rules2005()),
+        edition("ISO 230-4:2022", "", "", rules2022()),
     };
     return table;
 }

@@ -1,0 +1,25 @@
+#include "commands/rejection.h"
+
+namespace palmer {
+
+namespace {
+
+bool isRejected(const Test &test, const TestEvaluation &evaluation) {
+    if (!evaluation.verdict)
+        return false;
+    if (test.decisionRule.rule == Rule::rejectionProven)
+        return *evaluation.verdict == Verdict::doesNotConform;
+    return *evaluation.verdict != Verdict::conforms;
+}
+
+} // namespace
+
+bool hasRejection(const EvaluatedDocument &evaluated) {
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (isRejected(*evaluated.document->tests[i], *evaluated.tests[i]))
+            return true;
+    }
+    return false;
+}
+
+} // namespace palmer

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+
+namespace palmer {
+
+/// Whether a test has a verdict other than "conforms"; where rejection has to be proven, only "does not
+/// conform".
+[[nodiscard]] bool hasRejection(const EvaluatedDocument &evaluated);
+
+} // namespace palmer

@@ -1,0 +1,100 @@
+#include "commands/report.h"
+
+#include "commands/outputfile.h"
+#include "commands/rejection.h"
+#include "commands/streams.h"
+#include "report/composereport.h"
+#include "ui/pdf/writepdf.h"
+#include "validation/validation.h"
+
+#include <QBuffer>
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::array options{
+    Option{"o", "OUT.pdf",
+           REPORT_TEXT("report", "the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf")},
+    Option{"language", "fr|en|fr,en",
+           REPORT_TEXT("report", "language of the report; without it those the file asks for")},
+};
+
+QStringList languagesOf(const Invocation &invocation, const Document &document) {
+    QStringList result;
+    if (const auto chosen = invocation.value(QLatin1StringView("language"))) {
+        result = chosen->split(u',');
+    } else {
+        for (const ReportLanguage language : document.report.languages)
+            result << (language == ReportLanguage::fr ? QStringLiteral("fr") : QStringLiteral("en"));
+    }
+    result.removeDuplicates();
+    return result;
+}
+
+/// "report.pdf" → "report.fr.pdf"
+QString withLanguage(const QString &file, const QString &language) {
+    const QString ending = QStringLiteral(".pdf");
+    const bool has = file.endsWith(ending, Qt::CaseInsensitive);
+    return (has ? file.chopped(ending.size()) : file) + u'.' + language + (has ? file.right(4) : ending);
+}
+
+bool selfTest() {
+    return std::ranges::all_of(validateAll(), &SetValidation::agrees);
+}
+
+void refuseUnknownLanguage(const Invocation &invocation) {
+    const auto chosen = invocation.value(QLatin1StringView("language"));
+    for (const QString &name : chosen ? chosen->split(u',') : QStringList()) {
+        if (!Language::fromName(name))
+            throw UsageError(
+                {REPORT_TEXT("report", "unknown language %1; known: fr, en"), {name.toStdString()}});
+    }
+}
+
+int run(const Invocation &invocation) {
+    const auto output = invocation.value(QLatin1StringView("o"));
+    if (!output)
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
+                          {std::string("report"), std::string("-o OUT.pdf")}});
+    if (invocation.arguments.size() != 1)
+        throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("report")}});
+    refuseUnknownLanguage(invocation);
+    const QString file = invocation.arguments.front();
+    try {
+        const EvaluatedDocument evaluated =
+            evaluate(std::make_shared<const Document>(documentFrom(file)), nullptr, {});
+        const QStringList languages = languagesOf(invocation, *evaluated.document);
+        const bool toStandardOutput = *output == QLatin1StringView("-");
+        if (toStandardOutput && languages.size() > 1)
+            throw UsageError(
+                {REPORT_TEXT("report", "standard output takes one report; choose --language"), {}});
+        const ReportOptions reportOptions{QStringLiteral("Palmer " PALMER_VERSION), selfTest()};
+        for (const QString &name : languages) {
+            QBuffer pdf;
+            pdf.open(QIODevice::WriteOnly);
+            ui::writePdf(composeReport(evaluated, Language::fromName(name).value(), reportOptions), pdf);
+            const QString target = languages.size() > 1 ? withLanguage(*output, name) : *output;
+            try {
+                writeOutput(pdf.data(), target);
+            } catch (const Error &error) {
+                printError(target, error, invocation.language);
+                return cannotRead;
+            }
+        }
+        return hasRejection(evaluated) ? difference : done;
+    } catch (const Error &error) {
+        printError(file, error, invocation.language);
+        return cannotRead;
+    }
+}
+
+} // namespace
+
+Command reportCommand() {
+    return {"report", "FILE", REPORT_TEXT("report", "the printed report as PDF"), options, run, true};
+}
+
+} // namespace palmer

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "kernel/evaluation/testevaluation.h"
+
+#include <vector>
+
+namespace palmer::iso230_4 {
+
+/// The minimum zone circles and the least squares circle of each path and, of a pair, of both together (each
+/// path with equal weight). Those that do not exist (too few points, collinear) are left out.
+[[nodiscard]] std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths);
+
+} // namespace palmer::iso230_4

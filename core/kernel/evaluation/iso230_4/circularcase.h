@@ -1,0 +1,60 @@
+#pragma once
+
+#include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/surroundings.h"
+#include "kernel/evaluation/testevaluation.h"
+
+#include <optional>
+
+namespace palmer {
+
+/// A circular test and all that its parameters and requirements look at. Owns nothing.
+struct CircularCase {
+    const Test &test;
+    const CircularMeasurement &measurement;
+    const Surroundings &surroundings;
+    const Edition &edition;
+    const CircularResults &results;
+    bool uncertaintyStated = false; ///< every required result with a value has its U
+
+    [[nodiscard]] const CircularConditions &conditions() const { return measurement.conditions; }
+    [[nodiscard]] const Conditions &common() const { return measurement.conditions.common; }
+    [[nodiscard]] bool feedback() const { return measurement.source == SignalSource::feedback; }
+
+    /// The path of that sense; null where none was measured.
+    [[nodiscard]] const EvaluatedPath *path(Sense sense) const;
+    [[nodiscard]] bool bothSenses() const;
+    /// Both senses, both full circles.
+    [[nodiscard]] bool twoFullCircles() const;
+    /// A result the parties asked for, as `limits` write it; all where they asked for none.
+    [[nodiscard]] bool isRequired(std::string_view quantity) const;
+    /// F or D is asked for and can be: the reference length counts, the temperature too.
+    [[nodiscard]] bool needsLength() const;
+    /// The reference length is stated to be uncalibrated: F and D are refused.
+    [[nodiscard]] bool notCalibrated() const;
+};
+
+/// One parameter of an edition of ISO 230-4.
+struct CircularRow {
+    enum class Of { eachArc, pair };
+
+    Term term;
+    const char *quantity; ///< what the parties ask for: Fmax and Fmin are both F
+    Of of;
+    bool external;             ///< of an external instrument; else of the feedback signal
+    bool dependsOnTemperature; ///< a length: corrected to 20 °C
+    /// Value in mm; null where it cannot be had. `path` is null for a pair.
+    std::optional<double> (*value)(const CircularCase &, const EvaluatedPath *path);
+};
+
+using CircularRequirement = RequirementOf<CircularCase>;
+using CircularStatement = StatementOf<CircularCase>;
+
+/// What an edition of ISO 230-4 computes and asks for.
+struct CircularRules {
+    std::span<const CircularRow> rows;
+    std::span<const CircularRequirement> requirements;
+    std::span<const CircularStatement> statements;
+};
+
+} // namespace palmer

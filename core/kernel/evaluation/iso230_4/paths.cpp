@@ -1,0 +1,110 @@
+#include "kernel/evaluation/iso230_4/paths.h"
+
+#include "kernel/numerics/centringerror.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer::iso230_4 {
+
+namespace {
+
+constexpr double fullTurn = 360;
+
+/// Angles and distances from the programmed centre of what is evaluated of an arc.
+struct Selection {
+    std::vector<double> angles;    ///< degrees
+    std::vector<double> distances; ///< mm
+    std::vector<std::size_t> source;
+
+    [[nodiscard]] CommandedArc commanded() const { return {angles, distances}; }
+};
+
+Selection selection(const Arc &arc, double nominalRadius) {
+    Selection result;
+    const auto range = evaluatedRange(arc);
+    if (!range)
+        return result;
+    for (std::size_t i = 0; i < arc.angles.size(); ++i) {
+        if (arc.angles[i] < range->from || arc.angles[i] > range->to)
+            continue;
+        result.angles.push_back(arc.angles[i]);
+        result.distances.push_back(nominalRadius + arc.radialDeviations[i]);
+        result.source.push_back(i);
+    }
+    return result;
+}
+
+void measureExtent(EvaluatedPath &path, std::vector<double> angles) {
+    if (angles.size() < 2)
+        return;
+    std::ranges::sort(angles);
+    double step = 0;
+    for (std::size_t i = 1; i < angles.size(); ++i)
+        step = std::max(step, angles[i] - angles[i - 1]);
+    const double span = angles.back() - angles.front();
+    path.fullCircle = fullTurn - span <= 2 * step;
+    path.extent = path.fullCircle ? fullTurn : span;
+}
+
+} // namespace
+
+std::optional<Interval> evaluatedRange(const Arc &arc) {
+    if (arc.angles.empty())
+        return std::nullopt;
+    if (arc.evaluated)
+        return arc.evaluated;
+    const auto [low, high] = std::ranges::minmax(arc.angles);
+    if (high - low <= fullTurn)
+        return Interval{low, high};
+    const double middle = (low + high) / 2;
+    return Interval{middle - fullTurn / 2, middle + fullTurn / 2};
+}
+
+std::string axisIndex(const Plane &plane, Sense sense) {
+    return sense == Sense::counterclockwise ? plane.first + plane.second : plane.second + plane.first;
+}
+
+Paths paths(const CircularMeasurement &measurement) {
+    Paths result;
+    std::vector<Selection> selections;
+    selections.reserve(measurement.arcs.size());
+    for (const Arc &arc : measurement.arcs)
+        selections.push_back(selection(arc, measurement.nominalRadius));
+
+    std::vector<CommandedArc> commanded;
+    for (std::size_t k = 0; k < selections.size(); ++k) {
+        if (measurement.arcs[k].angleReference == AngleReference::commanded)
+            commanded.push_back(selections[k].commanded());
+    }
+    if (!commanded.empty()) {
+        const CentringError error = centringError(commanded);
+        if (error.valid())
+            result.centringError = error.e;
+    }
+
+    bool seen[2]{};
+    for (std::size_t k = 0; k < selections.size(); ++k) {
+        const Arc &arc = measurement.arcs[k];
+        bool &before = seen[arc.sense == Sense::clockwise];
+        if (before) {
+            result.repetitions.push_back(k);
+            continue;
+        }
+        before = true;
+        EvaluatedPath path;
+        path.arc = k;
+        path.sense = arc.sense;
+        path.index = axisIndex(measurement.plane, arc.sense);
+        path.evaluated = evaluatedRange(arc).value_or(Interval{});
+        const bool rebuilt = arc.angleReference == AngleReference::commanded && result.centringError;
+        path.points = rebuilt ? rebuildPoints(selections[k].commanded(), *result.centringError)
+                              : polarPoints(selections[k].angles, selections[k].distances);
+        measureExtent(path, std::move(selections[k].angles));
+        path.source = std::move(selections[k].source);
+        result.evaluated.push_back(std::move(path));
+    }
+    return result;
+}
+
+} // namespace palmer::iso230_4

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "kernel/evaluation/surroundings.h"
+
+#include <algorithm>
+#include <string>
+
+/// Whether a test states what reports of all kinds have to state. `Case` has test, surroundings and common().
+namespace palmer::stated {
+
+template <auto text, class Case>
+bool ofMachine(const Case &test) {
+    return test.surroundings.machine && !(test.surroundings.machine->*text).empty();
+}
+
+/// A text that is not empty, or a value that is not null, of the conditions.
+template <auto member, class Case>
+bool common(const Case &test) {
+    const auto &value = test.common().*member;
+    if constexpr (requires { value.empty(); })
+        return !value.empty();
+    else
+        return value.has_value();
+}
+
+/// X, Y and Z.
+template <auto point, class Case>
+bool offset(const Case &test) {
+    const Point3 &value = test.common().*point;
+    return std::ranges::all_of(value, [](const auto &x) { return x.has_value(); });
+}
+
+template <SensorMeasures what, class Case>
+bool temperature(const Case &test) {
+    return meanTemperature(test.common(), what).has_value();
+}
+
+template <class Case>
+bool date(const Case &test) {
+    return test.test.date.has_value();
+}
+
+template <class Case>
+bool instruments(const Case &test) {
+    return !test.surroundings.instruments.empty();
+}
+
+/// Of every named instrument; without any, the row "instruments" says so.
+template <class Case>
+bool instrumentSerial(const Case &test) {
+    return std::ranges::none_of(test.surroundings.instruments,
+                                [](const Instrument *i) { return i->serialNumber.empty(); });
+}
+
+template <class Case>
+bool certificate(const Case &test) {
+    return std::ranges::none_of(test.surroundings.instruments,
+                                [](const Instrument *i) { return i->certificate.empty(); });
+}
+
+template <class Case>
+bool calibrationDate(const Case &test) {
+    return std::ranges::all_of(test.surroundings.instruments,
+                               [](const Instrument *i) { return i->calibrationDate.has_value(); });
+}
+
+template <class Case>
+bool sensorPositions(const Case &test) {
+    const auto &sensors = test.common().sensors;
+    return !sensors.empty() &&
+           std::ranges::none_of(sensors, [](const Sensor &s) { return s.position.empty(); });
+}
+
+template <class Case>
+bool warmUp(const Case &test) {
+    return test.common().warmUp.kind != WarmUpKind::notStated;
+}
+
+} // namespace palmer::stated

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "kernel/numerics/points.h"
+
+#include <cstddef>
+#include <span>
+
+namespace palmer {
+
+struct LeastSquaresCircleOptions {
+    /// Sizes of the consecutive groups of points that count alike whatever their numbers: the weight of a
+    /// point is w_i = 1/(N_g·groups) with N_g the points of its group. Empty: one group, w_i = 1/N. The sizes
+    /// add up to the number of points; a group of size 0 does not count.
+    std::span<const std::size_t> groups;
+    double tolerance = 1e-15; ///< Stop when |Δc| ≤ tolerance·R.
+    int maxIterations = 100;
+};
+
+/// The least squares circle: centre c and radius R that minimise Σ w_i·(r_i − R)², r_i = |P_i − c|.
+///
+/// Method: algebraic fit (minimise Σ w_i·(r_i² − R²)²) on points about their mean, then Gauss–Newton on the
+/// geometric sum with R eliminated: with u_i = (P_i − c)/r_i, f_i = r_i − R̄ and bars for weighted means,
+///     [mean(u·uᵀ) − ū·ūᵀ]·Δc = mean(u·f) − ū·f̄,    R = mean(r);
+/// a step that would enlarge the sum is halved. Validity: any position of the points, full circles and arcs.
+/// A bad input gives a status and zeros, never NaN.
+///
+/// Sources: I. Kåsa, IEEE Trans. Instrum. Meas. 25 (1976), 8–14 (start); A. B. Forbes, Least-squares
+/// best-fit geometric elements, NPL Report DITC 140/89 (1989) (finish).
+struct LeastSquaresCircle {
+    enum class Status {
+        converged,
+        notConverged, ///< maxIterations reached; the numbers are those of the last step.
+        tooFewPoints, ///< Fewer than 3 distinct points.
+        collinear, ///< All points on one straight line (to rounding), or a line fits better than any circle.
+        notFinite, ///< A coordinate is not a finite number, or too large to be squared.
+    };
+
+    Status status = Status::tooFewPoints;
+    Point centre;             ///< c, mm
+    double radius = 0;        ///< R, mm
+    double innerRadius = 0;   ///< min r_i, mm
+    double outerRadius = 0;   ///< max r_i, mm
+    double rms = 0;           ///< √(Σ w_i·(r_i − R)²), mm
+    std::size_t nearest = 0;  ///< Index of the first point with min r_i.
+    std::size_t farthest = 0; ///< Index of the first point with max r_i.
+    int iterations = 0;
+
+    /// max r_i − min r_i, mm
+    [[nodiscard]] double range() const { return outerRadius - innerRadius; }
+    /// Whether there is a circle.
+    [[nodiscard]] bool valid() const { return status == Status::converged || status == Status::notConverged; }
+
+    bool operator==(const LeastSquaresCircle &) const = default;
+};
+
+[[nodiscard]] LeastSquaresCircle leastSquaresCircle(PointsView points,
+                                                    const LeastSquaresCircleOptions &options = {});
+
+} // namespace palmer

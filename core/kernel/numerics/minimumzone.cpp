@@ -1,0 +1,669 @@
+#include "kernel/numerics/minimumzone.h"
+
+#include "kernel/numerics/radiusextremes.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace palmer {
+
+namespace {
+
+using Status = MinimumZone::Status;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A point with its index in the data; coordinates about the origin of the search.
+struct Sample {
+    Point point;
+    std::size_t index = 0;
+};
+
+double cross(Point a, Point b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+Point difference(Point a, Point b) {
+    return {a.x - b.x, a.y - b.y};
+}
+
+double squaredDistance(Point p, Point centre) {
+    return squaredDistance(p.x, p.y, {}, centre);
+}
+
+/// Two concentric circles and the points that define them: |outer[0] − c| = |outer[1] − c|, same for inner.
+struct Ring {
+    Point centre;
+    double least = 0;    ///< Squared inner radius.
+    double greatest = 0; ///< Squared outer radius.
+    std::array<Sample, 2> outer;
+    std::array<Sample, 2> inner;
+
+    [[nodiscard]] double innerRadius() const { return std::sqrt(least); }
+    [[nodiscard]] double outerRadius() const { return std::sqrt(greatest); }
+    [[nodiscard]] double width() const { return outerRadius() - innerRadius(); }
+    /// The width with what its rounding may hide: a ring of enormous radius has no width one could trust.
+    [[nodiscard]] double bound(double tolerance) const { return width() + tolerance * outerRadius(); }
+
+    void include(Point p) {
+        const double d = squaredDistance(p, centre);
+        least = std::min(least, d);
+        greatest = std::max(greatest, d);
+    }
+};
+
+/// The bisector of two points, n·c = k.
+struct Bisector {
+    Point n;
+    double k;
+    std::array<Sample, 2> of;
+
+    Bisector(const Sample &a, const Sample &b)
+        : n(difference(b.point, a.point))
+        , k((n.x * (a.point.x + b.point.x) + n.y * (a.point.y + b.point.y)) / 2)
+        , of{a, b} {}
+};
+
+/// Not finite if the bisectors are parallel, or one of them that of the same point twice.
+Point intersection(const Bisector &a, const Bisector &b) {
+    const double inverse = 1 / cross(a.n, b.n);
+    return {(a.k * b.n.y - b.k * a.n.y) * inverse, (a.n.x * b.k - b.n.x * a.k) * inverse};
+}
+
+Ring ringOf(const Bisector &a, const Bisector &b, Point centre, double least, double greatest) {
+    const bool outside = squaredDistance(a.of[0].point, centre) >= squaredDistance(b.of[0].point, centre);
+    return {centre, least, greatest, outside ? a.of : b.of, outside ? b.of : a.of};
+}
+
+/// The ring about the intersection of two bisectors, as wide as needed to hold the four points.
+std::optional<Ring> intersect(const Bisector &a, const Bisector &b) {
+    const Point centre = intersection(a, b);
+    const double d = squaredDistance(a.of[0].point, centre);
+    if (!std::isfinite(d))
+        return std::nullopt;
+    Ring ring = ringOf(a, b, centre, d, d);
+    ring.include(a.of[1].point);
+    ring.include(b.of[0].point);
+    ring.include(b.of[1].point);
+    return ring;
+}
+
+/// Whether p lies on the way from a to b, counterclockwise.
+bool between(Point a, Point b, Point p) {
+    if (cross(a, b) >= 0)
+        return cross(a, p) > 0 && cross(p, b) > 0;
+    return !(cross(b, p) >= 0 && cross(p, a) >= 0);
+}
+
+bool alternate(const Ring &ring) {
+    const Point a = difference(ring.outer[0].point, ring.centre);
+    const Point b = difference(ring.outer[1].point, ring.centre);
+    return between(a, b, difference(ring.inner[0].point, ring.centre)) !=
+           between(a, b, difference(ring.inner[1].point, ring.centre));
+}
+
+/// Whether the ring is a local minimum: four different points that touch the circles, and alternate.
+bool isMinimum(const Ring &ring, double tolerance) {
+    const double outerRadius = ring.outerRadius() * (1 - 2 * tolerance);
+    const double innerRadius = ring.innerRadius() * (1 + 2 * tolerance);
+    for (const Sample &outer : ring.outer) {
+        if (squaredDistance(outer.point, ring.centre) < outerRadius * outerRadius)
+            return false;
+        for (const Sample &inner : ring.inner)
+            if (outer.point == inner.point)
+                return false;
+    }
+    for (const Sample &inner : ring.inner)
+        if (squaredDistance(inner.point, ring.centre) > innerRadius * innerRadius)
+            return false;
+    return alternate(ring);
+}
+
+/// A strip between parallel lines; |normal| = 1.
+struct Strip {
+    Point normal;
+    double width = infinity;
+};
+
+/// The thinnest strip that holds some points: one of its lines goes through two of them.
+Strip thinnestStrip(std::span<const Sample> samples) {
+    Strip thinnest;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        for (std::size_t j = i + 1; j < samples.size(); ++j) {
+            const Point along = difference(samples[j].point, samples[i].point);
+            const double length = std::hypot(along.x, along.y);
+            if (!(length > 0))
+                continue;
+            const Point normal{-along.y / length, along.x / length};
+            double least = 0;
+            double greatest = 0;
+            for (const Sample &s : samples) {
+                const Point d = difference(s.point, samples[i].point);
+                const double height = normal.x * d.x + normal.y * d.y;
+                least = std::min(least, height);
+                greatest = std::max(greatest, height);
+            }
+            if (greatest - least < thinnest.width)
+                thinnest = {normal, greatest - least};
+        }
+    }
+    return thinnest;
+}
+
+/// The three ways to pair four points.
+using Pairing = std::array<std::size_t, 4>;
+constexpr std::array<Pairing, 3> pairings{{{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}}};
+
+std::optional<Ring> intersect(const std::array<Sample, 4> &four, const Pairing &p) {
+    return intersect({four[p[0]], four[p[1]]}, {four[p[2]], four[p[3]]});
+}
+
+/// The O(1) certificate, see the header: proven from the four contacts alone.
+bool certify(const Ring &ring, double tolerance) {
+    if (!isMinimum(ring, tolerance))
+        return false;
+    const std::array<Sample, 4> contacts{ring.outer[0], ring.outer[1], ring.inner[0], ring.inner[1]};
+    for (const Pairing &pairing : {pairings[1], pairings[2]}) {
+        const std::optional<Ring> other = intersect(contacts, pairing);
+        if (other && other->bound(tolerance) < ring.width())
+            return false;
+    }
+    return thinnestStrip(contacts).width > ring.bound(tolerance);
+}
+
+/// Up to 8 points that may touch the circles.
+struct Contacts {
+    std::array<Sample, 8> samples;
+    std::size_t size = 0;
+
+    void add(const Sample &s) { samples[size++] = s; }
+};
+
+/// Keeps in `best` the ring of two bisectors about all points of the set, if it is thinner.
+void keepThinner(std::optional<Ring> &best, const Bisector &a, const Bisector &b,
+                 std::span<const Point> points) {
+    const Point centre = intersection(a, b);
+    double least = infinity;
+    double greatest = 0;
+    for (const Point p : points) {
+        const double d = squaredDistance(p, centre);
+        least = std::min(least, d);
+        greatest = std::max(greatest, d);
+    }
+    // Parallel bisectors have no width, or a negative one: no distance was compared.
+    const double width = std::sqrt(greatest) - std::sqrt(least);
+    if (width >= 0 && width < (best ? best->width() : infinity))
+        best = ringOf(a, b, centre, least, greatest);
+}
+
+/// The least ring about some points, whichever of them are outside.
+std::optional<Ring> leastRingOfAll(std::span<const Sample> all, std::span<const Point> points) {
+    std::optional<Ring> best;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = i + 1; j < all.size(); ++j)
+            for (std::size_t k = i + 1; k < all.size(); ++k)
+                for (std::size_t l = k + 1; l < all.size(); ++l)
+                    if (k != j && l != j)
+                        keepThinner(best, {all[i], all[j]}, {all[k], all[l]}, points);
+    return best;
+}
+
+/// The least ring about outer and inner points: first as they are paired, outer with outer and inner with
+/// inner; if none of these rings is a minimum, some point belongs to the other circle, and all pairings are
+/// tried.
+std::optional<Ring> leastRing(const Contacts &outer, const Contacts &inner, double tolerance) {
+    std::array<Sample, 16> all;
+    std::array<Point, 16> coordinates;
+    std::size_t size = 0;
+    for (const Contacts *contacts : {&outer, &inner}) {
+        for (std::size_t i = 0; i < contacts->size; ++i, ++size) {
+            all[size] = contacts->samples[i];
+            coordinates[size] = all[size].point;
+        }
+    }
+    const std::span<const Point> points(coordinates.data(), size);
+    std::optional<Ring> best;
+    for (std::size_t i = 0; i < outer.size; ++i) {
+        for (std::size_t j = i + 1; j < outer.size; ++j) {
+            const Bisector outside(outer.samples[i], outer.samples[j]);
+            for (std::size_t k = 0; k < inner.size; ++k)
+                for (std::size_t l = k + 1; l < inner.size; ++l)
+                    keepThinner(best, outside, {inner.samples[k], inner.samples[l]}, points);
+        }
+    }
+    if (best && isMinimum(*best, tolerance))
+        return best;
+    return leastRingOfAll({all.data(), size}, points);
+}
+
+/// The points outside a ring: the farthest, the nearest.
+struct Violators {
+    std::optional<Sample> farthest;
+    std::optional<Sample> nearest;
+
+    [[nodiscard]] bool any() const { return farthest || nearest; }
+};
+
+/// The data, and a small working set of its points that is looked at first. Looks at all points go block by
+/// block; a block is passed over while the movement of the centre since the first look cannot have brought
+/// any of its points outside the ring.
+class Search {
+public:
+    Search(PointsView points, double tolerance)
+        : m_points(points)
+        , m_tolerance(tolerance) {
+        const std::size_t n = points.size();
+        m_complete = n <= smallest;
+        const std::size_t stride =
+            m_complete ? 1 : static_cast<std::size_t>(std::sqrt(static_cast<double>(n))) / sampleFactor;
+        const std::size_t size = (n + stride - 1) / stride;
+        m_index.reserve(size);
+        m_x.reserve(size);
+        m_y.reserve(size);
+        Point sum;
+        for (std::size_t i = 0; i < n; i += stride) {
+            m_index.push_back(i);
+            sum.x += points.x[i];
+            sum.y += points.y[i];
+        }
+        m_origin = {sum.x / static_cast<double>(size), sum.y / static_cast<double>(size)};
+        for (const std::size_t i : m_index) {
+            m_x.push_back(points.x[i] - m_origin.x);
+            m_y.push_back(points.y[i] - m_origin.y);
+        }
+    }
+
+    [[nodiscard]] Point origin() const { return m_origin; }
+    [[nodiscard]] int scans() const { return m_scans; }
+    [[nodiscard]] bool finite() const { return m_finite; }
+    [[nodiscard]] std::size_t workingSize() const { return m_index.size(); }
+    [[nodiscard]] Sample working(std::size_t k) const { return {{m_x[k], m_y[k]}, m_index[k]}; }
+
+    /// Up to four distinct points of the data.
+    [[nodiscard]] std::vector<Sample> fourDistinct() {
+        std::vector<Sample> found;
+        const auto offer = [&](const Sample &s) {
+            if (std::none_of(found.begin(), found.end(), [&](const Sample &f) { return f.point == s.point; }))
+                found.push_back(s);
+            return found.size() == 4;
+        };
+        for (std::size_t k = 0; k < workingSize(); ++k)
+            if (offer(working(k)))
+                return found;
+        for (std::size_t i = 0; i < m_points.size() && !m_complete; ++i)
+            if (offer(sample(i)))
+                break;
+        return found;
+    }
+
+    /// The centre of the algebraic circle of the working set: good enough to begin with. NaN, if collinear.
+    [[nodiscard]] Point algebraicCentre() {
+        double xx = 0;
+        double xy = 0;
+        double yy = 0;
+        double xz = 0;
+        double yz = 0;
+        for (std::size_t k = 0; k < workingSize(); ++k) {
+            const double x = m_x[k];
+            const double y = m_y[k];
+            const double z = x * x + y * y;
+            xx += x * x;
+            xy += x * y;
+            yy += y * y;
+            xz += x * z;
+            yz += y * z;
+        }
+        m_finite = std::isfinite(xz + yz + xx + yy);
+        const double determinant = 2 * (xx * yy - xy * xy);
+        return {(xz * yy - yz * xy) / determinant, (yz * xx - xz * xy) / determinant};
+    }
+
+    /// The farthest and the nearest point outside the ring: of the working set; if it has none, of all
+    /// points, and then the violators of every block join the working set.
+    Violators violators(const Ring &ring) {
+        const double allowance = m_tolerance * ring.outerRadius();
+        const double outer = ring.outerRadius() + allowance;
+        const double inner = ring.innerRadius() - allowance;
+        const Violators own = violatorsFrom(0, ring.centre, outer, inner);
+        if (own.any() || m_complete) {
+            m_scans = std::max(m_scans, m_complete ? 1 : 0);
+            return own;
+        }
+        const std::size_t size = workingSize();
+        scanAll(ring.centre, outer, inner);
+        return violatorsFrom(size, ring.centre, outer, inner);
+    }
+
+    /// The extremes of all points about a centre.
+    struct Extremes {
+        double least = 0;
+        double greatest = 0;
+        Sample nearest;
+        Sample farthest;
+    };
+    [[nodiscard]] Extremes extremes(Point centre) {
+        ++m_scans;
+        const RadiusExtremes r = radiusExtremes(m_points, centre, m_origin);
+        m_finite = m_finite && r.finite;
+        const Sample nearest = sample(r.nearest);
+        const Sample farthest = sample(r.farthest);
+        return {squaredDistance(nearest.point, centre), squaredDistance(farthest.point, centre), nearest,
+                farthest};
+    }
+
+    /// The outermost points of all in the two senses of a direction, their distance in it, and how far the
+    /// points reach from the origin.
+    struct Span {
+        Sample lowest;
+        Sample highest;
+        double width;
+        double extent;
+    };
+    [[nodiscard]] Span span(Point normal) {
+        ++m_scans;
+        Span span{sample(0), sample(0), 0, 0};
+        double least = infinity;
+        double greatest = -infinity;
+        double reach = 0;
+        for (std::size_t i = 0; i < m_points.size(); ++i) {
+            const Point p = sample(i).point;
+            const double height = normal.x * p.x + normal.y * p.y;
+            const double square = p.x * p.x + p.y * p.y;
+            m_finite = m_finite && std::isfinite(square);
+            reach = std::max(reach, square);
+            if (height < least) {
+                least = height;
+                span.lowest = sample(i);
+            }
+            if (height > greatest) {
+                greatest = height;
+                span.highest = sample(i);
+            }
+        }
+        span.width = greatest - least;
+        span.extent = std::sqrt(reach);
+        return span;
+    }
+
+private:
+    static constexpr std::size_t smallest = 256;   // up to so many all points are the working set
+    static constexpr std::size_t sampleFactor = 3; // beyond, it begins with about sampleFactor·√n
+    static constexpr std::size_t blockSize = 128;
+
+    [[nodiscard]] Sample sample(std::size_t i) const {
+        return {{m_points.x[i] - m_origin.x, m_points.y[i] - m_origin.y}, i};
+    }
+
+    [[nodiscard]] Violators violatorsFrom(std::size_t from, Point centre, double outer, double inner) const {
+        Violators found;
+        const double *x = m_x.data() + from;
+        const double *y = m_y.data() + from;
+        const std::size_t size = m_x.size() - from;
+        if (size == 0)
+            return found;
+        const SquaredRange range = squaredRange(x, y, size, {}, centre);
+        if (std::sqrt(range.greatest) > outer)
+            found.farthest = working(from + findSquaredDistance(x, y, size, {}, centre, range.greatest));
+        if (std::sqrt(range.least) < inner)
+            found.nearest = working(from + findSquaredDistance(x, y, size, {}, centre, range.least));
+        return found;
+    }
+
+    void scanAll(Point centre, double outer, double inner) {
+        ++m_scans;
+        const std::size_t n = m_points.size();
+        const bool first = m_blocks.empty();
+        if (first) {
+            m_blocks.resize((n + blockSize - 1) / blockSize);
+            m_reference = centre;
+        }
+        // |r(c) − r(c_reference)| ≤ |c − c_reference|, and something for rounding.
+        const double movement =
+            std::hypot(centre.x - m_reference.x, centre.y - m_reference.y) + m_tolerance * outer;
+        double sum = 0;
+        for (std::size_t b = 0; b < m_blocks.size(); ++b) {
+            const std::size_t begin = b * blockSize;
+            const std::size_t size = std::min(blockSize, n - begin);
+            const double *x = m_points.x.data() + begin;
+            const double *y = m_points.y.data() + begin;
+            if (!first && m_blocks[b].outer + movement <= outer && m_blocks[b].inner - movement >= inner)
+                continue;
+            const SquaredRange range = squaredRange(x, y, size, m_origin, centre);
+            const double farthest = std::sqrt(range.greatest);
+            const double nearest = std::sqrt(range.least);
+            if (first) {
+                m_blocks[b] = {nearest, farthest};
+                sum += range.sum;
+            }
+            if (farthest > outer)
+                join(begin + findSquaredDistance(x, y, size, m_origin, centre, range.greatest));
+            if (nearest < inner)
+                join(begin + findSquaredDistance(x, y, size, m_origin, centre, range.least));
+        }
+        m_finite = m_finite && std::isfinite(sum);
+    }
+
+    void join(std::size_t i) {
+        if (i >= m_points.size())
+            return; // not found: the block holds a NaN
+        m_x.push_back(m_points.x[i] - m_origin.x);
+        m_y.push_back(m_points.y[i] - m_origin.y);
+        m_index.push_back(i);
+    }
+
+    struct Block {
+        double inner;
+        double outer;
+    };
+
+    PointsView m_points;
+    double m_tolerance;
+    Point m_origin;
+    std::vector<double> m_x; // the working set, about the origin
+    std::vector<double> m_y;
+    std::vector<std::size_t> m_index; // of the working set in the data
+    bool m_complete = false;          // the working set is all points
+    std::vector<Block> m_blocks;      // distances from m_reference
+    Point m_reference;
+    int m_scans = 0;
+    bool m_finite = true;
+};
+
+/// The first contacts: the farthest and the nearest point of each quarter, seen from the mean.
+std::optional<Ring> firstRing(Search &search, double tolerance) {
+    const Point centre = search.algebraicCentre();
+    if (!search.finite() || !std::isfinite(centre.x) || !std::isfinite(centre.y))
+        return std::nullopt;
+    std::array<double, 4> greatest{-1, -1, -1, -1};
+    std::array<double, 4> least{infinity, infinity, infinity, infinity};
+    std::array<Sample, 4> farthest;
+    std::array<Sample, 4> nearest;
+    for (std::size_t k = 0; k < search.workingSize(); ++k) {
+        const Sample s = search.working(k);
+        const std::size_t quarter = (s.point.x < 0 ? 1U : 0U) + (s.point.y < 0 ? 2U : 0U);
+        const double d = squaredDistance(s.point, centre);
+        if (d > greatest[quarter]) {
+            greatest[quarter] = d;
+            farthest[quarter] = s;
+        }
+        if (d < least[quarter]) {
+            least[quarter] = d;
+            nearest[quarter] = s;
+        }
+    }
+    Contacts outer;
+    Contacts inner;
+    for (std::size_t q = 0; q < 4; ++q) {
+        if (greatest[q] >= 0) {
+            outer.add(farthest[q]);
+            inner.add(nearest[q]);
+        }
+    }
+    return leastRing(outer, inner, tolerance);
+}
+
+/// The exchange; nothing if it comes to no end.
+std::optional<Ring> exchange(Search &search, const MinimumZoneOptions &options) {
+    std::optional<Ring> ring = firstRing(search, options.tolerance);
+    for (int step = 0; ring && search.finite() && step < options.maxExchanges; ++step) {
+        const Violators violators = search.violators(*ring);
+        if (!violators.any())
+            return ring;
+        Contacts outer;
+        Contacts inner;
+        for (const Sample &s : ring->outer)
+            outer.add(s);
+        for (const Sample &s : ring->inner)
+            inner.add(s);
+        if (violators.farthest)
+            outer.add(*violators.farthest);
+        if (violators.nearest)
+            inner.add(*violators.nearest);
+        ring = leastRing(outer, inner, options.tolerance);
+    }
+    return std::nullopt;
+}
+
+/// The search over the whole plane. Every local minimum of the width over the core that is not wider than
+/// the best ring known to hold all points is in m_rings.
+class CoreSearch {
+public:
+    CoreSearch(Search &search, const MinimumZoneOptions &options)
+        : m_search(search)
+        , m_options(options) {}
+
+    MinimumZone::Status run(std::span<const Sample> seed, Ring &result, bool &certified) {
+        for (const Sample &s : seed)
+            add(s);
+        while (m_search.finite() && m_core.size() + 2 <= static_cast<std::size_t>(m_options.maxCorePoints)) {
+            const Ring *least = leastRing();
+            const Strip strip = thinnestStrip(m_core);
+            if (!least || strip.width <= least->bound(tolerance())) {
+                // No ring of the core is thinner than this strip; is there a point outside the strip?
+                const Search::Span all = m_search.span(strip.normal);
+                const bool outside = all.width > strip.width + 2 * tolerance() * all.extent;
+                if (!outside || (int{add(all.lowest)} + int{add(all.highest)}) == 0)
+                    return Status::straight;
+                continue;
+            }
+            Ring candidate = *least;
+            const Search::Extremes all = m_search.extremes(candidate.centre);
+            const double bound = candidate.bound(tolerance());
+            candidate.least = all.least;
+            candidate.greatest = all.greatest;
+            if (candidate.bound(tolerance()) < m_bound) {
+                m_best = candidate;
+                m_bound = candidate.bound(tolerance());
+            }
+            // Inside to rounding: the least ring of the core holds all points.
+            const bool grown =
+                candidate.width() > bound && (int{add(all.farthest)} + int{add(all.nearest)}) > 0;
+            if (!grown) {
+                result = candidate;
+                certified = true;
+                return Status::found;
+            }
+        }
+        if (!m_best)
+            return Status::straight;
+        result = *m_best;
+        return Status::found;
+    }
+
+private:
+    [[nodiscard]] double tolerance() const { return m_options.tolerance; }
+
+    /// The least ring; of those equal to rounding one whose contacts show it to be a minimum.
+    [[nodiscard]] const Ring *leastRing() const {
+        const Ring *least = nullptr;
+        for (const Ring &ring : m_rings)
+            if (!least || ring.bound(tolerance()) < least->bound(tolerance()))
+                least = &ring;
+        if (least && !isMinimum(*least, tolerance())) {
+            for (const Ring &ring : m_rings)
+                if (ring.width() <= least->bound(tolerance()) && isMinimum(ring, tolerance()))
+                    return &ring;
+        }
+        return least;
+    }
+
+    /// Adds a point to the core; false if it is there already.
+    bool add(const Sample &s) {
+        if (std::any_of(m_core.begin(), m_core.end(), [&](const Sample &c) { return c.point == s.point; }))
+            return false;
+        for (Ring &ring : m_rings)
+            ring.include(s.point);
+        std::erase_if(m_rings, [&](const Ring &ring) { return ring.width() > m_bound; });
+        for (std::size_t i = 0; i < m_core.size(); ++i)
+            for (std::size_t j = i + 1; j < m_core.size(); ++j)
+                for (std::size_t k = j + 1; k < m_core.size(); ++k)
+                    for (const Pairing &pairing : pairings)
+                        offer(intersect({s, m_core[i], m_core[j], m_core[k]}, pairing));
+        m_core.push_back(s);
+        return true;
+    }
+
+    void offer(std::optional<Ring> ring) {
+        if (!ring)
+            return;
+        for (const Sample &s : m_core)
+            ring->include(s.point);
+        if (ring->width() <= m_bound)
+            m_rings.push_back(*ring);
+    }
+
+    Search &m_search;
+    const MinimumZoneOptions &m_options;
+    std::vector<Sample> m_core;
+    std::vector<Ring> m_rings;
+    std::optional<Ring> m_best; // holds all points
+    double m_bound = infinity;  // of m_best
+};
+
+} // namespace
+
+MinimumZone minimumZone(PointsView points, const MinimumZoneOptions &options) {
+    assert(points.x.size() == points.y.size());
+    MinimumZone zone;
+    if (points.size() == 0)
+        return zone;
+
+    Search search(points, options.tolerance);
+    Ring ring;
+    const std::optional<Ring> exchanged = exchange(search, options);
+    if (exchanged) {
+        ring = *exchanged;
+        zone.certified = certify(ring, options.tolerance);
+        zone.status = Status::found;
+    }
+    if (!zone.certified && search.finite()) {
+        std::vector<Sample> seed = search.fourDistinct();
+        if (seed.size() < 4) {
+            zone.status = Status::tooFewPoints;
+        } else {
+            if (exchanged)
+                seed.insert(seed.end(), {ring.outer[0], ring.outer[1], ring.inner[0], ring.inner[1]});
+            zone.status = CoreSearch(search, options).run(seed, ring, zone.certified);
+        }
+    }
+    if (!search.finite())
+        zone.status = Status::notFinite;
+    zone.scans = search.scans();
+    if (zone.status != Status::found) {
+        zone.certified = false;
+        return zone;
+    }
+    zone.centre = {search.origin().x + ring.centre.x, search.origin().y + ring.centre.y};
+    zone.innerRadius = ring.innerRadius();
+    zone.outerRadius = ring.outerRadius();
+    zone.width = ring.width();
+    zone.outer = {ring.outer[0].index, ring.outer[1].index};
+    zone.inner = {ring.inner[0].index, ring.inner[1].index};
+    return zone;
+}
+
+} // namespace palmer

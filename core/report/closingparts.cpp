@@ -1,0 +1,198 @@
+#include "report/closingparts.h"
+
+#include <algorithm>
+#include <set>
+
+namespace palmer {
+
+namespace {
+
+constexpr double statementLabels = 44; ///< mm
+
+QString dateText(const Writer &write, const std::optional<std::string> &date) {
+    return date && !date->empty() ? write.language().date(*date) : QString();
+}
+
+/// In the order of the file, those any test names.
+std::vector<const Instrument *> usedInstruments(const Document &document) {
+    std::set<std::string> used;
+    for (const TestPointer &test : document.tests)
+        used.insert(test->instruments.begin(), test->instruments.end());
+    std::vector<const Instrument *> result;
+    for (const Instrument &instrument : document.instruments) {
+        if (used.contains(instrument.id))
+            result.push_back(&instrument);
+    }
+    return result;
+}
+
+/// Millimetres or degrees: a test of a rotary axis that names the instrument makes it an angular one.
+Quantity resolutionQuantity(const Document &document, const Instrument &instrument) {
+    for (const TestPointer &test : document.tests) {
+        const auto *m = std::get_if<PositioningMeasurement>(&test->measurement);
+        if (m && std::ranges::find(test->instruments, instrument.id) != test->instruments.end())
+            return m->axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+    }
+    return Quantity::deviation;
+}
+
+QString performedText(const Writer &write, const ReportHead &head) {
+    const QString from = dateText(write, head.performedFrom);
+    const QString to = dateText(write, head.performedTo);
+    if (from.isEmpty() || to.isEmpty() || from == to)
+        return from.isEmpty() ? to : from;
+    return write.say(REPORT_TEXT_FOR("report", "%1 to %2", "dates"), {from.toStdString(), to.toStdString()});
+}
+
+QString machineDetails(const Writer &write, const Machine &machine) {
+    QStringList details;
+    if (!machine.controller.empty())
+        details << write.say(REPORT_TEXT("report", "control %1"), {machine.controller});
+    if (machine.year)
+        details << write.say(REPORT_TEXT("report", "year %1"), {std::to_string(*machine.year)});
+    details << QString::fromStdString(machine.location);
+    return joined(details);
+}
+
+QString selfTestText(const Writer &write, const std::optional<bool> &passed) {
+    if (!passed)
+        return write.text(REPORT_TEXT("report", "self-test not run"));
+    return write.text(*passed ? REPORT_TEXT("report", "self-test against published data passed")
+                              : REPORT_TEXT("report", "self-test against published data NOT passed"));
+}
+
+Text signerText(Signer signer) {
+    switch (signer) {
+    case Signer::operatorSigns:
+        return REPORT_TEXT("report", "Operator");
+    case Signer::laboratory:
+        return REPORT_TEXT("report", "Laboratory");
+    case Signer::supplier:
+        return REPORT_TEXT("report", "Supplier/manufacturer");
+    case Signer::customer:
+        return REPORT_TEXT("report", "Customer/user");
+    }
+    return {};
+}
+
+QString knownName(Signer signer, const ReportHead &head) {
+    switch (signer) {
+    case Signer::operatorSigns:
+        return QString::fromStdString(head.operatorName);
+    case Signer::laboratory:
+        return joined({QString::fromStdString(head.authorisedBy.name),
+                       QString::fromStdString(head.authorisedBy.function)});
+    case Signer::supplier:
+    case Signer::customer:
+        return {}; // the head names the company, not who signs for it
+    }
+    return {};
+}
+
+} // namespace
+
+void addTraceability(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated) {
+    const auto instruments = usedInstruments(*evaluated.document);
+    if (instruments.empty())
+        return;
+    Table table;
+    table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 37},
+                     {write.text(REPORT_TEXT("report", "Serial number")), {}, Alignment::left, false, 22},
+                     {write.text(REPORT_TEXT("report", "Certificate")), {}, Alignment::left, false, 22},
+                     {write.text(REPORT_TEXT("report", "Calibrated by")), {}, Alignment::left, false, 30},
+                     {write.text(REPORT_TEXT("report", "Calibrated")), {}, Alignment::left, false, 23},
+                     {write.text(REPORT_TEXT("report", "Due")), {}, Alignment::left, false, 23},
+                     {write.text(REPORT_TEXT("report", "Resolution")), {}, Alignment::left, false, 18}};
+    for (const Instrument *instrument : instruments)
+        table.rows.push_back(
+            {joined({QString::fromStdString(instrument->description),
+                     QString::fromStdString(instrument->manufacturer),
+                     QString::fromStdString(instrument->model)}),
+             QString::fromStdString(instrument->serialNumber),
+             QString::fromStdString(instrument->certificate),
+             QString::fromStdString(instrument->calibratedBy), dateText(write, instrument->calibrationDate),
+             dateText(write, instrument->calibrationDue),
+             write.quantity(instrument->resolution, resolutionQuantity(*evaluated.document, *instrument))});
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Traceability of the instruments")));
+    blocks.emplace_back(std::move(table));
+}
+
+void addDriftTests(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated) {
+    KeyValues values;
+    values.labelWidth = statementLabels;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        const Test &test = *evaluated.document->tests[i];
+        const auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
+        const auto *results = std::get_if<DriftResults>(&evaluated.tests[i]->results);
+        if (!drift || !results)
+            continue;
+        const Quantity quantity =
+            drift->axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+        values.rows.push_back({joined({testName(write, test), QString::fromStdString(test.title)}),
+                               results->range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
+                                                          {Number{*results->range, quantity, 1}})
+                                              : QString()});
+    }
+    if (values.rows.empty())
+        return;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Drift tests")),
+               write.text(REPORT_TEXT("report", "environmental variation error")));
+    blocks.emplace_back(std::move(values));
+}
+
+void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
+                   const ReportOptions &options, const QString &fingerprint) {
+    const ReportHead &head = document.report;
+    KeyValues values;
+    values.labelWidth = statementLabels;
+    const auto add = [&](const Text &label, const QString &value) {
+        values.rows.push_back({write.text(label), value});
+    };
+    const auto addStated = [&](const Text &label, const QString &value) {
+        if (!value.isEmpty())
+            add(label, value);
+    };
+    addStated(REPORT_TEXT("report", "Order"), QString::fromStdString(head.order));
+    addStated(REPORT_TEXT("report", "Procedure"), QString::fromStdString(head.procedure));
+    addStated(REPORT_TEXT("report", "Tests carried out"), performedText(write, head));
+    addStated(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine));
+    add(REPORT_TEXT("report", "Condition of the machine"),
+        QString::fromStdString(document.machine.condition));
+    add(REPORT_TEXT("report", "Adjustments made"), QString::fromStdString(head.adjustments));
+    QString revision = QString::fromStdString(head.revision);
+    if (!head.replaces.empty())
+        revision = joined({revision, write.say(REPORT_TEXT("report", "replaces %1"), {head.replaces})});
+    add(REPORT_TEXT("report", "Revision"), revision);
+    add(REPORT_TEXT("report", "Authorised by"), joined({QString::fromStdString(head.authorisedBy.name),
+                                                        QString::fromStdString(head.authorisedBy.function)}));
+    add(REPORT_TEXT("report", "Program"),
+        joined({options.program, selfTestText(write, options.selfTestPassed)}));
+    add(REPORT_TEXT("report", "Fingerprint SHA-256"), fingerprint);
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Statements")));
+    blocks.emplace_back(std::move(values));
+    blocks.emplace_back(Paragraph{
+        write.text(
+            REPORT_TEXT("report", "The results relate only to the machine tested in the stated condition.")) +
+            u' ' + write.text(REPORT_TEXT("report", "This report may be reproduced only in full.")) + u' ' +
+            write.text(
+                REPORT_TEXT("report", "The fingerprint is that of the test file this report was made from.")),
+        TextSize::small});
+}
+
+void addSignatures(std::vector<Block> &blocks, const Writer &write, const ReportHead &head) {
+    const bool leftOut = std::ranges::find(head.leaveOut, ReportPart::signatures) != head.leaveOut.end();
+    if (!leftOut && !head.signatures.empty()) {
+        Signatures signatures;
+        for (const Signer signer : head.signatures)
+            signatures.columns.push_back(
+                {write.text(signerText(signer)),
+                 {{write.text(REPORT_TEXT("report", "Name")), knownName(signer, head)},
+                  {write.text(REPORT_TEXT("report", "Date"))},
+                  {write.text(REPORT_TEXT("report", "Signature")), {}, true}}});
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Signatures")));
+        blocks.emplace_back(std::move(signatures));
+    }
+    blocks.emplace_back(EndMark{write.text(REPORT_TEXT("report", "End of the report"))});
+}
+
+} // namespace palmer

@@ -1,0 +1,125 @@
+#include "report/composereport.h"
+
+#include "report/attachedfile.h"
+#include "report/closingparts.h"
+#include "report/conditionparts.h"
+#include "report/dataparts.h"
+#include "report/headparts.h"
+#include "report/resultparts.h"
+#include "report/testpart.h"
+
+namespace palmer {
+
+namespace {
+
+std::vector<TestPart> testParts(const EvaluatedDocument &evaluated, const Writer &write) {
+    std::vector<TestPart> parts;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (evaluated.tests[i]->edition) // drift tests have no page
+            parts.push_back({write, evaluated, *evaluated.document->tests[i], *evaluated.tests[i], i,
+                             static_cast<int>(parts.size()) + 1, 0});
+    }
+    for (TestPart &part : parts)
+        part.count = static_cast<int>(parts.size());
+    return parts;
+}
+
+/// The remarks of a test; those of the report with them, where it has this test only.
+QString remarksBeside(const TestPart &part) {
+    QStringList remarks{QString::fromStdString(part.test.remarks)};
+    if (part.count == 1)
+        remarks << QString::fromStdString(part.head().remarks);
+    return joined(remarks, QStringLiteral("\n"));
+}
+
+void addPositioning(std::vector<Block> &blocks, const TestPart &test,
+                    const PositioningMeasurement &measurement, const PositioningResults &results) {
+    const PositioningPart part{test, measurement, results};
+    const Writer &write = part.write;
+    blocks.emplace_back(positioningHead(part));
+    addFigure(blocks, part);
+    addResults(blocks, part,
+               write.say(REPORT_TEXT("report", "Results for the %1 axis"),
+                         {measurement.axis.name.empty() ? std::string("–") : measurement.axis.name}),
+               results.notCorrected);
+    addConditions(blocks, part);
+    addAgreedPoints(blocks, part);
+    addUncertainty(blocks, part);
+    addFindings(blocks, part);
+    addLimits(blocks, part);
+    addTargetTable(blocks, part);
+    addReadings(blocks, part);
+    addExcludedReadings(blocks, part);
+    addCorrection(blocks, part);
+    addImports(blocks, part);
+    addEditionsAndRemarks(blocks, part, remarksBeside(part));
+}
+
+/// What every test has, whatever its kind.
+void addOther(std::vector<Block> &blocks, const TestPart &part) {
+    blocks.emplace_back(commonHead(part));
+    addResults(blocks, part, part.write.text(REPORT_TEXT("report", "Results")), false);
+    addAgreedPoints(blocks, part);
+    addFindings(blocks, part);
+    addLimits(blocks, part);
+    addImports(blocks, part);
+    addEditionsAndRemarks(blocks, part, remarksBeside(part));
+}
+
+void addTest(std::vector<Block> &blocks, const TestPart &part) {
+    if (!blocks.empty())
+        blocks.emplace_back(PageBreak{});
+    blocks.emplace_back(runningHead(part));
+    const auto *measurement = std::get_if<PositioningMeasurement>(&part.test.measurement);
+    const auto *results = std::get_if<PositioningResults>(&part.evaluation.results);
+    if (measurement && results)
+        addPositioning(blocks, part, *measurement, *results);
+    else
+        addOther(blocks, part);
+}
+
+} // namespace
+
+Report composeReport(const EvaluatedDocument &evaluated, const Language &language,
+                     const ReportOptions &options) {
+    const Document &document = *evaluated.document;
+    const ReportHead &head = document.report;
+    const Writer write(language);
+    const std::string number = head.number.empty() ? "–" : head.number;
+
+    Report report;
+    report.language = language.code();
+    report.paper = head.paper;
+    report.title =
+        joined({reportTitle(write, head), QString::fromStdString(head.number)}, QStringLiteral(" "));
+    report.laboratory = QString::fromStdString(head.laboratory.name);
+    report.date = QString::fromStdString(head.date.value_or(std::string()));
+    report.fingerprint = fingerprint(attachedFile(document));
+    report.footerLeft = write.say(REPORT_TEXT("report", "Report %1"), {number});
+    report.footerCentre =
+        write.say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"), shortFingerprint(report.fingerprint));
+    report.footerRight = write.text(REPORT_TEXT("report", "page %1 / %2"));
+
+    const std::vector<TestPart> parts = testParts(evaluated, write);
+    const bool several = parts.size() > 1;
+    if (several)
+        addSummary(report.blocks, parts);
+    for (const TestPart &part : parts)
+        addTest(report.blocks, part);
+    if (several) {
+        // Before the break: the page has no head of its own.
+        report.blocks.emplace_back(RunningHead{report.laboratory, reportTitle(write, head)});
+        report.blocks.emplace_back(PageBreak{});
+    }
+    if (parts.size() != 1 && !head.remarks.empty()) {
+        addHeading(report.blocks, write.text(REPORT_TEXT("report", "Remarks")));
+        report.blocks.emplace_back(Paragraph{QString::fromStdString(head.remarks)});
+    }
+    addDriftTests(report.blocks, write, evaluated);
+    addTraceability(report.blocks, write, evaluated);
+    addStatements(report.blocks, write, document, options, report.fingerprint);
+    addSignatures(report.blocks, write, head);
+    return report;
+}
+
+} // namespace palmer

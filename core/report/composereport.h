@@ -1,0 +1,23 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "report/report.h"
+
+namespace palmer {
+
+/// What the report says of the program that made it.
+struct ReportOptions {
+    QString program;                         ///< "Palmer 0.1.0"
+    std::optional<bool> selfTestPassed = {}; ///< of this process; null: not run
+};
+
+/// The printed report of a document in one language: of several tests a summary first, then each test with
+/// head, figure, results, verdict, conditions, points agreed, uncertainty, findings, limits, values and
+/// readings; at the end traceability, statements (ISO/IEC 17025, 7.8), remarks and signatures. Pure: the same
+/// document gives the same report at any time and under any locale. Drift tests are listed, they have no
+/// page. Throws Error as writeDocument does, since the report carries the fingerprint of its test file.
+[[nodiscard]] Report composeReport(const EvaluatedDocument &evaluated, const Language &language,
+                                   const ReportOptions &options = {});
+
+} // namespace palmer

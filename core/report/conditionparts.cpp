@@ -1,0 +1,438 @@
+#include "report/conditionparts.h"
+
+#include "report/wording.h"
+
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+constexpr double conditionsWidth = 98; ///< mm, beside the environment of 68
+constexpr double conditionLabels = 30; ///< mm
+constexpr int temperatureDecimals = 1;
+constexpr int mostTemperatureDecimals = 3;
+constexpr int correctionDecimals = 2;
+constexpr int expansionDecimals = 1;
+
+QString yesNo(const Writer &write, std::optional<bool> value) {
+    if (!value)
+        return {};
+    return write.text(*value ? REPORT_TEXT("report", "yes") : REPORT_TEXT("report", "no"));
+}
+
+QString stated(const Writer &write, std::optional<bool> value, const Text &yes, const Text &no) {
+    return value ? write.text(*value ? yes : no) : QString();
+}
+
+QString warmUpText(const Writer &write, const WarmUp &warmUp) {
+    const QString text = QString::fromStdString(warmUp.text);
+    switch (warmUp.kind) {
+    case WarmUpKind::notStated:
+        return text;
+    case WarmUpKind::procedure:
+        return joined({write.text(REPORT_TEXT("report", "agreed or maker’s procedure")), text});
+    case WarmUpKind::dryRun:
+        return joined({write.text(REPORT_TEXT("report", "dry run")), text});
+    case WarmUpKind::setUpOnly:
+        return joined({write.text(REPORT_TEXT("report", "set-up movements only")), text});
+    }
+    return text;
+}
+
+QString targetChoiceText(const PositioningPart &part) {
+    const TargetChoice &choice = part.measurement.targetChoice;
+    const Writer &write = part.write;
+    const auto distance = [&](double value) { return Number{value, part.along(), -1}; };
+    QStringList texts;
+    switch (choice.kind) {
+    case TargetChoiceKind::notStated:
+        return {};
+    case TargetChoiceKind::free:
+        texts << write.text(REPORT_TEXT("report", "chosen freely"));
+        break;
+    case TargetChoiceKind::polygon:
+        texts << write.text(REPORT_TEXT("report", "faces of the polygon"));
+        break;
+    case TargetChoiceKind::fixed:
+        texts << write.text(REPORT_TEXT("report", "fixed by the instrument"));
+        break;
+    }
+    if (choice.interval)
+        texts << write.say(REPORT_TEXT("report", "nominal interval %1"), {distance(*choice.interval)});
+    if (choice.period)
+        texts << write.say(REPORT_TEXT("report", "period %1"), {distance(*choice.period)});
+    if (choice.seed)
+        texts << write.say(REPORT_TEXT("report", "random part of seed %1"), {std::to_string(*choice.seed)});
+    return joined(texts);
+}
+
+QString targetList(const PositioningPart &part) {
+    const auto &targets = part.measurement.targets;
+    const int decimals = positionDecimals(targets, part.along());
+    QStringList texts;
+    for (const double target : targets)
+        texts << part.write.language().number(target, part.along(), decimals);
+    return joined(texts, part.write.semicolon()) + QStringLiteral("\u00A0") +
+           part.write.language().unit(part.along());
+}
+
+/// "X 0, Y –, Z 150 mm"; empty where nothing is stated.
+QString pointText(const Writer &write, const Point3 &point) {
+    if (std::ranges::none_of(point, [](const auto &x) { return x.has_value(); }))
+        return {};
+    constexpr std::array letters{'X', 'Y', 'Z'};
+    QStringList texts;
+    for (std::size_t i = 0; i < point.size(); ++i)
+        texts << QLatin1Char(letters[i]) + QStringLiteral("\u00A0") +
+                     (point[i] ? write.language().number(*point[i], Quantity::position)
+                               : QStringLiteral("–"));
+    return texts.join(write.semicolon()) + QStringLiteral("\u00A0mm");
+}
+
+QString measuringLineText(const Writer &write, const Conditions &conditions) {
+    QStringList lines;
+    const auto add = [&](const Text &words, const Point3 &point) {
+        const QString text = pointText(write, point);
+        lines << write.say(words, text.isEmpty() ? QStringLiteral("–") : text);
+    };
+    add(REPORT_TEXT("report", "tool offset: %1"), conditions.toolOffset);
+    add(REPORT_TEXT("report", "workpiece offset: %1"), conditions.workpieceOffset);
+    return lines.join(u'\n');
+}
+
+KeyValues conditionRows(const PositioningPart &part) {
+    const Writer &write = part.write;
+    const PositioningConditions &conditions = part.measurement.conditions;
+    const Conditions &common = conditions.common;
+    const Quantity feed =
+        part.measurement.axis.motion == Motion::linear ? Quantity::feed : Quantity::angularFeed;
+    KeyValues values;
+    values.labelWidth = conditionLabels;
+    const auto add = [&](const Text &label, const QString &value) {
+        values.rows.push_back({write.text(label), value});
+    };
+    const auto addStated = [&](const Text &label, const QString &value) {
+        if (!value.isEmpty())
+            add(label, value);
+    };
+    add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
+    QString feedText = write.quantity(conditions.feed, feed);
+    if (conditions.feedMode == FeedMode::rapid)
+        feedText = joined({write.text(REPORT_TEXT("report", "rapid feed")), feedText});
+    add(REPORT_TEXT("report", "Feed between targets"), feedText);
+    add(REPORT_TEXT("report", "Dwell at target"), write.quantity(conditions.dwell, Quantity::time));
+    addStated(REPORT_TEXT("report", "Approach distance"),
+              write.quantity(conditions.approachDistance, part.along()));
+    const Text unloaded = part.isOf1988() ? REPORT_TEXT_FOR("report", "machine unloaded", "1988")
+                                          : REPORT_TEXT("report", "machine unloaded");
+    add(REPORT_TEXT("report", "Load"),
+        joined({stated(write, common.unloaded, unloaded, REPORT_TEXT("report", "machine loaded")),
+                QString::fromStdString(common.load)}));
+    add(REPORT_TEXT("report", "State of the machine"),
+        joined({stated(write, common.complete, REPORT_TEXT("report", "complete and in working order"),
+                       REPORT_TEXT("report", "not complete")),
+                stated(write, common.levelled, REPORT_TEXT("report", "levelled and aligned"),
+                       REPORT_TEXT("report", "not levelled"))}));
+    add(REPORT_TEXT("report", "Active compensation"), QString::fromStdString(common.compensation));
+    add(REPORT_TEXT("report", "Other axes"), QString::fromStdString(common.otherAxes));
+    add(REPORT_TEXT("report", "Measuring line"), measuringLineText(write, common));
+    add(REPORT_TEXT("report", "Instrument"), QString::fromStdString(common.instrumentPosition));
+    add(REPORT_TEXT("report", "Choice of targets"), targetChoiceText(part));
+    if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
+        add(REPORT_TEXT("report", "Target positions"), targetList(part)); // stated in the tables otherwise
+    if (conditions.referencePosition)
+        add(REPORT_TEXT("report", "Zero of displacement"),
+            write.quantity(conditions.referencePosition, part.along()));
+    addStated(REPORT_TEXT("report", "Soak"), QString::fromStdString(common.soak));
+    addStated(REPORT_TEXT("report", "Thermal shielding"), yesNo(write, common.shielded));
+    addStated(REPORT_TEXT("report", "Maker’s thermal guidelines"),
+              QString::fromStdString(common.thermalGuidelines));
+    return values;
+}
+
+using Temperature = std::optional<double> (*)(const Sensor &);
+
+/// Mean over all sensors that measure it; null unless each of them has a value.
+std::optional<double> mean(const std::vector<Sensor> &sensors, SensorMeasures what, Temperature temperature) {
+    double sum = 0;
+    int count = 0;
+    for (const Sensor &sensor : sensors) {
+        if (sensor.measures != what)
+            continue;
+        const auto value = temperature(sensor);
+        if (!value)
+            return std::nullopt;
+        sum += *value;
+        ++count;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+Text sensorText(SensorMeasures what) {
+    switch (what) {
+    case SensorMeasures::machine:
+        return REPORT_TEXT("report", "Machine");
+    case SensorMeasures::instrument:
+        return REPORT_TEXT("report", "Instrument");
+    case SensorMeasures::air:
+        return REPORT_TEXT("report", "Air");
+    }
+    return {};
+}
+
+Table environment(const PositioningPart &part) {
+    const Writer &write = part.write;
+    const PositioningConditions &conditions = part.measurement.conditions;
+    Table table;
+    table.columns = {{write.text(part.isOf1988() ? REPORT_TEXT_FOR("report", "Environment", "1988")
+                                                 : REPORT_TEXT("report", "Environment")),
+                      {},
+                      Alignment::left,
+                      true,
+                      42},
+                     {write.text(REPORT_TEXT("report", "Start")), {}, Alignment::decimal, false, 13},
+                     {write.text(REPORT_TEXT("report", "End")), {}, Alignment::decimal, false, 13}};
+    const auto shown = [&](std::optional<double> value, Quantity quantity, int decimals) {
+        return Cell(value ? write.language().number(*value, quantity, decimals) : QString());
+    };
+    const auto label = [&](const QString &name, Quantity quantity) {
+        return Phrase(
+            {{name + QStringLiteral("\u00A0\u00A0")}, {write.language().unit(quantity), false, false, true}});
+    };
+    for (const SensorMeasures what :
+         {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
+        table.rows.push_back({label(write.text(sensorText(what)), Quantity::temperature),
+                              shown(mean(conditions.common.sensors, what, startTemperature),
+                                    Quantity::temperature, temperatureDecimals),
+                              shown(mean(conditions.common.sensors, what, endTemperature),
+                                    Quantity::temperature, temperatureDecimals)});
+    const auto single = [&](const Text &name, std::optional<double> value, Quantity quantity, int decimals) {
+        table.rows.push_back(
+            {label(write.text(name), quantity), shown(value, quantity, decimals), blankCell()});
+    };
+    single(REPORT_TEXT("report", "Air pressure"), conditions.airPressure, Quantity::pressure, -1);
+    single(REPORT_TEXT("report", "Relative humidity"), conditions.airHumidity, Quantity::percent, -1);
+    single(REPORT_TEXT("report", "Temperature gradient"), conditions.gradientPerHour, Quantity::gradient, -1);
+    if (part.measurement.axis.motion == Motion::linear) {
+        table.rulesAfter.push_back(table.rows.size() - 1);
+        single(REPORT_TEXT("report", "α machine"), conditions.common.expansion.machine, Quantity::expansion,
+               expansionDecimals);
+        single(REPORT_TEXT("report", "α instrument"), conditions.common.expansion.instrument,
+               Quantity::expansion, expansionDecimals);
+    }
+    return table;
+}
+
+void addSensors(std::vector<Block> &blocks, const PositioningPart &part) {
+    const auto &sensors = part.measurement.conditions.common.sensors;
+    if (sensors.empty())
+        return;
+    const Writer &write = part.write;
+    Table table;
+    table.columns = {
+        {write.text(REPORT_TEXT("report", "Temperature of")), {}, Alignment::left, false, 30},
+        {write.text(REPORT_TEXT("report", "Position of the sensor")), {}, Alignment::left, true, 105},
+        {write.text(REPORT_TEXT("report", "Start")), QStringLiteral("°C"), Alignment::decimal, false, 20},
+        {write.text(REPORT_TEXT("report", "End")), QStringLiteral("°C"), Alignment::decimal, false, 20}};
+    int decimals = 0;
+    for (const Sensor &sensor : sensors) {
+        for (const auto &value : {startTemperature(sensor), endTemperature(sensor)}) {
+            if (value)
+                decimals = std::max(decimals, decimalsOf(*value, Quantity::temperature));
+        }
+    }
+    decimals = std::min(decimals, mostTemperatureDecimals);
+    const auto shown = [&](std::optional<double> value) {
+        return Cell(value ? write.language().number(*value, Quantity::temperature, decimals) : QString());
+    };
+    for (const Sensor &sensor : sensors)
+        table.rows.push_back({write.text(sensorText(sensor.measures)),
+                              QString::fromStdString(sensor.position), shown(startTemperature(sensor)),
+                              shown(endTemperature(sensor))});
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Temperature sensors")));
+    blocks.emplace_back(std::move(table));
+}
+
+} // namespace
+
+void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
+    const Writer &write = part.write;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Test conditions")));
+    SideBySide both;
+    both.leftWidth = conditionsWidth;
+    both.left.emplace_back(conditionRows(part));
+    both.right.emplace_back(environment(part));
+    if (part.measurement.axis.motion == Motion::linear)
+        both.right.emplace_back(
+            Paragraph{write.say(REPORT_TEXT("report", "Nominal differential expansion (NDE): %1."),
+                                {correctionText(part.measurement.conditions.common.correctionTo20)}),
+                      TextSize::small});
+    blocks.emplace_back(std::move(both));
+    addSensors(blocks, part);
+}
+
+void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
+    const Edition &edition = part.edition();
+    if (edition.points.empty())
+        return;
+    const Writer &write = part.write;
+    QString note = write.text(
+        part.isOf1988() ? REPORT_TEXT_FOR("report", "between supplier/manufacturer and user", "1988")
+                        : REPORT_TEXT("report", "between supplier/manufacturer and user"));
+    if (*edition.pointsClause != 0)
+        note +=
+            QStringLiteral(", ") + write.say(REPORT_TEXT("report", "%1, clause %2"),
+                                             {std::string(edition.word), std::string(edition.pointsClause)});
+    const bool letters =
+        std::ranges::any_of(edition.points, [](const AgreementPoint &p) { return *p.letter != 0; });
+
+    Table table;
+    if (letters)
+        table.columns.push_back({QString(), {}, Alignment::left, false, 8});
+    table.columns.push_back({write.text(REPORT_TEXT("report", "Point")), {}, Alignment::left, true, 82});
+    table.columns.push_back({write.text(REPORT_TEXT("report", "Agreement")), {}, Alignment::left, false, 30});
+    table.columns.push_back({write.text(REPORT_TEXT("report", "Agreed text")),
+                             {},
+                             Alignment::left,
+                             false,
+                             letters ? 55.0 : 63.0});
+    for (const AgreementPoint &point : edition.points) {
+        const auto found = std::ranges::find(part.test.agreedPoints, point.point, &AgreedPoint::point);
+        const bool listed = found != part.test.agreedPoints.end();
+        const AgreementState state = listed ? found->state : AgreementState::notAgreed;
+        Cell agreement;
+        switch (state) {
+        case AgreementState::agreed:
+            agreement = write.text(REPORT_TEXT("report", "agreed"));
+            agreement.mark = Mark::check;
+            break;
+        case AgreementState::notAgreed:
+            agreement = write.text(REPORT_TEXT("report", "not agreed"));
+            agreement.mark = Mark::cross;
+            agreement.bold = true;
+            break;
+        case AgreementState::notApplicable:
+            agreement = write.text(REPORT_TEXT("report", "not applicable"));
+            break;
+        }
+        std::vector<Cell> row;
+        if (letters)
+            row.emplace_back(QString::fromUtf8(point.letter) + u')');
+        row.emplace_back(write.text(point.name));
+        row.push_back(agreement);
+        row.emplace_back(listed ? QString::fromStdString(found->text) : QString());
+        table.rows.push_back(std::move(row));
+    }
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Points to be agreed")), note);
+    blocks.emplace_back(std::move(table));
+}
+
+void addUncertainty(std::vector<Block> &blocks, const PositioningPart &part) {
+    if (part.leavesOut(ReportPart::uncertainty))
+        return;
+    const Writer &write = part.write;
+    const auto &findings = part.evaluation.findings;
+    const bool asked = std::ranges::find(findings, "uncertainty", &Finding::id) != findings.end();
+    const bool any = std::ranges::any_of(
+        part.evaluation.parameters, [](const Parameter &p) { return p.expandedUncertainty.has_value(); });
+    if (!asked && !any)
+        return;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Measurement uncertainty")), QStringLiteral("k = 2"));
+    QStringList words;
+    if (any && part.measurement.uncertainty.method == UncertaintyMethod::direct)
+        words << write.text(REPORT_TEXT(
+            "report", "The expanded uncertainties U beside the results were stated by the laboratory."));
+    if (asked)
+        words << write.say(
+            any ? REPORT_TEXT("report",
+                              "%1 asks for the uncertainty beside every result; some are not stated.")
+                : REPORT_TEXT("report", "%1 asks for the uncertainty beside every result; none is stated."),
+            {std::string(part.edition().word)});
+    blocks.emplace_back(Paragraph{words.join(u' ')});
+}
+
+void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
+    if (part.measurement.axis.motion != Motion::linear)
+        return;
+    const Writer &write = part.write;
+    const Conditions &conditions = part.measurement.conditions.common;
+    const Expansion &alpha = conditions.expansion;
+    const bool corrected = !part.results.corrections.empty();
+    const auto temperature = [&](SensorMeasures what) {
+        return Number{meanTemperature(conditions, what).value_or(0), Quantity::temperature, 2};
+    };
+    const auto expansion = [](std::optional<double> value) {
+        return Number{value.value_or(0), Quantity::expansion, -1};
+    };
+    QString words;
+    switch (conditions.correctionTo20) {
+    case CorrectionTo20::notStated:
+        words = write.text(REPORT_TEXT(
+            "report",
+            "Whether the readings are corrected to 20 °C is not stated; nothing is corrected here."));
+        break;
+    case CorrectionTo20::notApplied:
+        words = write.text(REPORT_TEXT("report", "The readings are not corrected to 20 °C."));
+        break;
+    case CorrectionTo20::appliedByInstrument:
+        words = write.text(
+            REPORT_TEXT("report", "The material compensation of the instrument was on: the readings hold at "
+                                  "20 °C, nothing is corrected here."));
+        break;
+    case CorrectionTo20::appliedHere:
+        if (!corrected)
+            words = write.text(REPORT_TEXT(
+                "report", "The correction was to be made here, but temperatures or coefficients of "
+                          "expansion are missing: nothing is corrected."));
+        else if (alpha.instrument == 0.0)
+            words = write.say(REPORT_TEXT("report",
+                                          "Made here for the expansion of the machine (α = %1, θ = %2); the "
+                                          "instrument compensates the air only."),
+                              {expansion(alpha.machine), temperature(SensorMeasures::machine)});
+        else
+            words = write.say(
+                REPORT_TEXT("report",
+                            "Made here for the expansion of the machine (α = %1, θ = %2) and of the "
+                            "instrument (α = %3, θ = %4)."),
+                {expansion(alpha.machine), temperature(SensorMeasures::machine), expansion(alpha.instrument),
+                 temperature(SensorMeasures::instrument)});
+        break;
+    }
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Correction to 20 °C")),
+               write.text(REPORT_TEXT("report", "nominal differential expansion (NDE)")));
+    blocks.emplace_back(Paragraph{words});
+    if (!corrected)
+        return;
+
+    const auto &targets = part.measurement.targets;
+    const double reference =
+        part.measurement.conditions.referencePosition.value_or(targets.empty() ? 0 : targets.front());
+    const int places = positionDecimals(targets, part.along());
+    const QString lengthUnit = write.language().unit(part.along());
+    Table table;
+    table.columns = {{Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, 7},
+                     {Phrase({{QStringLiteral("P")}, {QStringLiteral("i"), true}}), lengthUnit,
+                      Alignment::decimal, false, 19},
+                     {Phrase({{QStringLiteral("P")},
+                              {QStringLiteral("i"), true},
+                              {QStringLiteral(" − P")},
+                              {QStringLiteral("0"), true}}),
+                      lengthUnit, Alignment::decimal, false, 30},
+                     {write.text(REPORT_TEXT("report", "Added to the readings")),
+                      write.language().unit(part.deviation()), Alignment::decimal, false, 45},
+                     {QString(), {}, Alignment::left, true, 74}};
+    for (std::size_t i = 0; i < std::min(targets.size(), part.results.corrections.size()); ++i) {
+        if (i > 0 && i % 5 == 0)
+            table.rulesAfter.push_back(i - 1);
+        table.rows.push_back(
+            {QString::number(i + 1), write.language().number(targets[i], part.along(), places),
+             write.language().number(targets[i] - reference, part.along(), places),
+             write.language().number(part.results.corrections[i], part.deviation(), correctionDecimals),
+             blankCell()});
+    }
+    blocks.emplace_back(std::move(table));
+}
+
+} // namespace palmer

@@ -1,0 +1,380 @@
+#include "report/dataparts.h"
+
+#include "kernel/evaluation/targetvalue.h"
+#include "language/rounding.h"
+#include "report/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace palmer {
+
+namespace {
+
+constexpr double textWidth = 175; ///< mm
+constexpr double numberWidth = 7; ///< mm, column i
+constexpr double positionWidth = 19;
+constexpr double directionsGap = 5;
+constexpr double digitWidth = 1.67; ///< mm, of 8.5 pt
+constexpr double cellPadding = 2;
+constexpr std::size_t mostRunsSideBySide = 7;
+constexpr std::size_t rowsOfAGroup = 5;
+constexpr qsizetype mostRemarksBeside = 600; ///< characters; longer remarks take the whole width
+
+Phrase indexed(const QString &base, const QString &index, const QString &after = {}) {
+    std::vector<Span> spans{{base}, {index, true}};
+    if (!after.isEmpty())
+        spans.push_back({after});
+    return Phrase(std::move(spans));
+}
+
+Column targetColumn() {
+    return {Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, numberWidth};
+}
+
+Column positionColumn(const PositioningPart &part) {
+    return {indexed(QStringLiteral("P"), QStringLiteral("i")), part.write.language().unit(part.along()),
+            Alignment::decimal, false, positionWidth};
+}
+
+void addGroupRules(Table &table) {
+    for (std::size_t row = rowsOfAGroup; row < table.rows.size(); row += rowsOfAGroup)
+        table.rulesAfter.push_back(row - 1);
+}
+
+/// Targets (from 1) that rule R↑, R↓, R, B: the cells of the table per target that stand bold.
+std::set<std::pair<std::string, int>> rulingCells(const TestEvaluation &evaluation) {
+    std::set<std::pair<std::string, int>> cells;
+    for (const Parameter &parameter : evaluation.parameters) {
+        const std::string id = parameter.term.id;
+        if (!parameter.ruling[0] || !(id == "R+" || id == "R-" || id == "R" || id == "B"))
+            continue;
+        cells.emplace(id == "B" ? "reversal" : id, parameter.ruling[0]->target);
+    }
+    return cells;
+}
+
+/// The runs of a direction in the order they were measured.
+std::vector<const Run *> runsOf(const PositioningMeasurement &measurement, Direction direction) {
+    std::vector<const Run *> runs;
+    for (const Run &run : measurement.runs) {
+        if (run.approach == direction)
+            runs.push_back(&run);
+    }
+    return runs;
+}
+
+class ReadingTables {
+public:
+    explicit ReadingTables(const PositioningPart &part)
+        : m_part(part)
+        , m_up(runsOf(part.measurement, Direction::positive))
+        , m_down(runsOf(part.measurement, Direction::negative))
+        , m_decimals(readingDecimals(part.measurement))
+        , m_positionDecimals(positionDecimals(part.measurement.targets, part.along())) {
+        qsizetype longest = 0;
+        for (const Run &run : part.measurement.runs) {
+            for (const auto &deviation : run.deviations) {
+                if (deviation)
+                    longest = std::max(longest, reading(*deviation).size());
+            }
+        }
+        m_columnWidth = static_cast<double>(longest) * digitWidth + cellPadding;
+    }
+
+    [[nodiscard]] std::vector<Table> tables() const {
+        const double room = textWidth - numberWidth - positionWidth;
+        const std::size_t most = std::max(m_up.size(), m_down.size());
+        const bool sideBySide =
+            most <= mostRunsSideBySide && !m_up.empty() && !m_down.empty() &&
+            static_cast<double>(m_up.size() + m_down.size()) * m_columnWidth <= room - directionsGap;
+        std::vector<Table> result;
+        if (sideBySide) {
+            Table table = base();
+            append(table, Direction::positive, 0, m_up.size());
+            append(table, Direction::negative, 0, m_down.size());
+            result.push_back(std::move(table));
+            return result;
+        }
+        const auto atATime = static_cast<std::size_t>(std::max(1.0, room / std::max(m_columnWidth, 12.0)));
+        for (const Direction direction : {Direction::positive, Direction::negative}) {
+            const std::size_t count = runs(direction).size();
+            for (std::size_t first = 0; first < count; first += atATime) {
+                Table table = base();
+                append(table, direction, first, std::min(atATime, count - first));
+                result.push_back(std::move(table));
+            }
+        }
+        return result;
+    }
+
+private:
+    [[nodiscard]] const std::vector<const Run *> &runs(Direction direction) const {
+        return direction == Direction::positive ? m_up : m_down;
+    }
+
+    [[nodiscard]] QString reading(double value) const {
+        return m_part.write.language().number(value, m_part.deviation(), m_decimals);
+    }
+
+    [[nodiscard]] Table base() const {
+        Table table;
+        table.columns = {targetColumn(), positionColumn(m_part)};
+        const auto &targets = m_part.measurement.targets;
+        for (std::size_t i = 0; i < targets.size(); ++i)
+            table.rows.push_back(
+                {QString::number(i + 1),
+                 m_part.write.language().number(targets[i], m_part.along(), m_positionDecimals)});
+        addGroupRules(table);
+        return table;
+    }
+
+    void append(Table &table, Direction direction, std::size_t first, std::size_t count) const {
+        const QString unit = m_part.write.language().unit(m_part.deviation());
+        table.spanners.push_back({table.columns.size(), count,
+                                  Phrase({{QStringLiteral("x")},
+                                          {QStringLiteral("ij"), true},
+                                          {arrow(direction)},
+                                          {QStringLiteral(", ") + unit, false, false, true}})});
+        for (std::size_t j = first; j < first + count; ++j) {
+            Column column{QString(), QStringLiteral("j\u00A0=\u00A0") + QString::number(j + 1),
+                          Alignment::decimal};
+            if (j == first && table.columns.size() > 2)
+                column.gapBefore = directionsGap;
+            table.columns.push_back(column);
+            const auto &deviations = runs(direction)[j]->deviations;
+            for (std::size_t i = 0; i < table.rows.size(); ++i)
+                table.rows[i].emplace_back(i < deviations.size() && deviations[i] ? reading(*deviations[i])
+                                                                                  : QString());
+        }
+    }
+
+    const PositioningPart &m_part;
+    std::vector<const Run *> m_up;
+    std::vector<const Run *> m_down;
+    int m_decimals;
+    int m_positionDecimals;
+    double m_columnWidth = 0;
+};
+
+/// Which run of its direction it is, from 1; `run` counts all runs from 1. 0 where there is no such run.
+int numberInDirection(const PositioningMeasurement &measurement, int run) {
+    if (run < 1 || static_cast<std::size_t>(run) > measurement.runs.size())
+        return 0;
+    const auto end = measurement.runs.begin() + run;
+    return static_cast<int>(std::count_if(measurement.runs.begin(), end, [&](const Run &other) {
+        return other.approach == measurement.runs[static_cast<std::size_t>(run) - 1].approach;
+    }));
+}
+
+/// "2006"; whole designations where there is more than the year to tell apart.
+QString shortEdition(const char *word) {
+    const QString designation = QString::fromUtf8(word);
+    const QString family = QStringLiteral("ISO 230-2:");
+    return designation.startsWith(family) ? designation.mid(family.size()) : designation;
+}
+
+struct EditionColumn {
+    const Edition *edition;
+    TestEvaluationPointer evaluation;
+};
+
+std::vector<EditionColumn> editionColumns(const TestPart &part) {
+    std::vector<EditionColumn> columns{{&part.edition(), part.evaluated.tests[part.index]}};
+    for (const std::string &word : part.head().editions) {
+        const Edition *edition = findEdition(word);
+        const auto shown = [&](const EditionColumn &column) { return column.edition == edition; };
+        if (!edition || edition->kind != part.edition().kind || std::ranges::any_of(columns, shown))
+            continue;
+        const EvaluatedDocument view = evaluate(part.evaluated.document, nullptr, word);
+        columns.push_back({edition, view.tests[part.index]});
+    }
+    return columns;
+}
+
+std::optional<Table> editionsTable(const TestPart &part) {
+    const std::vector<EditionColumn> columns = editionColumns(part);
+    if (columns.size() < 2)
+        return std::nullopt;
+    const Writer &write = part.write;
+    const auto resolution = finestResolution(part.document(), part.test);
+    std::vector<const Parameter *> rows;
+    for (const EditionColumn &column : columns) {
+        for (const Parameter &parameter : column.evaluation->parameters) {
+            const auto same = [&](const Parameter *p) {
+                return std::string_view(p->term.id) == parameter.term.id;
+            };
+            if (isPrinted(parameter, part.head()) && std::ranges::none_of(rows, same))
+                rows.push_back(&parameter);
+        }
+    }
+    Table table;
+    for (const Parameter *row : rows) {
+        Cell symbol(symbolPhrase(row->term.symbol, row->index));
+        symbol.bold = true;
+        std::vector<Cell> cells{symbol};
+        for (const EditionColumn &column : columns) {
+            const auto &parameters = column.evaluation->parameters;
+            const auto found = std::ranges::find_if(
+                parameters, [&](const Parameter &p) { return std::string_view(p.term.id) == row->term.id; });
+            const bool known = found != parameters.end() && found->value;
+            cells.emplace_back(known ? write.language().number(*found->value, found->term.quantity,
+                                                               parameterDecimals(*found, resolution))
+                                     : QString());
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    const QString unit = rows.empty() ? QString() : write.language().unit(rows.front()->term.quantity);
+    table.columns.push_back({QString(), unit, Alignment::left, true, 20});
+    for (const EditionColumn &column : columns)
+        table.columns.push_back(
+            {shortEdition(column.edition->word),
+             write.say(REPORT_TEXT("report", "factor %1"), {Number{column.edition->c, Quantity::number, -1}}),
+             Alignment::decimal, false, 0});
+    return table;
+}
+
+} // namespace
+
+void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
+    const auto &targets = part.results.targets;
+    if (part.leavesOut(ReportPart::targetTable) || targets.empty())
+        return;
+    const Writer &write = part.write;
+    const Edition &edition = part.edition();
+    const int places = positionDecimals(part.measurement.targets, part.along());
+    const int digits = statisticDecimals(part.measurement);
+    const auto ruling = rulingCells(part.evaluation);
+    Table table;
+    table.columns = {targetColumn(), positionColumn(part)};
+    std::vector<const char *> ids;
+    for (const TargetTerm &term : edition.targetTerms) {
+        if (!isShown(term.id, part.results))
+            continue;
+        ids.push_back(term.id);
+        table.columns.push_back(
+            {symbolPhrase(term.symbol), write.language().unit(part.deviation()), Alignment::decimal});
+    }
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        std::vector<Cell> row{QString::number(i + 1),
+                              write.language().number(part.measurement.targets[i], part.along(), places)};
+        for (const char *id : ids) {
+            const auto value = targetValue(id, targets[i], edition.c);
+            Cell cell(value ? write.language().number(*value, part.deviation(), digits) : QString());
+            cell.bold = ruling.contains({id, static_cast<int>(i) + 1});
+            row.push_back(std::move(cell));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    addGroupRules(table);
+    addHeading(
+        blocks, write.text(REPORT_TEXT("report", "Results per target position")),
+        write.say(REPORT_TEXT("report", "factor %1; bold: the value that rules the parameter of the axis"),
+                  {Number{edition.c, Quantity::number, -1}}));
+    blocks.emplace_back(std::move(table));
+}
+
+void addReadings(std::vector<Block> &blocks, const PositioningPart &part) {
+    if (part.leavesOut(ReportPart::readings) || part.measurement.runs.empty())
+        return;
+    const Writer &write = part.write;
+    Phrase note = indexed(write.text(part.edition().family == std::string_view("ISO 230-2:2014")
+                                         ? REPORT_TEXT("report", "positioning deviations")
+                                         : REPORT_TEXT("report", "positional deviations")) +
+                              QStringLiteral(" x"),
+                          QStringLiteral("ij"));
+    if (!part.results.corrections.empty())
+        note.spans.push_back({QStringLiteral(", ") +
+                              write.text(REPORT_TEXT("report", "as read, without the correction to 20 °C"))});
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Readings")), std::move(note));
+    for (Table &table : ReadingTables(part).tables())
+        blocks.emplace_back(std::move(table));
+}
+
+void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part) {
+    const PositioningMeasurement &measurement = part.measurement;
+    if (measurement.excluded.empty())
+        return;
+    const Writer &write = part.write;
+    const QString unit = write.language().unit(part.deviation());
+    const int places = positionDecimals(measurement.targets, part.along());
+    Table table;
+    table.columns = {
+        targetColumn(),
+        positionColumn(part),
+        {QStringLiteral("j"), {}, Alignment::right, false, 12},
+        {indexed(QStringLiteral("x"), QStringLiteral("ij")), unit, Alignment::decimal, false, 25},
+        {write.text(REPORT_TEXT("report", "Reason")), {}, Alignment::left, true, 112}};
+    for (const ExcludedReading &reading : measurement.excluded) {
+        const auto target = static_cast<std::size_t>(reading.target) - 1;
+        const auto run = static_cast<std::size_t>(reading.run) - 1;
+        const int j = numberInDirection(measurement, reading.run);
+        table.rows.push_back({QString::number(reading.target),
+                              target < measurement.targets.size()
+                                  ? write.language().number(measurement.targets[target], part.along(), places)
+                                  : QString(),
+                              j > 0 ? QString::number(j) + arrow(measurement.runs[run].approach) : QString(),
+                              write.language().number(reading.value, part.deviation()),
+                              QString::fromStdString(reading.reason)});
+    }
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Excluded readings")),
+               write.text(REPORT_TEXT("report", "set aside: they have no part in the results")));
+    blocks.emplace_back(std::move(table));
+}
+
+void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks) {
+    const Writer &write = part.write;
+    auto table = editionsTable(part);
+    const Heading editions{2, write.text(REPORT_TEXT("report", "Comparison of editions"))};
+    const Heading remarksHeading{2, write.text(REPORT_TEXT("report", "Remarks"))};
+    const bool fits = table && table->columns.size() <= 5;
+    if (fits && !remarks.isEmpty() && remarks.size() <= mostRemarksBeside) {
+        SideBySide both;
+        both.left = {editions, std::move(*table)};
+        both.right = {remarksHeading, Paragraph{remarks}};
+        blocks.emplace_back(std::move(both));
+        return;
+    }
+    if (table) {
+        blocks.emplace_back(editions);
+        blocks.emplace_back(std::move(*table));
+    }
+    if (!remarks.isEmpty()) {
+        blocks.emplace_back(remarksHeading);
+        blocks.emplace_back(Paragraph{remarks});
+    }
+}
+
+void addImports(std::vector<Block> &blocks, const TestPart &part) {
+    const auto &imports = part.test.imports;
+    if (imports.empty())
+        return;
+    const Writer &write = part.write;
+    Table files;
+    files.columns = {{write.text(REPORT_TEXT("report", "File")), {}, Alignment::left, true, 63},
+                     {QStringLiteral("SHA-256"), {}, Alignment::left, false, 112}};
+    Table results;
+    results.columns = {{write.text(REPORT_TEXT("report", "File")), {}, Alignment::left, true, 63},
+                       {write.text(REPORT_TEXT("report", "Result stated by the instrument’s program")),
+                        {},
+                        Alignment::left,
+                        false,
+                        70},
+                       {write.text(REPORT_TEXT("report", "Value")), {}, Alignment::decimal, false, 22},
+                       {write.text(REPORT_TEXT("report", "Unit")), {}, Alignment::left, false, 20}};
+    for (const ImportedFile &file : imports) {
+        files.rows.push_back({QString::fromStdString(file.fileName), QString::fromStdString(file.sha256)});
+        for (const ImportedResult &result : file.results)
+            results.rows.push_back({QString::fromStdString(file.fileName),
+                                    QString::fromStdString(result.name),
+                                    write.language().number(result.value, Quantity::number),
+                                    QString::fromStdString(result.unit)});
+    }
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Origin of the data")));
+    blocks.emplace_back(std::move(files));
+    if (!results.rows.empty())
+        blocks.emplace_back(std::move(results));
+}
+
+} // namespace palmer

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "report/testpart.h"
+
+namespace palmer {
+
+/// The title of the report: its own, or "Acceptance test report".
+[[nodiscard]] QString reportTitle(const Writer &write, const ReportHead &head);
+
+/// What each page of a test carries above its rule.
+[[nodiscard]] RunningHead runningHead(const TestPart &part);
+
+/// The head of a positioning test.
+[[nodiscard]] TestHead positioningHead(const PositioningPart &part);
+
+/// The head of any other test: what all kinds state.
+[[nodiscard]] TestHead commonHead(const TestPart &part);
+
+/// The first page of a report over several tests: each with its verdict, and the verdict of all.
+void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
+
+} // namespace palmer

@@ -1,0 +1,150 @@
+#include "report/pagetext.h"
+
+#include <QStringList>
+
+namespace palmer {
+
+namespace {
+
+constexpr QChar dash(u'–');
+constexpr QStringView between(u"  ");
+
+class WordPrinter {
+public:
+    void operator()(const Heading &heading) { cells({heading.text, heading.note.plain()}); }
+    void operator()(const Paragraph &paragraph) { line(paragraph.text); }
+    void operator()(const KeyValues &values) {
+        for (const KeyValue &row : values.rows)
+            cells({row.key, row.value.isEmpty() ? QString(dash) : row.value});
+    }
+    void operator()(const Table &table) {
+        if (!table.headless)
+            head(table);
+        for (const auto &row : table.rows) {
+            QStringList texts;
+            for (const Cell &cell : row)
+                texts << (cell.isMissing() ? QString(dash) : cell.text.plain());
+            cells(texts);
+        }
+    }
+    void operator()(const SideBySide &both) {
+        for (const Part &part : both.left)
+            std::visit(*this, part);
+        for (const Part &part : both.right)
+            std::visit(*this, part);
+    }
+    void operator()(const TestHead &head) {
+        cells({head.laboratory});
+        cells({head.address});
+        cells({head.accreditation});
+        cells({head.number});
+        cells(head.numberNotes);
+        cells({head.title});
+        cells({head.subtitle});
+        cells({head.editionTitle});
+        cells({head.notice});
+        (*this)(head.left);
+        (*this)(head.right);
+    }
+    void operator()(const FigureBlock &block) {
+        std::visit([this](const auto &figure) { words(figure); }, block.figure);
+    }
+    void operator()(const ResultsLegend &legend) {
+        QStringList texts;
+        for (const LegendItem &item : legend.items)
+            texts << item.text;
+        cells(texts);
+    }
+    void operator()(const VerdictLine &verdict) {
+        cells({verdict.label, verdict.word});
+        cells({verdict.reason});
+        cells({QString(verdict.accordance).replace(QLatin1String("%1"), QString(dash))});
+    }
+    void operator()(const FindingsBlock &findings) {
+        for (const FindingLine &finding : findings.lines)
+            cells({finding.gradeName, finding.sentence,
+                   finding.clause.isEmpty() ? QString(dash) : finding.clause});
+    }
+    void operator()(const Signatures &signatures) {
+        for (const SignatureColumn &column : signatures.columns) {
+            line(column.heading);
+            for (const SignatureLine &row : column.lines)
+                cells({row.label, row.value});
+        }
+    }
+    void operator()(const RunningHead &) {}
+    void operator()(const PageBreak &) {}
+    void operator()(const EndMark &mark) { line(mark.text); }
+
+    [[nodiscard]] QString take() { return std::move(m_text); }
+
+private:
+    void line(const QString &text) { m_text += text + u'\n'; }
+
+    /// One line of those that are not empty.
+    void cells(const QStringList &texts) {
+        QStringList filled;
+        for (const QString &text : texts) {
+            if (!text.isEmpty())
+                filled << text;
+        }
+        if (!filled.isEmpty())
+            line(filled.join(between.toString()));
+    }
+
+    void head(const Table &table) {
+        QStringList titles;
+        QStringList units;
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            for (const Spanner &spanner : table.spanners) {
+                if (spanner.first == i)
+                    titles << spanner.title.plain();
+            }
+            titles << table.columns[i].title.plain();
+            units << table.columns[i].unit;
+        }
+        cells(titles);
+        cells(units);
+    }
+
+    void axis(const FigureAxis &axis) {
+        cells(
+            {axis.quantity + u' ' + axis.symbol + axis.subscript + QStringLiteral(" (") + axis.unit + u')'});
+        QStringList labels;
+        for (const Tick &tick : axis.ticks)
+            labels << tick.label;
+        cells(labels);
+    }
+
+    void words(const CurveFigure &figure) {
+        axis(figure.y);
+        axis(figure.x);
+        QStringList dimensions;
+        for (const Dimension &dimension : figure.dimensions)
+            dimensions << dimension.label;
+        cells(dimensions);
+        QStringList legend;
+        for (const LegendEntry &entry : figure.legend)
+            legend << entry.text;
+        cells(legend);
+    }
+
+    QString m_text;
+};
+
+} // namespace
+
+QString pageText(const Block &block) {
+    WordPrinter printer;
+    std::visit(printer, block);
+    return printer.take();
+}
+
+QString pageText(const Report &report) {
+    QString result;
+    for (const Block &block : report.blocks)
+        result += pageText(block);
+    return result;
+}
+
+} // namespace palmer

@@ -1,0 +1,550 @@
+#include "report/resultparts.h"
+
+#include "figures/deviationfigure.h"
+#include "language/rounding.h"
+#include "report/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ranges>
+
+namespace palmer {
+
+namespace {
+
+constexpr double earlierGuardFactor = 1.0;   ///< guard band U: earlier editions of ISO 14253-1
+constexpr double oneSidedGuardFactor = 0.83; ///< 1.65 u: its later 95 % rule for one limit
+constexpr QChar noBreakSpace(u'\u00A0');
+constexpr double symbolWidth = 7.8; ///< mm, as the widths below
+constexpr double spareBesidePicture = 2;
+constexpr double letterWidth = 1.67;
+constexpr double spaceWidth = 0.9;
+constexpr double cellPadding = 2.2;
+constexpr qsizetype mostOfReason = 190; ///< characters that fit on two lines of the verdict line
+
+bool hasGuardBand(const Test &test) {
+    return test.decisionRule.rule != Rule::simpleAcceptance;
+}
+
+bool factorIsOne(const Test &test) {
+    return test.decisionRule.guardFactor == earlierGuardFactor;
+}
+
+Number factor(const Test &test) {
+    return {test.decisionRule.guardFactor, Quantity::number, -1};
+}
+
+/// "U", "0.83 U".
+QString bandName(const TestPart &part) {
+    if (factorIsOne(part.test))
+        return QStringLiteral("U");
+    return part.write.language().number(part.test.decisionRule.guardFactor, Quantity::number) +
+           QStringLiteral("\u00A0U");
+}
+
+QString joinedSymbols(const std::vector<const Parameter *> &parameters) {
+    QStringList symbols;
+    for (const Parameter *parameter : parameters)
+        symbols << QString::fromStdString(plainSymbol(*parameter));
+    return symbols.join(QStringLiteral(", "));
+}
+
+/// The names of the standard end in "of an axis": in a table of one axis that is said by the heading. A name
+/// that would become one word stays whole.
+QString nameInTable(const Writer &write, const Text &name) {
+    QString result = write.text(name);
+    const QString ending =
+        u' ' + write.text(REPORT_TEXT_FOR("report", "of an axis", "end of the name of a parameter"));
+    if (result.endsWith(ending) && result.chopped(ending.size()).contains(u' '))
+        result.chop(ending.size());
+    if (!result.isEmpty())
+        result[0] = result[0].toUpper();
+    return result;
+}
+
+/// One parameter with its numbers as the table prints them.
+struct PrintedResult {
+    const Parameter *parameter;
+    int decimals;
+    QString value;
+    QString uncertainty;
+    QString limit;
+};
+
+PrintedResult printed(const Parameter &parameter, const Language &language,
+                      std::optional<double> resolution) {
+    const Quantity quantity = parameter.term.quantity;
+    PrintedResult result{&parameter, parameterDecimals(parameter, resolution), {}, {}, {}};
+    if (parameter.value)
+        result.value = language.number(*parameter.value, quantity, result.decimals);
+    if (parameter.expandedUncertainty)
+        result.uncertainty = language.uncertainty(*parameter.expandedUncertainty, quantity, result.decimals);
+    if (parameter.limit && parameter.limit->value)
+        result.limit = language.number(*parameter.limit->value, quantity);
+    return result;
+}
+
+std::vector<PrintedResult> printedResults(const TestPart &part) {
+    const auto resolution = finestResolution(part.document(), part.test);
+    std::vector<PrintedResult> results;
+    for (const Parameter &parameter : part.evaluation.parameters) {
+        if (isPrinted(parameter, part.head()))
+            results.push_back(printed(parameter, part.write.language(), resolution));
+    }
+    return results;
+}
+
+Cell guardCell(const Parameter &parameter) {
+    Cell cell = blankCell();
+    if (!parameter.verdict || !parameter.value || !parameter.limit || !parameter.limit->value ||
+        *parameter.limit->value <= 0)
+        return cell;
+    cell.blank = false;
+    cell.guard = Guard{*parameter.limit->value, std::abs(*parameter.value), parameter.guardBand};
+    return cell;
+}
+
+Cell verdictCell(const Writer &write, const Parameter &parameter) {
+    if (!parameter.verdict)
+        return {};
+    Cell cell(write.text(verdictText(*parameter.verdict)));
+    cell.mark = markOf(*parameter.verdict);
+    cell.bold = parameter.verdict == Verdict::doesNotConform;
+    return cell;
+}
+
+Phrase targetsTitle(const Writer &write) {
+    return Phrase({{write.text(REPORT_TEXT_FOR("report", "Targets", "followed by i")) + u' '},
+                   {QStringLiteral("i"), false, true}});
+}
+
+/// Estimated width of a text of 8.5 pt, mm; combining marks take none.
+double estimatedWidth(const QString &text) {
+    double width = 0;
+    for (const QChar c : text) {
+        if (c.category() != QChar::Mark_NonSpacing)
+            width += c.isSpace() ? spaceWidth : letterWidth;
+    }
+    return width;
+}
+
+/// The columns for these rows: the widths of the pictures, unless a symbol or the ruling targets need more.
+/// What they need is taken from the space beside the guard picture, then from the name.
+std::vector<Column> resultColumns(const TestPart &part, const Table &table, const QString &unit) {
+    const Writer &write = part.write;
+    const bool french = write.language().id() == Language::Id::french;
+    QString band;
+    if (hasGuardBand(part.test))
+        band = write.text(factorIsOne(part.test) ? REPORT_TEXT("report", "Limit ± U")
+                                                 : REPORT_TEXT("report", "Limit ± g"));
+    const double targetsWidth = french ? 13.0 : 13.5;
+    double symbols = symbolWidth;
+    double targets = targetsWidth;
+    for (const auto &row : table.rows) {
+        symbols = std::max(symbols, estimatedWidth(row[0].text.plain()) + cellPadding);
+        targets = std::max(targets, estimatedWidth(row[2].text.plain()) + cellPadding);
+    }
+    const double more = symbols - symbolWidth + targets - targetsWidth;
+    const double fromPicture = std::min(more, spareBesidePicture);
+
+    Column quantity{write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, symbols};
+    quantity.titleSpan = 2;
+    quantity.paddingLeft = 1.2;
+    Column guard{band, {}, Alignment::left, false, 21.7 - fromPicture};
+    guard.paddingLeft = 3.2;
+    return {
+        quantity,
+        {QString(), {}, Alignment::left, true, (french ? 70.0 : 64.0) - (more - fromPicture)},
+        {targetsTitle(write), {}, Alignment::left, false, targets},
+        {write.text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, french ? 10.8 : 11.0},
+        {QStringLiteral("U (k = 2)"), unit, Alignment::decimal, false, french ? 14.0 : 14.2},
+        {write.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, french ? 11.0 : 11.2},
+        guard,
+        {write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, french ? 26.7 : 31.6}};
+}
+
+Table resultTable(const TestPart &part, const std::vector<PrintedResult> &results, bool notCorrected) {
+    Table table;
+    table.unbroken = true;
+    char group = 0;
+    QString unit;
+    for (const PrintedResult &result : results) {
+        const Parameter &parameter = *result.parameter;
+        unit = part.write.language().unit(parameter.term.quantity);
+        if (group != 0 && group != *parameter.term.id)
+            table.rulesAfter.push_back(table.rows.size() - 1);
+        group = *parameter.term.id;
+        Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
+        symbol.bold = true;
+        QString name = nameInTable(part.write, parameter.term.name);
+        const Row *row = rowOf(part.edition(), parameter);
+        if (notCorrected && row && row->dependsOnTemperature)
+            name += QStringLiteral("\u00A0*");
+        Cell value(result.value);
+        value.bold = !result.limit.isEmpty();
+        table.rows.push_back({symbol, name, rulingText(parameter).replace(u' ', noBreakSpace), value,
+                              result.uncertainty, result.limit, guardCell(parameter),
+                              verdictCell(part.write, parameter)});
+    }
+    table.columns = resultColumns(part, table, unit);
+    return table;
+}
+
+QString ruleInShort(const TestPart &part) {
+    switch (part.test.decisionRule.rule) {
+    case Rule::simpleAcceptance:
+        return part.write.text(REPORT_TEXT("report", "simple acceptance"));
+    case Rule::iso14253_1:
+        return part.write.text(REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven"));
+    case Rule::rejectionProven:
+        return part.write.text(REPORT_TEXT("report", "non-conformity has to be proven"));
+    }
+    return {};
+}
+
+QString resultsNote(const TestPart &part) {
+    QStringList notes;
+    if (part.edition().rangeMethod) {
+        const auto *results = std::get_if<PositioningResults>(&part.evaluation.results);
+        const bool range = results && results->standardDeviation == DeviationMethod::range;
+        notes << part.write.text(range ? REPORT_TEXT("report", "s by the range method")
+                                       : REPORT_TEXT("report", "s by the calculation method"));
+    }
+    if (part.evaluation.verdict) {
+        QString rule = ruleInShort(part);
+        if (hasGuardBand(part.test) && !factorIsOne(part.test))
+            rule += QStringLiteral(", g = ") + bandName(part);
+        notes << rule << part.write.text(REPORT_TEXT("report", "verdict taken from the unrounded values"));
+    }
+    return notes.join(part.write.semicolon());
+}
+
+void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrected) {
+    const Writer &write = part.write;
+    const auto &parameters = part.evaluation.parameters;
+    if (notCorrected)
+        blocks.emplace_back(ResultsLegend{
+            {{LegendSign::none,
+              QStringLiteral("*\u00A0") + write.text(REPORT_TEXT("report", "not corrected to 20 °C"))}}});
+    const bool pictures =
+        std::ranges::any_of(parameters, [](const Parameter &p) { return guardCell(p).guard.has_value(); });
+    if (!pictures)
+        return;
+    ResultsLegend legend;
+    legend.items.push_back({LegendSign::value, write.text(REPORT_TEXT_FOR("report", "value", "legend"))});
+    if (!hasGuardBand(part.test)) {
+        legend.items.push_back(
+            {LegendSign::limit,
+             write.text(REPORT_TEXT(
+                 "report", "limit. Value left of the limit: conforms; right of it: does not conform."))});
+    } else {
+        legend.items.push_back({LegendSign::limit, write.text(REPORT_TEXT_FOR("report", "limit", "legend"))});
+        const QString band = factorIsOne(part.test) ? QStringLiteral("U") : QStringLiteral("g");
+        const Text words =
+            part.test.decisionRule.rule == Rule::rejectionProven
+                ? REPORT_TEXT("report",
+                              "limit ± %1. Value left of the band: conforms; within: non-conformity not "
+                              "proven; right: does not conform.")
+                : REPORT_TEXT("report",
+                              "limit ± %1. Value left of the band: conforms; in the band: not proven; right "
+                              "of the band: does not conform.");
+        legend.items.push_back({LegendSign::band, write.say(words, band)});
+    }
+    blocks.emplace_back(std::move(legend));
+}
+
+// ---- The verdict line
+// --------------------------------------------------------------------------------------
+
+std::vector<const PrintedResult *> resultsWith(const std::vector<PrintedResult> &results, Verdict verdict) {
+    std::vector<const PrintedResult *> found;
+    for (const PrintedResult &result : results) {
+        if (result.parameter->verdict == verdict)
+            found.push_back(&result);
+    }
+    return found;
+}
+
+std::vector<const Parameter *> parametersOf(const std::vector<const PrintedResult *> &results) {
+    std::vector<const Parameter *> parameters;
+    parameters.reserve(results.size());
+    for (const PrintedResult *result : results)
+        parameters.push_back(result->parameter);
+    return parameters;
+}
+
+/// Number and unit of what the table prints.
+QString withUnit(const TestPart &part, const QString &number, Quantity quantity) {
+    const QString unit = part.write.language().unit(quantity);
+    return quantity == Quantity::angularDeviation ? number + unit : number + QStringLiteral("\u00A0") + unit;
+}
+
+std::string shownValue(const TestPart &part, const PrintedResult &result) {
+    QString value = result.value;
+    if (value.startsWith(u'−'))
+        value.remove(0, 1); // limits hold for the absolute value
+    return withUnit(part, value, result.parameter->term.quantity).toStdString();
+}
+
+std::string shownLimit(const TestPart &part, const PrintedResult &result) {
+    return withUnit(part, result.limit, result.parameter->term.quantity).toStdString();
+}
+
+/// `inShort`: the symbols only.
+QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> &results, bool inShort) {
+    const Writer &write = part.write;
+    if (results.size() > 1 || inShort) {
+        QStringList items;
+        for (const PrintedResult *result : results) {
+            const std::string symbol = plainSymbol(*result->parameter);
+            items << (inShort ? QString::fromStdString(symbol)
+                              : write.say(REPORT_TEXT("report", "%1 (%2 against %3)"),
+                                          {symbol, shownValue(part, *result), shownLimit(part, *result)}));
+        }
+        return write.say(hasGuardBand(part.test)
+                             ? REPORT_TEXT("report", "Limits exceeded by more than the guard band: %1.")
+                             : REPORT_TEXT("report", "Limits exceeded: %1."),
+                         items.join(QStringLiteral(", ")));
+    }
+    const PrintedResult &result = *results.front();
+    const Parameter &parameter = *result.parameter;
+    if (!hasGuardBand(part.test) || !parameter.guardBand)
+        return write.say(REPORT_TEXT("report", "%1 exceeds its limit: %2 against %3."),
+                         {plainSymbol(parameter), shownValue(part, result), shownLimit(part, result)});
+    const QString reach = withUnit(part,
+                                   write.language().number(*parameter.limit->value + *parameter.guardBand,
+                                                           parameter.term.quantity, result.decimals),
+                                   parameter.term.quantity);
+    return write.say(
+        factorIsOne(part.test)
+            ? REPORT_TEXT("report",
+                          "%1 exceeds its limit by more than the uncertainty: %2 against %3 + %4 = %5.")
+            : REPORT_TEXT("report",
+                          "%1 exceeds its limit by more than the guard band: %2 against %3 + %4 = %5."),
+        {plainSymbol(parameter), shownValue(part, result), shownLimit(part, result),
+         bandName(part).toStdString(), reach.toStdString()});
+}
+
+QString notProven(const TestPart &part, const std::vector<const PrintedResult *> &results) {
+    const QString symbols = joinedSymbols(parametersOf(results));
+    const auto *positioning = std::get_if<PositioningResults>(&part.evaluation.results);
+    const bool uncorrected = positioning && positioning->notCorrected &&
+                             std::ranges::all_of(results, [&](const PrintedResult *result) {
+                                 const Row *row = rowOf(part.edition(), *result->parameter);
+                                 return row && row->dependsOnTemperature;
+                             });
+    if (uncorrected)
+        return part.write.say(REPORT_TEXT("report", "Not corrected to 20 °C, nothing is proven for %1."),
+                              symbols);
+    const bool withoutUncertainty = std::ranges::all_of(
+        results, [](const PrintedResult *result) { return !result->parameter->expandedUncertainty; });
+    if (withoutUncertainty)
+        return part.write.say(
+            REPORT_TEXT("report", "Without the measurement uncertainty nothing is proven for %1."), symbols);
+    if (part.test.decisionRule.rule == Rule::rejectionProven)
+        return part.write.say(REPORT_TEXT("report", "For %1 non-conformity not proven: may not be rejected."),
+                              symbols);
+    return part.write.say(REPORT_TEXT("report", "For %1 neither conformity nor non-conformity is proven."),
+                          symbols);
+}
+
+QString reason(const TestPart &part, const std::vector<PrintedResult> &results) {
+    if (part.evaluation.view)
+        return part.write.say(
+            REPORT_TEXT("report", "Seen under another edition than that of the test (%1): no verdict."),
+            {part.test.edition});
+    if (!part.evaluation.verdict) {
+        const bool any = std::ranges::any_of(
+            part.test.limits, [](const auto &limit) { return limit.second.value.has_value(); });
+        return part.write.text(
+            any ? REPORT_TEXT("report", "The limits agreed do not hold for this test: no verdict.")
+                : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
+    }
+    const auto failing = resultsWith(results, Verdict::doesNotConform);
+    const auto open = resultsWith(results, Verdict::notProven);
+    const auto good = resultsWith(results, Verdict::conforms);
+    const auto sentences = [&](bool inShort) {
+        QStringList all;
+        if (!failing.empty())
+            all << exceeded(part, failing, inShort);
+        if (!open.empty())
+            all << notProven(part, open);
+        if (!good.empty())
+            all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."),
+                                  joinedSymbols(parametersOf(good)));
+        if (failing.size() + open.size() + good.size() < results.size())
+            all << part.write.text(REPORT_TEXT("report", "Others: no limit agreed."));
+        return all.join(u' ');
+    };
+    const QString whole = sentences(false);
+    return whole.size() <= mostOfReason ? whole : sentences(true);
+}
+
+VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &results) {
+    const TestEvaluation &evaluation = part.evaluation;
+    VerdictLine line;
+    line.verdict = evaluation.verdict;
+    line.label = part.write.text(REPORT_TEXT("report", "Verdict of the test"));
+    line.word = verdictWord(part.write, evaluation.verdict);
+    line.reason = reason(part, results);
+    line.inAccordance = evaluation.inAccordance();
+    const QString standard = standardName(part.write, QString::fromUtf8(part.edition().word));
+    if (line.inAccordance) {
+        line.accordance =
+            part.write.say(REPORT_TEXT("report", "Test carried out in accordance with %1."), standard);
+        return line;
+    }
+    const auto unmet = std::ranges::count(evaluation.findings, Grade::requirement, &Finding::grade);
+    line.accordance = part.write.language().sentence(
+        {REPORT_TEXT_COUNTED("report", "Test NOT in accordance with %1: %n requirement(s) not met"),
+         {standard.toStdString()},
+         static_cast<int>(unmet)});
+    if (!part.leavesOut(ReportPart::findings)) {
+        line.anchor = part.findingsAnchor();
+        line.accordance += QStringLiteral(", ") + part.write.text(REPORT_TEXT("report", "see page %1"));
+    }
+    line.accordance += u'.';
+    return line;
+}
+
+} // namespace
+
+QString verdictWord(const Writer &write, std::optional<Verdict> verdict) {
+    return write.text(verdict ? verdictText(*verdict) : REPORT_TEXT("report", "no limit agreed")).toUpper();
+}
+
+void addFigure(std::vector<Block> &blocks, const PositioningPart &part) {
+    const Writer &write = part.write;
+    const PositioningResults &results = part.results;
+    const auto &include = part.head().include;
+    DeviationFigureOptions options;
+    options.readingMarks = std::ranges::find(include, ReportExtra::readingMarks) != include.end();
+    CurveFigure figure = deviationFigure(part.test, part.evaluation, write.language(), options);
+    QStringList notes;
+    notes << (figure.bands.empty() ? write.text(REPORT_TEXT_FOR("report", "means", "figure"))
+                                   : write.say(REPORT_TEXT("report", "means and limits at ± %1s"),
+                                               {Number{part.edition().c, Quantity::number, -1}}));
+    notes << write.text(results.upward && results.downward ? REPORT_TEXT("report", "bidirectional test")
+                                                           : REPORT_TEXT("report", "unidirectional test"));
+    const QString n = results.positiveRuns == results.negativeRuns || !results.downward
+                          ? QString::number(results.positiveRuns)
+                      : !results.upward
+                          ? QString::number(results.negativeRuns)
+                          : QStringLiteral("%1↑, %2↓").arg(results.positiveRuns).arg(results.negativeRuns);
+    notes << QStringLiteral("n = ") + n;
+    addHeading(blocks, figure.title, notes.join(QStringLiteral(", ")));
+    blocks.emplace_back(FigureBlock{std::move(figure)});
+}
+
+void addResults(std::vector<Block> &blocks, const TestPart &part, const QString &heading, bool notCorrected) {
+    const auto results = printedResults(part);
+    if (!results.empty()) {
+        addHeading(blocks, heading, resultsNote(part));
+        blocks.emplace_back(resultTable(part, results, notCorrected));
+        addLegend(blocks, part, notCorrected);
+    }
+    blocks.emplace_back(verdictLine(part, results));
+}
+
+void addFindings(std::vector<Block> &blocks, const TestPart &part) {
+    if (part.leavesOut(ReportPart::findings)) {
+        // That readings are stand-ins is said wherever they are shown.
+        for (const Finding &finding : part.evaluation.findings) {
+            if (finding.id == "workedExample")
+                blocks.emplace_back(
+                    Paragraph{part.write.language().sentence(finding.message), TextSize::small});
+        }
+        return;
+    }
+    addHeading(
+        blocks, part.write.text(REPORT_TEXT("report", "Findings")),
+        part.write.text(REPORT_TEXT("report", "what the edition asks for and this test does not have")),
+        part.findingsAnchor());
+    FindingsBlock block;
+    for (const Grade grade : {Grade::requirement, Grade::recommendation, Grade::note}) {
+        for (const Finding &finding : part.evaluation.findings) {
+            if (finding.grade == grade)
+                block.lines.push_back({grade, part.write.text(gradeText(grade)),
+                                       QString::fromStdString(finding.clause),
+                                       part.write.language().sentence(finding.message)});
+        }
+    }
+    if (block.lines.empty())
+        blocks.emplace_back(Paragraph{part.write.text(REPORT_TEXT("report", "No findings."))});
+    else
+        blocks.emplace_back(std::move(block));
+}
+
+void addLimits(std::vector<Block> &blocks, const TestPart &part) {
+    const Writer &write = part.write;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")));
+    const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
+    const Quantity quantity = positioning ? deviationQuantity(*positioning) : Quantity::deviation;
+    Table table;
+    const auto addRow = [&](Cell symbol, const Limit &limit) {
+        symbol.bold = true;
+        table.rows.push_back({std::move(symbol), write.quantity(limit.value, quantity),
+                              QString::fromStdString(limit.edition.value_or(part.test.edition)),
+                              QString::fromStdString(limit.source)});
+    };
+    Limits others = part.test.limits; // those of no parameter of this test come last
+    for (const Parameter &parameter : part.evaluation.parameters) {
+        const auto found = others.find(parameter.term.id);
+        if (found == others.end())
+            continue;
+        if (found->second.value)
+            addRow(symbolPhrase(parameter.term.symbol), found->second);
+        others.erase(found);
+    }
+    for (const auto &[id, limit] : others) {
+        if (limit.value)
+            addRow(QString::fromStdString(id), limit);
+    }
+    if (table.rows.empty()) {
+        blocks.emplace_back(Paragraph{
+            write.text(REPORT_TEXT("report", "No limit was agreed: the results have no verdict."))});
+        return;
+    }
+    table.columns = {
+        {write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 22},
+        {write.text(REPORT_TEXT("report", "Limit")), {}, Alignment::left, false, 22},
+        {write.text(REPORT_TEXT("report", "Agreed for")), {}, Alignment::left, false, 45},
+        {write.text(REPORT_TEXT_FOR("report", "Source", "of a limit")), {}, Alignment::left, true, 86}};
+    blocks.emplace_back(std::move(table));
+
+    QStringList words;
+    switch (part.test.decisionRule.rule) {
+    case Rule::simpleAcceptance:
+        words << write.text(
+            REPORT_TEXT("report", "Simple acceptance: a value conforms when it is not above its limit; the "
+                                  "uncertainty has no part in it."));
+        break;
+    case Rule::iso14253_1:
+        words << write.say(
+            REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven: a value conforms when it is at "
+                                  "least g below its limit, does not conform when it is more than g above "
+                                  "it, and is not proven between; g = %1·U."),
+            {factor(part.test)});
+        break;
+    case Rule::rejectionProven:
+        words << write.say(
+            REPORT_TEXT("report", "Non-conformity has to be proven: a value conforms when it is at least g "
+                                  "below its limit and does not conform when it is more than g above it; "
+                                  "between, non-conformity is not proven: may not be rejected; g = %1·U."),
+            {factor(part.test)});
+        break;
+    }
+    if (hasGuardBand(part.test) && factorIsOne(part.test))
+        words << write.text(
+            REPORT_TEXT("report", "The factor 1 is the guard band of the earlier editions of ISO 14253-1."));
+    if (hasGuardBand(part.test) && part.test.decisionRule.guardFactor == oneSidedGuardFactor)
+        words << write.text(REPORT_TEXT(
+            "report", "The factor 0.83 (1.65 u) is the later 95 % rule of ISO 14253-1 for one limit."));
+    words << write.text(
+        REPORT_TEXT("report", "Signed results are compared by their absolute value; the verdict is taken "
+                              "from the unrounded values."));
+    blocks.emplace_back(Paragraph{words.join(u' '), TextSize::small});
+}
+
+} // namespace palmer

@@ -1,0 +1,61 @@
+#include "report/testpart.h"
+
+#include "report/wording.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+bool TestPart::leavesOut(ReportPart part) const {
+    return std::ranges::find(head().leaveOut, part) != head().leaveOut.end();
+}
+
+QString TestPart::findingsAnchor() const {
+    return QStringLiteral("findings-") + QString::number(number);
+}
+
+Quantity PositioningPart::along() const {
+    return positionQuantity(measurement);
+}
+
+Quantity PositioningPart::deviation() const {
+    return deviationQuantity(measurement);
+}
+
+QString standardName(const Writer &write, const QString &word) {
+    const QLatin1String iso("ISO ");
+    if (!word.startsWith(iso))
+        return word;
+    return write.say(REPORT_TEXT_FOR("report", "ISO %1", "after a preposition"), word.mid(iso.size()));
+}
+
+QString testName(const Writer &write, const Test &test) {
+    const auto nameOr = [](const std::string &name) {
+        return QString::fromStdString(name.empty() ? "–" : name);
+    };
+    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
+        return write.say(REPORT_TEXT("report", "Positioning test of the %1 axis"), nameOr(m->axis.name));
+    if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement))
+        return write.say(REPORT_TEXT("report", "Circular test in the %1 plane"),
+                         nameOr(c->plane.first + c->plane.second));
+    return write.say(REPORT_TEXT("report", "Drift test of the %1 axis"),
+                     nameOr(std::get<DriftMeasurement>(test.measurement).axis.name));
+}
+
+QString joined(const QStringList &texts, const QString &separator) {
+    QStringList filled;
+    std::ranges::copy_if(texts, std::back_inserter(filled),
+                         [](const QString &text) { return !text.isEmpty(); });
+    return filled.join(separator);
+}
+
+QString partyText(const Party &party) {
+    QString address = QString::fromStdString(party.address);
+    return joined({QString::fromStdString(party.name), address.replace(u'\n', QStringLiteral(", "))});
+}
+
+void addHeading(std::vector<Block> &blocks, const QString &text, Phrase note, const QString &anchor) {
+    blocks.emplace_back(Heading{2, text, std::move(note), anchor});
+}
+
+} // namespace palmer

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "kernel/evaluation/edition.h"
+#include "language/language.h"
+#include "report/report.h"
+
+#include <QStringList>
+
+namespace palmer {
+
+/// Texts of one language; what every part of a report is written with.
+class Writer {
+public:
+    explicit Writer(const Language &language)
+        : m_language(language) {}
+
+    [[nodiscard]] const Language &language() const { return m_language; }
+    [[nodiscard]] QString text(const Text &words) const { return m_language.text(words); }
+    [[nodiscard]] QString say(const Text &words, std::vector<Argument> arguments = {}) const {
+        return m_language.sentence({words, std::move(arguments), {}});
+    }
+    [[nodiscard]] QString say(const Text &words, const QString &name) const {
+        return say(words, {Argument(name.toStdString())});
+    }
+    [[nodiscard]] QString quantity(std::optional<double> value, Quantity quantity, int decimals = -1) const {
+        return value ? m_language.quantity(*value, quantity, decimals) : QString();
+    }
+
+    /// "; " as the language spaces it.
+    [[nodiscard]] QString semicolon() const {
+        return m_language.id() == Language::Id::french ? QStringLiteral("\u202F; ") : QStringLiteral("; ");
+    }
+
+private:
+    const Language &m_language;
+};
+
+/// One test with all that its part of a report is made from. Owns nothing.
+struct TestPart {
+    const Writer &write;
+    const EvaluatedDocument &evaluated;
+    const Test &test;
+    const TestEvaluation &evaluation; ///< has an edition: no drift test
+    std::size_t index = 0;            ///< in the document
+    int number = 1;                   ///< in the report
+    int count = 1;
+
+    [[nodiscard]] const Document &document() const { return *evaluated.document; }
+    [[nodiscard]] const ReportHead &head() const { return document().report; }
+    [[nodiscard]] const Edition &edition() const { return *evaluation.edition; }
+    [[nodiscard]] bool isOf1988() const { return std::string_view(edition().family) == "ISO 230-2:1988"; }
+    [[nodiscard]] bool leavesOut(ReportPart part) const;
+    [[nodiscard]] QString findingsAnchor() const;
+};
+
+/// A positioning test with its measurement at hand.
+struct PositioningPart : TestPart {
+    const PositioningMeasurement &measurement;
+    const PositioningResults &results;
+
+    [[nodiscard]] Quantity along() const;
+    [[nodiscard]] Quantity deviation() const;
+};
+
+/// "ISO 230-2:2006" as it stands after a preposition: with its article where the language has one.
+[[nodiscard]] QString standardName(const Writer &write, const QString &word);
+
+/// "Positioning test of the X axis".
+[[nodiscard]] QString testName(const Writer &write, const Test &test);
+
+/// Those of the texts that say something, joined.
+[[nodiscard]] QString joined(const QStringList &texts, const QString &separator = QStringLiteral(", "));
+
+/// Name and address on one line.
+[[nodiscard]] QString partyText(const Party &party);
+
+/// A section: heading and what follows it.
+void addHeading(std::vector<Block> &blocks, const QString &text, Phrase note = {},
+                const QString &anchor = {});
+
+} // namespace palmer

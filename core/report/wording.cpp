@@ -1,0 +1,142 @@
+#include "report/wording.h"
+
+#include "language/rounding.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr int decimalsOfLengths = 2; ///< positions along a linear axis: 0.01 mm
+constexpr int mostPositionDecimals = 3;
+constexpr std::size_t readingsLooked = 2000; ///< enough to see how many decimals positions have
+
+} // namespace
+
+Text verdictText(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::conforms:
+        return REPORT_TEXT("report", "conforms");
+    case Verdict::notProven:
+        return REPORT_TEXT("report", "not proven");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT("report", "does not conform");
+    }
+    return {};
+}
+
+Text gradeText(Grade grade) {
+    switch (grade) {
+    case Grade::requirement:
+        return REPORT_TEXT("report", "requirement");
+    case Grade::recommendation:
+        return REPORT_TEXT("report", "recommendation");
+    case Grade::note:
+        return REPORT_TEXT("report", "note");
+    }
+    return {};
+}
+
+Text correctionText(CorrectionTo20 correction) {
+    switch (correction) {
+    case CorrectionTo20::notStated:
+        return REPORT_TEXT("report", "not stated");
+    case CorrectionTo20::notApplied:
+        return REPORT_TEXT("report", "not applied");
+    case CorrectionTo20::appliedByInstrument:
+        return REPORT_TEXT("report", "applied by the instrument");
+    case CorrectionTo20::appliedHere:
+        return REPORT_TEXT("report", "applied here");
+    }
+    return {};
+}
+
+QString arrow(Direction direction) {
+    return direction == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
+}
+
+Phrase symbolPhrase(const Symbol &symbol, const std::string &index) {
+    std::vector<Span> spans{{QString::fromUtf8(symbol.base)}};
+    const QString lower = QString::fromUtf8(symbol.subscript) + QString::fromStdString(index);
+    if (!lower.isEmpty())
+        spans.push_back({lower, true});
+    if (*symbol.arrow != 0)
+        spans.push_back({QString::fromUtf8(symbol.arrow)});
+    return Phrase(std::move(spans));
+}
+
+QString rulingText(const Parameter &parameter) {
+    QStringList ends;
+    for (const auto &ruling : parameter.ruling) {
+        if (ruling)
+            ends << QString::number(ruling->target) +
+                        (ruling->approach ? arrow(*ruling->approach) : QString());
+    }
+    return ends.join(QStringLiteral(" – "));
+}
+
+Quantity positionQuantity(const PositioningMeasurement &measurement) {
+    return measurement.axis.motion == Motion::linear ? Quantity::position : Quantity::angle;
+}
+
+Quantity deviationQuantity(const PositioningMeasurement &measurement) {
+    return measurement.axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+}
+
+int positionDecimals(const std::vector<double> &positions, Quantity quantity) {
+    if (quantity == Quantity::position)
+        return decimalsOfLengths;
+    int result = 0;
+    for (std::size_t i = 0; i < std::min(positions.size(), readingsLooked); ++i)
+        result = std::max(result, decimalsOf(positions[i], quantity));
+    return std::min(result, mostPositionDecimals);
+}
+
+std::optional<double> finestResolution(const Document &document, const Test &test) {
+    std::optional<double> result;
+    for (const std::string &id : test.instruments) {
+        const auto found = std::ranges::find(document.instruments, id, &Instrument::id);
+        if (found != document.instruments.end() && found->resolution)
+            result = std::min(result.value_or(*found->resolution), *found->resolution);
+    }
+    return result;
+}
+
+int parameterDecimals(const Parameter &parameter, std::optional<double> resolution) {
+    const Quantity quantity = parameter.term.quantity;
+    int result = decimalsWithoutUncertainty;
+    if (parameter.expandedUncertainty)
+        result = decimalsWithUncertainty(*parameter.expandedUncertainty, quantity, resolution);
+    if (parameter.value && parameter.limit && parameter.limit->value)
+        result = decimalsShowingSide(std::abs(*parameter.value), *parameter.limit->value, quantity, result);
+    return result;
+}
+
+bool isPrinted(const Parameter &parameter, const ReportHead &head) {
+    return parameter.term.printed == Printed::always ||
+           std::ranges::find(head.include, ReportExtra::meanRepeatability) != head.include.end();
+}
+
+bool isShown(std::string_view targetTerm, const PositioningResults &results) {
+    const bool scatter = std::max(results.positiveRuns, results.negativeRuns) > 1;
+    if (targetTerm.starts_with("range") && results.standardDeviation != DeviationMethod::range)
+        return false;
+    if (!scatter && (targetTerm.starts_with("s") || targetTerm.starts_with("R")))
+        return false;
+    if (targetTerm.ends_with('+'))
+        return results.upward;
+    if (targetTerm.ends_with('-'))
+        return results.downward;
+    return results.upward && results.downward;
+}
+
+const Row *rowOf(const Edition &edition, const Parameter &parameter) {
+    const auto found = std::ranges::find(edition.rows, std::string_view(parameter.term.id),
+                                         [](const Row &row) { return std::string_view(row.term.id); });
+    return found == edition.rows.end() ? nullptr : &*found;
+}
+
+} // namespace palmer

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "document/document.h"
+#include "kernel/evaluation/testevaluation.h"
+#include "language/decimals.h"
+#include "language/language.h"
+#include "report/report.h"
+
+namespace palmer {
+
+// What several kinds of reports say alike: words, symbols, and with how many decimals numbers are printed.
+
+[[nodiscard]] Text verdictText(Verdict verdict);
+[[nodiscard]] Text gradeText(Grade grade);
+[[nodiscard]] Text correctionText(CorrectionTo20 correction);
+[[nodiscard]] QString arrow(Direction direction);
+
+/// The symbol with its index set lower.
+[[nodiscard]] Phrase symbolPhrase(const Symbol &symbol, const std::string &index = {});
+
+/// "2↓ – 5↓": the targets that rule a parameter; empty where none does.
+[[nodiscard]] QString rulingText(const Parameter &parameter);
+
+/// The quantities a positioning test speaks in.
+[[nodiscard]] Quantity positionQuantity(const PositioningMeasurement &measurement);
+[[nodiscard]] Quantity deviationQuantity(const PositioningMeasurement &measurement);
+
+/// Decimals of positions: 0.01 mm; of angles those they have in common, at most 3.
+[[nodiscard]] int positionDecimals(const std::vector<double> &positions, Quantity quantity);
+
+/// The finest step any instrument of the test shows, in mm or degrees; null where none is stated.
+[[nodiscard]] std::optional<double> finestResolution(const Document &document, const Test &test);
+
+/// Decimals of a parameter and its U, by the rules of `rounding.h`: more where rounding would hide the side
+/// of the limit.
+[[nodiscard]] int parameterDecimals(const Parameter &parameter, std::optional<double> resolution);
+
+/// Whether the parameter stands on the report: those on request only if asked for.
+[[nodiscard]] bool isPrinted(const Parameter &parameter, const ReportHead &head);
+
+/// Whether a quantity per target (id of a TargetTerm) says anything about this test.
+[[nodiscard]] bool isShown(std::string_view targetTerm, const PositioningResults &results);
+
+/// The row of the edition that a parameter comes from; null for none.
+[[nodiscard]] const Row *rowOf(const Edition &edition, const Parameter &parameter);
+
+} // namespace palmer

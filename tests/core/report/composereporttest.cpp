@@ -1,0 +1,538 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "report/composereport.h"
+
+#include "document/readdocument.h"
+#include "kernel/evaluation/edition.h"
+#include "report/attachedfile.h"
+#include "report/pagetext.h"
+
+#include <QDir>
+#include <QFile>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+#include <QXmlStreamReader>
+#include <algorithm>
+
+using namespace palmer;
+
+namespace {
+
+constexpr Language::Id both[]{Language::Id::english, Language::Id::french};
+
+QByteArray content(const QString &path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("%s cannot be read", qPrintable(path));
+    return file.readAll();
+}
+
+std::shared_ptr<const Document> document(const QString &name) {
+    const QString own = QString(DOCUMENTS) + u'/' + name + ".palmer";
+    const QString path = QFile::exists(own) ? own : QString(EXAMPLES) + u'/' + name + ".palmer";
+    return std::make_shared<const Document>(readDocument(content(path)));
+}
+
+Report report(const std::shared_ptr<const Document> &document, const Language &language) {
+    return composeReport(evaluate(document), language, {"Palmer 0.1.0", true});
+}
+
+/// The text of a report below what the pages repeat. The fingerprint, which follows every change of the file
+/// format, is left to a test of its own.
+QString text(const std::shared_ptr<const Document> &document, const Language &language) {
+    const Report composed = report(document, language);
+    QString all = composed.footerLeft + u'\n' + composed.footerCentre + u'\n' + composed.footerRight +
+                  "\n\n" + pageText(composed);
+    return all.replace(composed.fingerprint, "(64 digits)")
+        .replace(shortFingerprint(composed.fingerprint), "(16 digits)");
+}
+
+/// Where two texts begin to differ: the lines of both.
+QString difference(const QString &actual, const QString &expected) {
+    const QStringList a = actual.split(u'\n');
+    const QStringList e = expected.split(u'\n');
+    for (qsizetype i = 0; i < std::max(a.size(), e.size()); ++i) {
+        if (a.value(i) != e.value(i))
+            return QString("line %1 is\n%2\nand should be\n%3").arg(i + 1).arg(a.value(i), e.value(i));
+    }
+    return {};
+}
+
+void addDocuments() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("the worked example of 1988") << "iso230-2-1988-example";
+    QTest::newRow("2006 with limits, proof of conformity and stated uncertainty") << "limits-2006";
+    QTest::newRow("a long axis: whole travel and zone") << "long-axis-with-zone";
+    QTest::newRow("a rotary axis in arc seconds") << "rotary-axis";
+    QTest::newRow("one direction with missing and excluded readings") << "one-direction-with-gaps";
+    QTest::newRow("two tests, step cycle, correction made here, a drift test") << "two-tests";
+}
+
+/// Every free text of the user becomes a sign that is no word of any language.
+std::shared_ptr<const Document> withoutUsersWords(Document document) {
+    const std::string sign = "§";
+    ReportHead &head = document.report;
+    for (std::string *field : {&head.title,
+                               &head.number,
+                               &head.revision,
+                               &head.replaces,
+                               &head.place,
+                               &head.laboratory.name,
+                               &head.laboratory.address,
+                               &head.laboratory.accreditation,
+                               &head.customer.name,
+                               &head.customer.address,
+                               &head.supplier.name,
+                               &head.supplier.address,
+                               &head.order,
+                               &head.procedure,
+                               &head.operatorName,
+                               &head.authorisedBy.name,
+                               &head.authorisedBy.function,
+                               &head.adjustments,
+                               &head.remarks,
+                               &document.machine.name,
+                               &document.machine.manufacturer,
+                               &document.machine.model,
+                               &document.machine.serialNumber,
+                               &document.machine.controller,
+                               &document.machine.location,
+                               &document.machine.condition})
+        *field = sign;
+    head.title.clear(); // the title of the catalogue
+    head.signatures = {Signer::operatorSigns, Signer::laboratory, Signer::supplier, Signer::customer};
+    for (Instrument &instrument : document.instruments) {
+        for (std::string *field :
+             {&instrument.description, &instrument.manufacturer, &instrument.model, &instrument.serialNumber,
+              &instrument.certificate, &instrument.calibratedBy})
+            *field = sign;
+    }
+    for (TestPointer &pointer : document.tests) {
+        Test test = *pointer;
+        test.title = test.remarks = sign;
+        for (AgreedPoint &point : test.agreedPoints)
+            point.text = sign;
+        for (auto &[id, limit] : test.limits)
+            limit.source = sign;
+        for (ImportedFile &file : test.imports) {
+            file.fileName = sign;
+            for (ImportedResult &result : file.results)
+                result.name = sign;
+        }
+        if (auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
+            m->axis.positionFeedback = sign;
+            for (ExcludedReading &reading : m->excluded)
+                reading.reason = sign;
+            Conditions &conditions = m->conditions.common;
+            for (std::string *field :
+                 {&conditions.warmUp.text, &conditions.compensation, &conditions.otherAxes, &conditions.load,
+                  &conditions.soak, &conditions.thermalGuidelines, &conditions.instrumentPosition})
+                *field = sign;
+            for (Sensor &sensor : conditions.sensors)
+                sensor.position = sign;
+        }
+        pointer = std::make_shared<const Test>(std::move(test));
+    }
+    return std::make_shared<const Document>(std::move(document));
+}
+
+QSet<QString> wordsOf(const QString &text) {
+    static const QRegularExpression word("[\\p{L}]{3,}");
+    QSet<QString> words;
+    for (auto match = word.globalMatch(text.toLower()); match.hasNext();)
+        words += match.next().captured();
+    return words;
+}
+
+/// All words of the English sources and of the French translations of the catalogue.
+std::pair<QSet<QString>, QSet<QString>> catalogueWords() {
+    QXmlStreamReader xml(content(QString(CATALOGUES) + "/report_fr.ts"));
+    QSet<QString> english;
+    QSet<QString> french;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement)
+            continue;
+        if (xml.name() == u"source")
+            english += wordsOf(xml.readElementText());
+        else if (xml.name() == u"translation" || xml.name() == u"numerusform")
+            french += wordsOf(xml.readElementText(QXmlStreamReader::IncludeChildElements));
+    }
+    return {english, french};
+}
+
+/// All tables of a report, also those beside something.
+std::vector<Table> tablesOf(const Report &report) {
+    std::vector<Table> tables;
+    for (const Block &block : report.blocks) {
+        if (const auto *table = std::get_if<Table>(&block))
+            tables.push_back(*table);
+        if (const auto *sides = std::get_if<SideBySide>(&block)) {
+            for (const auto *side : {&sides->left, &sides->right}) {
+                for (const Part &part : *side) {
+                    if (const auto *table = std::get_if<Table>(&part))
+                        tables.push_back(*table);
+                }
+            }
+        }
+    }
+    return tables;
+}
+
+template <typename T>
+std::vector<T> blocksOf(const Report &report) {
+    std::vector<T> blocks;
+    for (const Block &block : report.blocks) {
+        if (const auto *found = std::get_if<T>(&block))
+            blocks.push_back(*found);
+    }
+    return blocks;
+}
+
+QStringList headingsOf(const Report &report) {
+    QStringList headings;
+    for (const Heading &heading : blocksOf<Heading>(report))
+        headings << heading.text;
+    return headings;
+}
+
+} // namespace
+
+class ComposeReportTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void printsTheStoredText_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("language");
+        for (const char *language : {"fr", "en"}) {
+            for (const char *name : {"iso230-2-1988-example", "limits-2006", "long-axis-with-zone",
+                                     "rotary-axis", "one-direction-with-gaps", "two-tests"})
+                QTest::addRow("%s in %s", name, language) << name << language;
+        }
+    }
+    void printsTheStoredText() {
+        QFETCH(QString, name);
+        QFETCH(QString, language);
+        const QString actual = text(document(name), *Language::fromName(language));
+        const QString fileName = name + u'.' + language + ".txt";
+        QFile written(QString(ACTUAL) + u'/' + fileName);
+        QVERIFY(written.open(QIODevice::WriteOnly));
+        written.write(actual.toUtf8());
+        const QString stored = QString(DOCUMENTS) + u'/' + fileName;
+        QVERIFY2(QFile::exists(stored), qPrintable(written.fileName() + " is not stored"));
+        const QString expected = QString::fromUtf8(content(stored));
+        QVERIFY2(actual == expected, qPrintable(written.fileName() + ": " + difference(actual, expected)));
+    }
+
+    void hasNoWordOfTheOtherLanguage_data() { addDocuments(); }
+    void hasNoWordOfTheOtherLanguage() {
+        QFETCH(QString, name);
+        const auto neutral = withoutUsersWords(*document(name));
+        const auto [english, french] = catalogueWords();
+        QVERIFY(english.size() > 200);
+        const QSet<QString> inFrench = wordsOf(text(neutral, Language(Language::Id::french)));
+        const QSet<QString> inEnglish = wordsOf(text(neutral, Language(Language::Id::english)));
+        QCOMPARE(QStringList((inFrench & (english - french)).values()).join(' '), QString());
+        QCOMPARE(QStringList((inEnglish & (french - english)).values()).join(' '), QString());
+    }
+
+    void hasNoPlaceLeftOpen_data() { addDocuments(); }
+    void hasNoPlaceLeftOpen() {
+        QFETCH(QString, name);
+        static const QRegularExpression open("%[0-9n]|\\(s\\)|\\bnull\\b|\\bnan\\b|−0(?![,.0-9])");
+        for (const Language::Id id : both) {
+            const QString all = pageText(report(document(name), Language(id)));
+            const auto found = open.match(all);
+            QVERIFY2(!found.hasMatch(), qPrintable(found.captured()));
+        }
+    }
+
+    void isTheSameUnderAnyLocale_data() { addDocuments(); }
+    void isTheSameUnderAnyLocale() {
+        QFETCH(QString, name);
+        const QLocale before;
+        for (const Language::Id id : both) {
+            QLocale::setDefault(QLocale(QLocale::French, QLocale::France));
+            const QString inFrance = text(document(name), Language(id));
+            QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+            const QString inAmerica = text(document(name), Language(id));
+            QLocale::setDefault(QLocale(QLocale::Arabic, QLocale::Egypt));
+            const QString inEgypt = text(document(name), Language(id));
+            QLocale::setDefault(before);
+            QCOMPARE(inAmerica, inFrance);
+            QCOMPARE(inEgypt, inFrance);
+        }
+    }
+
+    void everyTermOfTheEditionsIsTranslated() {
+        for (const Language::Id id : both) {
+            const Language language(id);
+            for (const Edition *edition : editions()) {
+                for (const Text &words : {edition->title, edition->standardCycle, edition->stepCycle})
+                    QVERIFY2(words.empty() || language.hasTranslation(words), words.source);
+                for (const Row &row : edition->rows)
+                    QVERIFY2(language.hasTranslation(row.term.name), row.term.name.source);
+                for (const TargetTerm &term : edition->targetTerms)
+                    QVERIFY2(language.hasTranslation(term.name), term.name.source);
+                for (const AgreementPoint &point : edition->points)
+                    QVERIFY2(language.hasTranslation(point.name), point.name.source);
+            }
+        }
+    }
+
+    void tablesAreComplete_data() { addDocuments(); }
+    void tablesAreComplete() {
+        QFETCH(QString, name);
+        const double textWidth = 175; // mm, A4
+        for (const Table &table : tablesOf(report(document(name), Language(Language::Id::french)))) {
+            double width = 0;
+            std::size_t titles = 0;
+            for (const Column &column : table.columns) {
+                width += column.width + column.gapBefore;
+                titles += column.title.plain().isEmpty() && column.unit.isEmpty() ? 0 : 1;
+            }
+            QVERIFY2(width <= textWidth + 1e-9, qPrintable(QString::number(width)));
+            QVERIFY(titles > 0);
+            QVERIFY(!table.rows.empty());
+            for (const auto &row : table.rows)
+                QCOMPARE(row.size(), table.columns.size());
+            QVERIFY(std::ranges::is_sorted(table.rulesAfter));
+            for (const std::size_t row : table.rulesAfter)
+                QVERIFY(row + 1 < table.rows.size());
+        }
+    }
+
+    void twoTestsBeginWithASummary() {
+        const Report composed = report(document("two-tests"), Language(Language::Id::english));
+        const auto heads = blocksOf<TestHead>(composed);
+        QCOMPARE(heads.size(), std::size_t(3)); // the drift test has no page
+        QCOMPARE(heads[0].subtitle, "Summary of the tests");
+        QVERIFY(heads[1].numberNotes.contains("Test 1 of 2"));
+        const auto lines = blocksOf<VerdictLine>(composed);
+        QCOMPARE(lines.size(), std::size_t(3));
+        QCOMPARE(lines[0].verdict, evaluate(document("two-tests")).verdict());
+        QVERIFY(composed.paper == Paper::letter);
+        QVERIFY(headingsOf(composed).contains("Drift tests"));
+    }
+
+    void oneTestHasNoSummary() {
+        QCOMPARE(blocksOf<TestHead>(report(document("rotary-axis"), Language(Language::Id::english))).size(),
+                 std::size_t(1));
+    }
+
+    void aStepCycleWithoutAgreementIsNoAcceptance() {
+        const auto heads = blocksOf<TestHead>(report(document("two-tests"), Language(Language::Id::french)));
+        QCOMPARE(heads[1].notice, "cycle en pas – résultat non utilisable en référence à l’ISO 230-2");
+        QCOMPARE(heads[2].notice, QString());
+    }
+
+    void theTitleOfTheFileReplacesOurs() {
+        Document changed = *document("limits-2006");
+        const auto titleOf = [](const Document &document) {
+            return blocksOf<TestHead>(
+                       report(std::make_shared<const Document>(document), Language(Language::Id::french)))[0]
+                .title;
+        };
+        QCOMPARE(titleOf(changed), "Rapport d’essai de réception");
+        changed.report.title = "Titre du client";
+        QCOMPARE(titleOf(changed), "Titre du client");
+    }
+
+    void leavesOutWhatIsNotWanted_data() {
+        QTest::addColumn<int>("part");
+        QTest::addColumn<QString>("heading");
+        QTest::newRow("readings") << int(ReportPart::readings) << "Readings";
+        QTest::newRow("table per target") << int(ReportPart::targetTable) << "Results per target position";
+        QTest::newRow("uncertainty") << int(ReportPart::uncertainty) << "Measurement uncertainty";
+        QTest::newRow("findings") << int(ReportPart::findings) << "Findings";
+        QTest::newRow("signatures") << int(ReportPart::signatures) << "Signatures";
+    }
+    void leavesOutWhatIsNotWanted() {
+        QFETCH(int, part);
+        QFETCH(QString, heading);
+        Document changed = *document("limits-2006");
+        const Language english(Language::Id::english);
+        QVERIFY(headingsOf(report(std::make_shared<const Document>(changed), english)).contains(heading));
+        changed.report.leaveOut = {ReportPart(part)};
+        const Report composed = report(std::make_shared<const Document>(changed), english);
+        QVERIFY(!headingsOf(composed).contains(heading));
+        // No line points to a page that is not there.
+        for (const VerdictLine &line : blocksOf<VerdictLine>(composed))
+            QVERIFY(line.anchor.isEmpty() || headingsOf(composed).contains("Findings"));
+    }
+
+    void readingMarksAndMeanRepeatabilityOnRequest() {
+        Document changed = *document("iso230-2-1988-example");
+        const Language english(Language::Id::english);
+        const auto figureOf = [&](const Document &document) {
+            return std::get<CurveFigure>(
+                blocksOf<FigureBlock>(report(std::make_shared<const Document>(document), english))[0].figure);
+        };
+        changed.report.include = {};
+        QVERIFY(figureOf(changed).readings.empty());
+        QVERIFY(!text(std::make_shared<const Document>(changed), english).contains("Mean repeatability"));
+        changed.report.include = {ReportExtra::readingMarks, ReportExtra::meanRepeatability};
+        QCOMPARE(figureOf(changed).readings.size(), std::size_t(110));
+        QVERIFY(text(std::make_shared<const Document>(changed), english).contains("Mean repeatability"));
+    }
+
+    void manyRunsStandUpAboveDown() {
+        Document changed = *document("limits-2006");
+        Test test = *changed.tests[0];
+        auto &m = std::get<PositioningMeasurement>(test.measurement);
+        const std::vector<Run> runs = m.runs;
+        m.runs.insert(m.runs.end(), runs.begin(), runs.end()); // ten each way
+        changed.tests[0] = std::make_shared<const Test>(test);
+        std::vector<Table> readings;
+        for (const Table &table :
+             tablesOf(report(std::make_shared<const Document>(changed), Language(Language::Id::english)))) {
+            if (!table.spanners.empty())
+                readings.push_back(table);
+        }
+        QCOMPARE(readings.size(), std::size_t(2));
+        QCOMPARE(readings[0].spanners[0].title.plain(), "xij↑, µm");
+        QCOMPARE(readings[1].spanners[0].title.plain(), "xij↓, µm");
+        QCOMPARE(readings[0].spanners[0].count, std::size_t(10));
+    }
+
+    void aVerdictAgainstALimitHasItsPicture() {
+        for (const Table &table :
+             tablesOf(report(document("limits-2006"), Language(Language::Id::english)))) {
+            for (const auto &row : table.rows) {
+                if (row.size() != 8 || row[0].text.plain() != "R")
+                    continue;
+                QVERIFY(row[6].guard.has_value());
+                QCOMPARE(row[6].guard->limit, 0.007);
+                QCOMPARE(*row[6].guard->guardBand, 0.00279);
+                QVERIFY(row[7].mark == Mark::cross && row[7].bold);
+                QVERIFY(row[3].bold);
+                return;
+            }
+        }
+        QFAIL("R does not stand in the results");
+    }
+
+    void theFingerprintIsThatOfTheFileWithoutInstrumentFiles() {
+        Document changed = *document("limits-2006");
+        const Language english(Language::Id::english);
+        const QString before = report(std::make_shared<const Document>(changed), english).fingerprint;
+        QCOMPARE(before.size(), 64);
+        QCOMPARE(before, fingerprint(attachedFile(changed)));
+        Test test = *changed.tests[0];
+        test.imports[0].data = "AAAA";
+        changed.tests[0] = std::make_shared<const Test>(test);
+        QCOMPARE(report(std::make_shared<const Document>(changed), english).fingerprint, before);
+        test.remarks += ".";
+        changed.tests[0] = std::make_shared<const Test>(test);
+        QVERIFY(report(std::make_shared<const Document>(changed), english).fingerprint != before);
+    }
+
+    void deviationsAwayFrom20AreMarkedAtEachResultTheyFalsify() {
+        Document changed = *document("limits-2006");
+        Test test = *changed.tests[0];
+        std::get<PositioningMeasurement>(test.measurement).conditions.common.correctionTo20 =
+            CorrectionTo20::notApplied;
+        changed.tests[0] = std::make_shared<const Test>(test);
+        const Report composed =
+            report(std::make_shared<const Document>(changed), Language(Language::Id::english));
+        QStringList marked;
+        for (const Table &table : tablesOf(composed)) {
+            for (const auto &row : table.rows) {
+                if (row.size() == 8 && row[1].text.plain().endsWith("*"))
+                    marked << row[0].text.plain();
+            }
+        }
+        QCOMPARE(marked.join(' '), "A A↑ A↓ E E↑ E↓ M");
+        const auto legends = blocksOf<ResultsLegend>(composed);
+        QCOMPARE(legends.front().items.front().text, "*\u00A0not corrected to 20 °C");
+        QVERIFY(blocksOf<VerdictLine>(composed).front().reason.contains("Not corrected to 20 °C") ||
+                blocksOf<VerdictLine>(composed).front().verdict == Verdict::doesNotConform);
+    }
+
+    void theReasonOfAVerdictFitsOnTwoLines() {
+        Document changed = *document("limits-2006");
+        Test test = *changed.tests[0];
+        for (const char *id : {"A", "A+", "A-", "E", "E+", "E-", "M", "R", "R+", "R-", "B", "Bmean"})
+            test.limits[id] = {0.0001, {}, {}};
+        test.decisionRule.rule = Rule::simpleAcceptance;
+        changed.tests[0] = std::make_shared<const Test>(test);
+        for (const Language::Id id : both) {
+            const auto line =
+                blocksOf<VerdictLine>(report(std::make_shared<const Document>(changed), Language(id)))[0];
+            QVERIFY2(line.reason.size() <= 190, qPrintable(line.reason));
+            for (const char *symbol : {"A↓", "R↑", "B̄"})
+                QVERIFY2(line.reason.contains(symbol), qPrintable(line.reason));
+        }
+    }
+
+    void theExampleSaysWhatIsStandInEvenWithoutFindings() {
+        Document changed = *document("iso230-2-1988-example");
+        changed.report.leaveOut = {ReportPart::findings};
+        QVERIFY(text(std::make_shared<const Document>(changed), Language(Language::Id::english))
+                    .contains("ten readings are stand-ins with the published mean and s"));
+    }
+
+    void everyKindOfTestHasItsPlace() {
+        const auto complete = std::make_shared<const Document>(
+            readDocument(content(QString(DOCUMENTS) + "/../complete.palmer")));
+        const QString text = pageText(report(complete, Language(Language::Id::english)));
+        QVERIFY(text.contains("Circular test in the "));
+        QVERIFY(text.contains("Drift test of the "));
+    }
+
+    void extremeTestsAreComposed_data() {
+        QTest::addColumn<int>("targets");
+        QTest::addColumn<int>("runs");
+        QTest::newRow("no target") << 0 << 0;
+        QTest::newRow("targets without runs") << 5 << 0;
+        QTest::newRow("one target, one run each way") << 1 << 1;
+        QTest::newRow("three targets, thirty runs each way") << 3 << 30;
+        QTest::newRow("four hundred targets, ten runs each way") << 400 << 10;
+    }
+    void extremeTestsAreComposed() {
+        QFETCH(int, targets);
+        QFETCH(int, runs);
+        Document extreme;
+        extreme.machine.name = std::string(200, 'M');
+        Test test;
+        test.edition = "ISO 230-2:2006";
+        PositioningMeasurement m; // no conditions at all
+        for (int i = 0; i < targets; ++i)
+            m.targets.push_back(12.5 * i);
+        for (int run = 0; run < 2 * runs; ++run) {
+            m.runs.push_back({run % 2 == 0 ? Direction::positive : Direction::negative, {}});
+            for (int i = 0; i < targets; ++i)
+                m.runs.back().deviations.emplace_back(1e-4 * ((7 * i + 3 * run) % 101 - 50));
+        }
+        test.measurement = m;
+        extreme.tests.push_back(std::make_shared<const Test>(test));
+        const auto shared = std::make_shared<const Document>(extreme);
+        for (const Language::Id id : both) {
+            const Report composed = report(shared, Language(id));
+            QVERIFY(pageText(composed).contains(QString(200, 'M')));
+            std::size_t readings = 0;
+            for (const Table &table : tablesOf(composed)) {
+                double width = 0;
+                for (const Column &column : table.columns)
+                    width += column.width + column.gapBefore;
+                QVERIFY(width <= 175 + 1e-9);
+                for (const Spanner &spanner : table.spanners) {
+                    readings += spanner.count * table.rows.size();
+                    // Enough room for "−10.25" in each column.
+                    QVERIFY((175 - width) / static_cast<double>(table.columns.size() - 2) > 9);
+                }
+            }
+            QCOMPARE(readings, static_cast<std::size_t>(2 * targets * runs));
+        }
+    }
+
+    void anEmptyDocumentHasAReport() {
+        const Report composed = report(std::make_shared<const Document>(), Language(Language::Id::french));
+        QVERIFY(pageText(composed).contains("Fin du rapport"));
+    }
+};
+
+QTEST_GUILESS_MAIN(ComposeReportTest)
+#include "composereporttest.moc"

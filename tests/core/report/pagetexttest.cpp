@@ -1,0 +1,103 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "report/pagetext.h"
+#include "report/attachedfile.h"
+#include "report/plaintext.h"
+
+#include <QTest>
+
+using namespace palmer;
+
+namespace {
+
+Table smallTable() {
+    Table table;
+    table.columns = {{QString("i"), {}, Alignment::right},
+                     {Phrase({{"x"}, {"ij", true}}), "µm", Alignment::decimal},
+                     {QString("Verdict")}};
+    Cell verdict(QString("conforms"));
+    verdict.mark = Mark::check;
+    table.rows = {{QString("1"), QString("−0.5"), verdict}, {QString("2"), QString(), blankCell()}};
+    return table;
+}
+
+} // namespace
+
+class PageTextTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aTableReadsRowByRow() {
+        QCOMPARE(pageText(Block(smallTable())), "i  xij  Verdict\nµm\n1  −0.5  conforms\n2  –\n");
+    }
+
+    void aTableWithoutHeadHasRowsOnly() {
+        Table table = smallTable();
+        table.headless = true;
+        QCOMPARE(pageText(Block(table)), "1  −0.5  conforms\n2  –\n");
+    }
+
+    void aSpannerStandsBeforeTheTitlesOfItsColumns() {
+        Table table = smallTable();
+        table.spanners = {{1, 2, QString("both")}};
+        QVERIFY(pageText(Block(table)).startsWith("i  both  xij  Verdict\n"));
+    }
+
+    void theLeftIsReadBeforeTheRight() {
+        SideBySide both;
+        both.left = {Paragraph{"left 1"}, Paragraph{"left 2"}};
+        both.right = {KeyValues{{{"label", {}}}}};
+        QCOMPARE(pageText(Block(both)), "left 1\nleft 2\nlabel  –\n");
+    }
+
+    void whatPagesRepeatIsNoText() {
+        QCOMPARE(pageText(Block(RunningHead{"a", "b"})), QString());
+        QCOMPARE(pageText(Block(PageBreak{})), QString());
+    }
+
+    void aFigureGivesItsWords() {
+        CurveFigure figure;
+        figure.x = {"Target position", "P", "i", "mm", false, 0, 1, 1, {{0, "0"}, {1, "1"}}};
+        figure.y = {"Deviation", "x", "ij", "µm", false, -1, 1, 1, {{-1, "−1"}}};
+        figure.legend = {{LegendSample::up, "x̄↑", true}};
+        QCOMPARE(pageText(Block(FigureBlock{figure})),
+                 "Deviation xij (µm)\n−1\nTarget position Pi (mm)\n0  1\nx̄↑\n");
+    }
+
+    void pagesArePutInWhereTheyAreKnown() {
+        Report report;
+        report.blocks = {VerdictLine{{}, "a", "b", "c", false, "see page %1.", "findings-1"},
+                         VerdictLine{{}, "a", "b", "c", false, "see page %1.", "findings-2"}};
+        QCOMPARE(pageText(report), "a  b\nc\nsee page –.\na  b\nc\nsee page –.\n");
+        report = withPages(report, {{"findings-1", 3}});
+        QCOMPARE(pageText(report), "a  b\nc\nsee page 3.\na  b\nc\nsee page –.\n");
+    }
+
+    void aTerminalShowsEveryBlock() {
+        TestHead head;
+        head.laboratory = "Laboratory";
+        head.number = "No. 1";
+        head.title = "Title";
+        Report report;
+        report.blocks = {head, smallTable(), Signatures{{{"Operator", {{"Name", "N. N."}}}}},
+                         EndMark{"The end"}};
+        const QString text = plainText(report);
+        for (const char *word : {"Laboratory", "No. 1", "Title", "−0.5", "Operator", "N. N.", "The end"})
+            QVERIFY2(text.contains(word), word);
+    }
+
+    void aMissingValueIsADashAndABlankFieldIsNone() {
+        QVERIFY(Cell().isMissing());
+        QVERIFY(!blankCell().isMissing());
+        QVERIFY(!smallTable().rows[0][2].isMissing());
+    }
+
+    void theFooterCarriesSixteenDigits() {
+        QCOMPARE(shortFingerprint("3fdaeacdfdd0ed05aaaa"), "3fda eacd fdd0 ed05");
+        // SHA-256 of "abc", FIPS 180-2, B.1
+        QCOMPARE(fingerprint("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    }
+};
+
+QTEST_GUILESS_MAIN(PageTextTest)
+#include "pagetexttest.moc"

@@ -1,0 +1,166 @@
+#include "ui/dialogs/reportdialog.h"
+#include "ui/window/shownwindow.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPrinter>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QUndoStack>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+namespace {
+
+QString textOf(const QString &pdf) {
+    QProcess process;
+    process.start(QStringLiteral("pdftotext"), {pdf, QStringLiteral("-")});
+    if (!process.waitForFinished())
+        return {};
+    return QString::fromUtf8(process.readAllStandardOutput()).simplified();
+}
+
+int pagesOf(const QString &pdf) {
+    QProcess process;
+    process.start(QStringLiteral("pdfinfo"), {pdf});
+    process.waitForFinished();
+    const QString text = QString::fromUtf8(process.readAllStandardOutput());
+    return text.section(QStringLiteral("Pages:"), 1).section(u'\n', 0, 0).trimmed().toInt();
+}
+
+/// A dialog on the window's document.
+struct ShownDialog {
+    explicit ShownDialog(const ShownWindow &shown)
+        : dialog(shown.window->model(), shown.window->evaluator(), shown.window) {
+        dialog.show();
+    }
+    void click(const char *name) {
+        auto *button = dialog.findChild<QAbstractButton *>(QLatin1StringView(name));
+        QVERIFY2(button, name);
+        button->click();
+    }
+    ReportDialog dialog;
+};
+
+} // namespace
+
+class ReportDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareApplication(); }
+    void init() { setWindowLanguage(Language::Id::english); }
+    void savesWhatItShows();
+    void savesAFileForEachLanguage();
+    void doesNotSpeakTheLanguageOfTheWindow();
+    void choicesAreEditsOfTheDocument();
+    void printsTheFilesEditionAndNoView();
+    void prints();
+    void saysWhySavingFailed();
+};
+
+void ReportDialogTest::savesWhatItShows() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    QVERIFY(shown.dialog.pageCount() > 1);
+    const QString path = folder.filePath(QStringLiteral("report.pdf"));
+    QCOMPARE(shown.dialog.saveTo(path), QStringList{path});
+    QCOMPARE(pagesOf(path), shown.dialog.pageCount());
+    QVERIFY(textOf(path).contains(QStringLiteral("RE-2026-001")));
+}
+
+void ReportDialogTest::savesAFileForEachLanguage() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    shown.click("reportBoth");
+    QCOMPARE(shown.dialog.saveTo(folder.filePath(QStringLiteral("report.pdf"))),
+             QStringList({folder.filePath(QStringLiteral("report.fr.pdf")),
+                          folder.filePath(QStringLiteral("report.en.pdf"))}));
+    QVERIFY(textOf(folder.filePath(QStringLiteral("report.fr.pdf"))).contains(QStringLiteral("exactitude")));
+    QVERIFY(textOf(folder.filePath(QStringLiteral("report.en.pdf"))).contains(QStringLiteral("accuracy")));
+}
+
+void ReportDialogTest::doesNotSpeakTheLanguageOfTheWindow() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    shown.click("reportEnglish");
+    const QString first = folder.filePath(QStringLiteral("a.pdf")), second = folder.filePath(QStringLiteral("b.pdf"));
+    QVERIFY(!shown.dialog.saveTo(first).isEmpty());
+    setWindowLanguage(Language::Id::french);
+    QCOMPARE(shown.dialog.findChild<QAbstractButton *>(QStringLiteral("savePdf"))->text(),
+             QStringLiteral("&Enregistrer le PDF…"));
+    QVERIFY(!shown.dialog.saveTo(second).isEmpty());
+    QVERIFY(!textOf(first).isEmpty());
+    QCOMPARE(textOf(second), textOf(first));
+}
+
+void ReportDialogTest::choicesAreEditsOfTheDocument() {
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    const auto before = window.window->model().document();
+    const int pages = shown.dialog.pageCount();
+    shown.click("partReadings");
+    shown.click("partTargetTable");
+    shown.click("signLaboratory");
+    const ReportHead &head = window.window->model().document()->report;
+    QCOMPARE(head.leaveOut.size(), before->report.leaveOut.size() + 2);
+    QVERIFY(head.signatures != before->report.signatures);
+    QVERIFY(shown.dialog.pageCount() <= pages);
+    auto *paper = shown.dialog.findChild<QComboBox *>(QStringLiteral("paper"));
+    emit paper->activated(1);
+    QVERIFY(window.window->model().document()->report.paper == Paper::letter);
+    QCOMPARE(window.window->model().undoStack()->count(), 1); // one step, whatever was tried out
+    window.window->model().undoStack()->undo();
+    QVERIFY(*window.window->model().document() == *before);
+    QCOMPARE(shown.dialog.pageCount(), pages);
+}
+
+void ReportDialogTest::printsTheFilesEditionAndNoView() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("iso230-2-1988-example"));
+    const QString own = folder.filePath(QStringLiteral("own.pdf")), view = folder.filePath(QStringLiteral("view.pdf"));
+    {
+        ShownDialog shown(window);
+        QVERIFY(!shown.dialog.saveTo(own).isEmpty());
+    }
+    window.window->evaluator().setView(0, "ISO 230-2:2014");
+    ShownDialog shown(window);
+    QVERIFY(!shown.dialog.saveTo(view).isEmpty());
+    QVERIFY(!textOf(own).isEmpty());
+    QCOMPARE(textOf(view), textOf(own));
+}
+
+void ReportDialogTest::prints() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    QPrinter printer(QPrinter::HighResolution);
+    const QString path = folder.filePath(QStringLiteral("printed.pdf"));
+    printer.setOutputFileName(path);
+    QVERIFY(shown.dialog.printOn(printer));
+    QCOMPARE(pagesOf(path), shown.dialog.pageCount());
+    printer.setPrintRange(QPrinter::PageRange);
+    printer.setFromTo(2, 2);
+    QVERIFY(shown.dialog.printOn(printer));
+    QCOMPARE(pagesOf(path), 1);
+}
+
+void ReportDialogTest::saysWhySavingFailed() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    QVERIFY(shown.dialog.saveTo(folder.filePath(QStringLiteral("missing/report.pdf"))).isEmpty());
+    auto *box = shown.dialog.findChild<QMessageBox *>(QStringLiteral("errorBox"));
+    QVERIFY(box && !box->informativeText().isEmpty());
+    box->close();
+}
+
+QTEST_MAIN(ReportDialogTest)
+#include "reportdialogtest.moc"

@@ -1,0 +1,295 @@
+#include "ui/pdf/writepdf.h"
+
+#include "report/pagetext.h"
+#include "ui/figures/exportfigure.h"
+#include "ui/pdf/reports.h"
+
+#include <QApplication>
+#include <QHashSeed>
+#include <ctime>
+
+using namespace palmer;
+using namespace palmer::testdata;
+
+namespace {
+
+void addStoredDocuments() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<Language::Id>("language");
+    for (const QString &name : storedDocuments) {
+        QTest::newRow(qPrintable(name + u" in French"_s)) << name << Language::Id::french;
+        QTest::newRow(qPrintable(name + u" in English"_s)) << name << Language::Id::english;
+    }
+}
+
+/// The page each anchor stands on, found by the words of its heading.
+std::map<QString, int> anchorPages(const Report &report, const QStringList &pages) {
+    std::map<QString, int> result;
+    qsizetype page = 0;
+    for (const Block &block : report.blocks) {
+        const auto *heading = std::get_if<Heading>(&block);
+        if (!heading)
+            continue;
+        const QString words = squeezed(heading->text + heading->note.plain());
+        while (page < pages.size() && !squeezed(pages[page]).contains(words))
+            ++page;
+        if (!heading->anchor.isEmpty())
+            result[heading->anchor] = static_cast<int>(page) + 1;
+    }
+    return result;
+}
+
+/// What the report says, in the order it is drawn. The words of a figure are those of the figure as a file.
+QString expectedText(const Report &report) {
+    QString result;
+    for (const Block &block : report.blocks) {
+        const QString words = squeezed(pageText(block));
+        const auto *figure = std::get_if<FigureBlock>(&block);
+        if (!figure) {
+            result += words;
+            continue;
+        }
+        QString drawn = squeezed(pageTexts(ui::figureAsPdf(figure->figure, u"figure"_s)).join(QString()));
+        QString sortedWords = words;
+        QString sortedDrawn = drawn;
+        std::sort(sortedWords.begin(), sortedWords.end());
+        std::sort(sortedDrawn.begin(), sortedDrawn.end());
+        if (sortedWords != sortedDrawn)
+            qFatal("the figure says %s, not %s", qPrintable(drawn), qPrintable(words));
+        result += drawn;
+    }
+    return result;
+}
+
+QStringList tableHeads(const Report &report) {
+    QStringList result;
+    for (const Block &block : report.blocks) {
+        if (const auto *table = std::get_if<Table>(&block)) {
+            Table head = *table;
+            head.rows.clear();
+            result << squeezed(pageText(Block(head)));
+        }
+    }
+    return result;
+}
+
+/// Takes one of `beginnings` from the front of `text`.
+void takeBeginning(QString &text, const QStringList &beginnings) {
+    for (const QString &beginning : beginnings) {
+        if (!beginning.isEmpty() && text.startsWith(beginning)) {
+            text.remove(0, beginning.size());
+            return;
+        }
+    }
+}
+
+/// Compares page by page: running head, footer and repeated heads of tables apart, all must be there, once
+/// and in order.
+void compare(const Report &composed, const QByteArray &pdf) {
+    const QStringList pages = pageTexts(pdf);
+    const Report report = withPages(composed, anchorPages(composed, pages));
+    const QString expected = expectedText(report);
+    const QStringList heads = tableHeads(report);
+    QStringList runningHeads;
+    for (const Block &block : report.blocks) {
+        if (const auto *running = std::get_if<RunningHead>(&block))
+            runningHeads << squeezed(running->left + running->right);
+    }
+    qsizetype at = 0;
+    for (qsizetype i = 0; i < pages.size(); ++i) {
+        QString text = squeezed(pages[i]);
+        QString footer = report.footerLeft + report.footerCentre + report.footerRight;
+        footer.replace(u"%1"_s, QString::number(i + 1)).replace(u"%2"_s, QString::number(pages.size()));
+        QVERIFY2(text.endsWith(squeezed(footer)), qPrintable(text));
+        text.chop(squeezed(footer).size());
+        takeBeginning(text, runningHeads);
+        if (!expected.mid(at).startsWith(text))
+            takeBeginning(text, heads);
+        if (!expected.mid(at).startsWith(text)) {
+            qsizetype same = 0;
+            while (same < text.size() && at + same < expected.size() && text[same] == expected[at + same])
+                ++same;
+            QFAIL(qPrintable(u"page %1 says “%2” and should say “%3”"_s.arg(i + 1).arg(
+                text.mid(std::max<qsizetype>(same - 20, 0), 80),
+                expected.mid(at + std::max<qsizetype>(same - 20, 0), 80))));
+        }
+        at += text.size();
+    }
+    QCOMPARE(expected.mid(at), QString());
+}
+
+const QByteArray pngLogo = [] {
+    QImage image(300, 120, QImage::Format_ARGB32);
+    image.fill(QColor(0, 60, 120, 128));
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return bytes;
+}();
+
+const QByteArray svgLogo = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 40 20'>"
+                           "<rect width='40' height='20' fill='#003c78'/>"
+                           "<circle cx='20' cy='10' r='8' fill='#ffffff'/></svg>";
+
+} // namespace
+
+/// The report as a PDF.
+class WritePdf : public QObject {
+    Q_OBJECT
+
+private slots:
+    void textIsThatOfTheReport_data() { addStoredDocuments(); }
+    void textIsThatOfTheReport();
+    void textCanBeSearched();
+    void sameBytesAtAnyTimeAndPlace();
+    void saysTitleAndLanguage();
+    void carriesNoDateButTheReports();
+    void onlyTheShippedFont_data() { addStoredDocuments(); }
+    void onlyTheShippedFont();
+    void isVectorsOnly();
+    void logoIsPartOfTheHead_data();
+    void logoIsPartOfTheHead();
+    void isSoundForOtherReaders();
+    void saysThatTheDeviceIsFull();
+};
+
+void WritePdf::textIsThatOfTheReport() {
+    QFETCH(const QString, name);
+    QFETCH(const Language::Id, language);
+    const Report report = reportOf(storedDocument(name), language);
+    compare(report, pdfOf(report));
+}
+
+void WritePdf::textCanBeSearched() {
+    // Accents are signs of their own in a PDF: white space may stand before them.
+    const QString text = squeezed(
+        pageTexts(pdfOf(reportOf(storedDocument(u"limits-2006"_s), Language::Id::french))).join(u' '));
+    for (const QString &word : {u"µm"_s, u"±"_s, u"A↑"_s, u"A↓"_s, u"x\u0304"_s, u"B\u0304"_s, u"°C"_s,
+                                u"Répétabilité"_s, u"−1,5"_s})
+        QVERIFY2(text.contains(squeezed(word)), qPrintable(word));
+}
+
+void WritePdf::sameBytesAtAnyTimeAndPlace() {
+    const Report report = reportOf(storedDocument(u"two-tests"_s), Language::Id::french);
+    const QByteArray first = pdfOf(report);
+    QTest::qWait(1100); // times in a PDF have whole seconds
+    qputenv("TZ", "Asia/Tokyo");
+    tzset();
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::French));
+    const QByteArray second = pdfOf(reportOf(storedDocument(u"two-tests"_s), Language::Id::french));
+    QLocale::setDefault(before);
+    qputenv("TZ", "UTC");
+    tzset();
+    QVERIFY(first == second);
+}
+
+void WritePdf::saysTitleAndLanguage() {
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        const Report report = reportOf(storedDocument(u"limits-2006"_s), language);
+        const QString information = QString::fromUtf8(run(u"pdfinfo"_s, {u"-"_s}, pdfOf(report)));
+        QVERIFY2(information.contains(report.title), qPrintable(information));
+        QVERIFY2(information.contains(QRegularExpression(u"Page size: +595[0-9.]* x 84[12][0-9.]* pts"_s)),
+                 qPrintable(information));
+        QTemporaryDir folder;
+        QFile file(folder.filePath(u"report.pdf"_s));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(pdfOf(report));
+        file.close();
+        const QByteArray objects = run(u"qpdf"_s, {u"--qdf"_s, file.fileName(), u"-"_s}, {});
+        QVERIFY(objects.contains(language == Language::Id::french ? "/Lang (fr)" : "/Lang (en)"));
+    }
+}
+
+void WritePdf::carriesNoDateButTheReports() {
+    Report report = reportOf(storedDocument(u"limits-2006"_s), Language::Id::english);
+    report.date = u"2026-11-20"_s;
+    const QByteArray dated = run(u"pdfinfo"_s, {u"-rawdates"_s, u"-"_s}, pdfOf(report));
+    QVERIFY2(dated.contains("D:20261120000000Z"), dated.constData());
+    report.date.clear();
+    const QByteArray undated = run(u"pdfinfo"_s, {u"-rawdates"_s, u"-"_s}, pdfOf(report));
+    QVERIFY2(!undated.contains("Date"), undated.constData());
+}
+
+void WritePdf::onlyTheShippedFont() {
+    QFETCH(const QString, name);
+    QFETCH(const Language::Id, language);
+    const QList<QByteArray> lines =
+        run(u"pdffonts"_s, {u"-"_s}, pdfOf(reportOf(storedDocument(name), language))).split('\n').mid(2);
+    QVERIFY(lines.size() > 2);
+    for (const QByteArray &line : lines) {
+        if (line.isEmpty())
+            continue;
+        // name, type, encoding, embedded, subset, with Unicode
+        const QRegularExpression expected(u"LiberationSans\\S* +CID TrueType +\\S+ +yes +\\S+ +yes "_s);
+        QVERIFY2(QString::fromLatin1(line).contains(expected), line.constData());
+    }
+}
+
+void WritePdf::isVectorsOnly() {
+    for (const QString &name : storedDocuments) {
+        const QByteArray images = run(u"pdfimages"_s, {u"-list"_s, u"-"_s},
+                                      pdfOf(reportOf(storedDocument(name), Language::Id::french)));
+        QCOMPARE(images.trimmed().count('\n'), 1); // two lines of head
+    }
+}
+
+void WritePdf::logoIsPartOfTheHead_data() {
+    QTest::addColumn<QByteArray>("logo");
+    QTest::addColumn<int>("images");
+    QTest::newRow("PNG with transparency") << pngLogo << 1;
+    QTest::newRow("SVG stays vectors") << svgLogo << 0;
+    QTest::newRow("what is no picture is left out") << QByteArray("no picture") << 0;
+}
+
+void WritePdf::logoIsPartOfTheHead() {
+    QFETCH(const QByteArray, logo);
+    QFETCH(const int, images);
+    Report report = reportOf(storedDocument(u"limits-2006"_s), Language::Id::french);
+    for (Block &block : report.blocks) {
+        if (auto *head = std::get_if<TestHead>(&block))
+            head->logo = logo;
+    }
+    const QByteArray pdf = pdfOf(report);
+    const QByteArray list = run(u"pdfimages"_s, {u"-list"_s, u"-"_s}, pdf);
+    QCOMPARE(list.trimmed().count('\n') - 1, images); // no mask: opaque
+    compare(report, pdf);
+    // 10 mm high from the top margin, at the left margin.
+    constexpr int perInch = 254;
+    const QImage page = pictures(pdf, perInch).front();
+    const bool drawn = logo != "no picture";
+    QCOMPARE(qGray(page.pixel(205, 155)) < 200, drawn);
+    QCOMPARE(qGray(page.pixel(205, 245)) < 200, drawn);
+    QCOMPARE(qGray(page.pixel(205, 255)), 255);
+}
+
+void WritePdf::isSoundForOtherReaders() {
+    QTemporaryDir folder;
+    QFile file(folder.filePath(u"report.pdf"_s));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(pdfOf(reportOf(storedDocument(u"two-tests"_s), Language::Id::french)));
+    file.close();
+    QVERIFY(
+        run(u"qpdf"_s, {u"--check"_s, file.fileName()}, {}).contains("No syntax or stream encoding errors"));
+}
+
+void WritePdf::saysThatTheDeviceIsFull() {
+    QFile full(u"/dev/full"_s);
+    QVERIFY(full.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
+    try {
+        ui::writePdf(reportOf(storedDocument(u"one-direction"_s), Language::Id::french), full);
+        QFAIL("nothing was thrown");
+    } catch (const Error &error) {
+        QCOMPARE(error.kind, Error::Kind::unwritable);
+    }
+}
+
+int main(int argc, char **argv) {
+    QHashSeed::setDeterministicGlobalSeed();
+    QApplication application(argc, argv);
+    WritePdf test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "writepdf.moc"

@@ -1,0 +1,506 @@
+#include "ui/dialogs/reportdialog.h"
+
+#include "document/documenterror.h"
+#include "report/composereport.h"
+#include "ui/dialogs/pagecolumn.h"
+#include "ui/model/page.h"
+#include "ui/pdf/writepdf.h"
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPainter>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int headHeight = 44;
+constexpr int sideWidth = 304;
+constexpr int smallWidth = 132;
+constexpr double smallestScale = 0.25;
+constexpr double largestScale = 6;
+constexpr double zoomStep = 1.25;
+constexpr double screenPointsPerInch = 96.0 / 72.0; ///< pixels a point at 100 %
+
+enum LanguageButton { frenchOnly, englishOnly, bothLanguages };
+
+Language::Id idOf(ReportLanguage language) {
+    return language == ReportLanguage::fr ? Language::Id::french : Language::Id::english;
+}
+
+template <typename Word>
+bool holds(const std::vector<Word> &list, Word word) {
+    return std::ranges::find(list, word) != list.end();
+}
+
+/// Puts a word into a list or takes it out, keeping the order of the others.
+template <typename Word>
+void put(std::vector<Word> &list, Word word, bool in) {
+    if (in && !holds(list, word))
+        list.push_back(word);
+    else if (!in)
+        std::erase(list, word);
+}
+
+QToolButton *iconButton(QWidget *parent, const char *name, const QString &icon) {
+    auto *button = new QToolButton(parent);
+    button->setObjectName(QLatin1StringView(name));
+    button->setIcon(lineIcon(icon));
+    button->setProperty("iconOnly", true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
+}
+
+} // namespace
+
+ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *parent)
+    : QDialog(parent)
+    , m_model(model)
+    , m_evaluator(evaluator) {
+    setObjectName(QStringLiteral("reportDialog"));
+    setWindowFlag(Qt::WindowMaximizeButtonHint);
+    resize(1280, 800);
+    m_small = new PageColumn(this);
+    m_small->setNumbered(true);
+    m_small->setScale(96 / 595.0);
+    m_column = new PageColumn(this);
+    m_smallArea = new QScrollArea(this);
+    m_area = new QScrollArea(this);
+    m_smallArea->setObjectName(QStringLiteral("smallPages"));
+    m_area->setObjectName(QStringLiteral("pages"));
+    m_smallArea->setWidget(m_small);
+    m_area->setWidget(m_column);
+    for (QScrollArea *area : {m_smallArea, m_area}) {
+        area->setFrameShape(QFrame::NoFrame);
+        area->setAlignment(Qt::AlignHCenter);
+    }
+    m_smallArea->setFixedWidth(smallWidth);
+    m_smallArea->setFocusPolicy(Qt::NoFocus);
+    m_smallArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_area->setBackgroundRole(QPalette::Mid);
+
+    auto *body = new QHBoxLayout;
+    body->setSpacing(0);
+    auto *head = makeHead();
+    body->addWidget(m_smallArea);
+    body->addWidget(m_area, 1);
+    body->addWidget(makeSide());
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(head);
+    layout->addLayout(body, 1);
+
+    connect(m_small, &PageColumn::clicked, this, &ReportDialog::goTo);
+    connect(m_area->verticalScrollBar(), &QScrollBar::valueChanged, this, &ReportDialog::followScroll);
+    connect(&m_evaluator, &Evaluator::evaluated, this, &ReportDialog::showDocument);
+    retranslate();
+    showDocument();
+}
+
+QWidget *ReportDialog::makeHead() {
+    auto *head = new QWidget(this);
+    head->setFixedHeight(headHeight);
+    m_title = new QLabel(head);
+    m_title->setFont(themeFont(TextSize::title));
+    m_summary = new QLabel(head);
+    m_summary->setFont(themeFont(TextSize::small));
+    m_summary->setProperty("secondary", true);
+    m_previous = iconButton(head, "previousPage", QStringLiteral("left"));
+    m_next = iconButton(head, "nextPage", QStringLiteral("right"));
+    m_smaller = iconButton(head, "smaller", QStringLiteral("zoomout"));
+    m_larger = iconButton(head, "larger", QStringLiteral("zoomin"));
+    m_previous->setShortcut(QKeySequence(Qt::Key_PageUp));
+    m_next->setShortcut(QKeySequence(Qt::Key_PageDown));
+    m_smaller->setShortcut(QKeySequence::ZoomOut);
+    m_larger->setShortcut(QKeySequence::ZoomIn);
+    m_place = new QLabel(head);
+    m_zoom = new QLabel(head);
+    m_width = new QPushButton(head);
+    m_width->setObjectName(QStringLiteral("fitWidth"));
+    m_width->setAutoDefault(false);
+    auto *row = new QHBoxLayout(head);
+    row->setContentsMargins(16, 0, 16, 0);
+    row->addWidget(m_title);
+    row->addWidget(m_summary, 1);
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_previous, m_place, m_next, m_smaller, m_zoom, m_larger,
+                                                            m_width})
+        row->addWidget(widget);
+    connect(m_previous, &QToolButton::clicked, this,
+            [this] { goTo(m_column->pageAt(m_area->verticalScrollBar()->value()) - 1); });
+    connect(m_next, &QToolButton::clicked, this,
+            [this] { goTo(m_column->pageAt(m_area->verticalScrollBar()->value()) + 1); });
+    const auto zoom = [this](double factor) {
+        m_fit = false;
+        setScale(m_column->scale() * factor);
+    };
+    connect(m_smaller, &QToolButton::clicked, this, [zoom] { zoom(1 / zoomStep); });
+    connect(m_larger, &QToolButton::clicked, this, [zoom] { zoom(zoomStep); });
+    connect(m_width, &QPushButton::clicked, this, &ReportDialog::fitWidth);
+    return head;
+}
+
+QWidget *ReportDialog::makeSide() {
+    auto *side = new QWidget(this);
+    side->setFixedWidth(sideWidth);
+    auto *column = new QVBoxLayout(side);
+    column->setContentsMargins(16, 12, 16, 12);
+    column->setSpacing(8);
+    const auto title = [&] {
+        auto *label = new QLabel(side);
+        label->setFont(themeFont(TextSize::small));
+        label->setProperty("secondary", true);
+        column->addWidget(label);
+        return label;
+    };
+
+    m_languageTitle = title();
+    m_languages = new QButtonGroup(this);
+    auto *segments = new QHBoxLayout;
+    segments->setSpacing(0);
+    const std::array names{QStringLiteral("Français"), QStringLiteral("English"), QString()};
+    const std::array objects{QStringLiteral("reportFrench"), QStringLiteral("reportEnglish"),
+                             QStringLiteral("reportBoth")};
+    const std::array places{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("last")};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        auto *button = new QToolButton(side);
+        button->setObjectName(objects[i]);
+        button->setText(names[i]);
+        button->setAccessibleName(names[i]);
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setProperty("segment", places[i]);
+        m_languages->addButton(button, static_cast<int>(i));
+        segments->addWidget(button);
+        m_both = button;
+    }
+    segments->addStretch();
+    column->addLayout(segments);
+    connect(m_languages, &QButtonGroup::idClicked, this, [this](int id) {
+        change([id](ReportHead &head) {
+            if (id == bothLanguages)
+                head.languages = {ReportLanguage::fr, ReportLanguage::en};
+            else
+                head.languages = {id == frenchOnly ? ReportLanguage::fr : ReportLanguage::en};
+        });
+    });
+
+    m_paperTitle = title();
+    m_paper = new QComboBox(side);
+    m_paper->setObjectName(QStringLiteral("paper"));
+    m_paper->setFocusPolicy(Qt::StrongFocus);
+    m_paper->addItem(QStringLiteral("A4"));
+    m_paper->addItem(QStringLiteral("Letter"));
+    m_paperTitle->setBuddy(m_paper);
+    column->addWidget(m_paper);
+    connect(m_paper, &QComboBox::activated, this, [this](int index) {
+        change([index](ReportHead &head) { head.paper = index == 0 ? Paper::a4 : Paper::letter; });
+    });
+
+    m_sectionsTitle = title();
+    addChoices(column);
+
+    column->addStretch();
+    m_missing = new QLabel(side);
+    m_missing->setObjectName(QStringLiteral("missingNote"));
+    m_missing->setWordWrap(true);
+    column->addWidget(m_missing);
+    m_save = new QPushButton(side);
+    m_save->setObjectName(QStringLiteral("savePdf"));
+    m_save->setProperty("primary", true);
+    m_save->setIcon(lineIcon(QStringLiteral("pdf"), QPalette::Base));
+    m_save->setDefault(true);
+    column->addWidget(m_save);
+    auto *last = new QHBoxLayout;
+    m_print = new QPushButton(side);
+    m_print->setObjectName(QStringLiteral("print"));
+    m_print->setIcon(lineIcon(QStringLiteral("print")));
+    m_print->setAutoDefault(false);
+    m_close = new QPushButton(side);
+    m_close->setObjectName(QStringLiteral("closeReport"));
+    m_close->setAutoDefault(false);
+    last->addWidget(m_print);
+    last->addWidget(m_close);
+    column->addLayout(last);
+    connect(m_save, &QPushButton::clicked, this, &ReportDialog::choosePdf);
+    connect(m_print, &QPushButton::clicked, this, &ReportDialog::choosePrinter);
+    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+    return side;
+}
+
+void ReportDialog::addChoices(QVBoxLayout *column) {
+    const auto add = [&](const char *name, const char *text, auto isOn, auto set) {
+        auto *box = new QCheckBox(this);
+        box->setObjectName(QLatin1StringView(name));
+        column->addWidget(box);
+        const std::size_t index = m_choices.size();
+        m_choices.push_back({box, text, isOn, set});
+        connect(box, &QCheckBox::clicked, this,
+                [this, index](bool on) { change([&](ReportHead &head) { m_choices[index].set(head, on); }); });
+    };
+    const auto part = [&](const char *name, const char *text, ReportPart which) {
+        add(
+            name, text, [which](const ReportHead &head) { return !holds(head.leaveOut, which); },
+            [which](ReportHead &head, bool on) { put(head.leaveOut, which, !on); });
+    };
+    const auto extra = [&](const char *name, const char *text, ReportExtra which) {
+        add(
+            name, text, [which](const ReportHead &head) { return holds(head.include, which); },
+            [which](ReportHead &head, bool on) { put(head.include, which, on); });
+    };
+    const auto signer = [&](const char *name, const char *text, Signer which) {
+        add(
+            name, text, [which](const ReportHead &head) { return holds(head.signatures, which); },
+            [which](ReportHead &head, bool on) { put(head.signatures, which, on); });
+    };
+    part("partTargetTable", QT_TR_NOOP("Values per target"), ReportPart::targetTable);
+    part("partReadings", QT_TR_NOOP("Readings"), ReportPart::readings);
+    part("partFindings", QT_TR_NOOP("Findings"), ReportPart::findings);
+    part("partSignatures", QT_TR_NOOP("Signatures"), ReportPart::signatures);
+    extra("extraReadingMarks", QT_TR_NOOP("Single readings in the figure"), ReportExtra::readingMarks);
+    extra("extraMeanRepeatability", QT_TR_NOOP("Mean repeatability (1988)"), ReportExtra::meanRepeatability);
+    m_signaturesTitle = new QLabel(this);
+    m_signaturesTitle->setFont(themeFont(TextSize::small));
+    m_signaturesTitle->setProperty("secondary", true);
+    column->addWidget(m_signaturesTitle);
+    signer("signOperator", QT_TR_NOOP("Operator"), Signer::operatorSigns);
+    signer("signLaboratory", QT_TR_NOOP("Laboratory"), Signer::laboratory);
+    signer("signSupplier", QT_TR_NOOP("Supplier"), Signer::supplier);
+    signer("signCustomer", QT_TR_NOOP("Customer"), Signer::customer);
+}
+
+void ReportDialog::change(const std::function<void(ReportHead &)> &change) {
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "choose what the report has"),
+                 [&](Document &document) { change(document.report); }, QStringLiteral("report.form"));
+    showDocument(); // the buttons too, where nothing has changed
+}
+
+void ReportDialog::showDocument() {
+    // What is printed is the file's: views under another edition stay in the window.
+    m_evaluated = evaluate(m_model.document(), &m_evaluator.current());
+    const ReportHead &head = m_model.document()->report;
+    m_reports.clear();
+    m_pages.clear();
+    const ReportOptions options{QStringLiteral("Palmer " PALMER_VERSION)};
+    for (const ReportLanguage language : head.languages) {
+        m_reports.push_back(composeReport(m_evaluated, Language(idOf(language)), options));
+        Pages pages = layoutPages(m_reports.back());
+        std::ranges::move(pages, std::back_inserter(m_pages));
+    }
+    const bool french = holds(head.languages, ReportLanguage::fr);
+    const bool english = holds(head.languages, ReportLanguage::en);
+    m_languages->button(french && english ? bothLanguages : french ? frenchOnly : englishOnly)->setChecked(true);
+    m_paper->setCurrentIndex(head.paper == Paper::a4 ? 0 : 1);
+    for (const Choice &choice : m_choices)
+        choice.box->setChecked(choice.isOn(head));
+
+    int missing = 0;
+    for (const TestEvaluationPointer &test : m_evaluated.tests) {
+        for (const Finding &finding : test->findings)
+            missing += isMissing(finding, test->edition);
+    }
+    m_missing->setVisible(missing > 0);
+    m_missing->setText(tr("%n required statement(s) missing; printed as “–”", nullptr, missing));
+    const QString number = QString::fromStdString(head.number);
+    m_title->setText(number.isEmpty() ? tr("Report") : tr("Report %1").arg(number));
+    m_summary->setText(tr("%n page(s) %1 · preview = PDF = paper", nullptr, pageCount()).arg(m_paper->currentText()));
+    m_small->setPages(m_pages);
+    m_column->setPages(m_pages);
+    if (m_fit)
+        fitWidth();
+    followScroll();
+}
+
+int ReportDialog::pageCount() const {
+    return static_cast<int>(m_pages.size());
+}
+
+void ReportDialog::goTo(int page) {
+    const int inside = std::clamp(page, 0, std::max(0, pageCount() - 1));
+    if (pageCount() > 0)
+        m_area->verticalScrollBar()->setValue(m_column->pageRect(inside).top() - 8);
+}
+
+void ReportDialog::followScroll() {
+    const int page = m_column->pageAt(m_area->verticalScrollBar()->value() + 9);
+    m_small->setCurrent(page);
+    if (pageCount() > 0)
+        m_smallArea->ensureVisible(0, m_small->pageRect(page).center().y(), 0, 100);
+    m_place->setText(QStringLiteral("%1 / %2").arg(page + 1).arg(pageCount()));
+    m_previous->setEnabled(page > 0);
+    m_next->setEnabled(page + 1 < pageCount());
+}
+
+void ReportDialog::setScale(double scale) {
+    const int page = m_column->pageAt(m_area->verticalScrollBar()->value() + 9);
+    m_column->setScale(std::clamp(scale, smallestScale, largestScale));
+    m_zoom->setText(tr("%1 %").arg(qRound(m_column->scale() / screenPointsPerInch * 100)));
+    goTo(page);
+    followScroll();
+}
+
+void ReportDialog::fitWidth() {
+    m_fit = true;
+    if (m_pages.empty())
+        return;
+    const int room = m_area->viewport()->width() - 48;
+    setScale(room / m_pages.front().size.width());
+}
+
+void ReportDialog::choosePdf() {
+    QFileDialog dialog(this, tr("Save the report"));
+    dialog.setObjectName(QStringLiteral("pdfDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilter(tr("PDF files (*.pdf)"));
+    dialog.setDefaultSuffix(QStringLiteral("pdf"));
+    const QFileInfo file(m_model.path());
+    if (!m_model.path().isEmpty()) {
+        dialog.setDirectory(file.absolutePath());
+        dialog.selectFile(file.completeBaseName() + QStringLiteral(".pdf"));
+    }
+    if (dialog.exec() == QDialog::Accepted)
+        saveTo(dialog.selectedFiles().constFirst());
+}
+
+QStringList ReportDialog::saveTo(const QString &path) {
+    QStringList written;
+    const QFileInfo name(path);
+    for (const Report &report : m_reports) {
+        const QString file = m_reports.size() == 1
+                                 ? path
+                                 : name.dir().filePath(QStringLiteral("%1.%2.pdf").arg(name.completeBaseName(), report.language));
+        QSaveFile device(file);
+        QString why;
+        if (!device.open(QIODevice::WriteOnly)) {
+            why = device.errorString();
+        } else {
+            try {
+                writePdf(report, device);
+                if (!device.commit())
+                    why = device.errorString();
+            } catch (const Error &error) {
+                why = windowLanguage().sentence(error.message);
+            }
+        }
+        if (!why.isEmpty()) {
+            auto *box = new QMessageBox(QMessageBox::Critical, windowTitle(),
+                                        tr("%1 cannot be saved").arg(QFileInfo(file).fileName()), QMessageBox::Ok, this);
+            box->setObjectName(QStringLiteral("errorBox"));
+            box->setAttribute(Qt::WA_DeleteOnClose);
+            box->setInformativeText(why);
+            box->open();
+            return {};
+        }
+        written += file;
+    }
+    m_summary->setText(tr("Saved: %1").arg(written.join(QStringLiteral(", "))));
+    return written;
+}
+
+void ReportDialog::choosePrinter() {
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setDocName(m_title->text());
+    printer.setFullPage(true);
+    if (!m_pages.empty())
+        printer.setPageSize(QPageSize(m_pages.front().size, QPageSize::Point, QString(), QPageSize::FuzzyMatch));
+    QPrintDialog dialog(&printer, this);
+    dialog.setMinMax(1, pageCount());
+    dialog.setOption(QAbstractPrintDialog::PrintPageRange);
+    if (dialog.exec() == QDialog::Accepted && !printOn(printer)) {
+        auto *box = new QMessageBox(QMessageBox::Critical, windowTitle(), tr("The printer did not accept the report."),
+                                    QMessageBox::Ok, this);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    }
+}
+
+bool ReportDialog::printOn(QPrinter &printer) {
+    printer.setFullPage(true);
+    QPainter painter;
+    if (m_pages.empty() || !painter.begin(&printer))
+        return false;
+    int first = 1, last = pageCount();
+    if (printer.printRange() == QPrinter::PageRange && printer.fromPage() > 0) {
+        first = printer.fromPage();
+        last = std::min(last, printer.toPage());
+    }
+    const double scale = printer.resolution() / 72.0;
+    for (int page = first; page <= last; ++page) {
+        if (page > first && !printer.newPage())
+            return false;
+        painter.save();
+        painter.scale(scale, scale);
+        drawPage(painter, m_pages[static_cast<std::size_t>(page - 1)]);
+        painter.restore();
+    }
+    return painter.end();
+}
+
+void ReportDialog::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        showDocument();
+    }
+    QDialog::changeEvent(event);
+}
+
+void ReportDialog::resizeEvent(QResizeEvent *event) {
+    QDialog::resizeEvent(event);
+    if (m_fit)
+        fitWidth();
+}
+
+void ReportDialog::showEvent(QShowEvent *event) {
+    QDialog::showEvent(event);
+    if (m_fit)
+        fitWidth();
+}
+
+void ReportDialog::retranslate() {
+    setWindowTitle(tr("Report"));
+    const auto name = [](QToolButton *button, const QString &text) {
+        button->setAccessibleName(text);
+        button->setToolTip(
+            QStringLiteral("%1 (%2)").arg(text, button->shortcut().toString(QKeySequence::NativeText)));
+    };
+    name(m_previous, tr("Previous page"));
+    name(m_next, tr("Next page"));
+    name(m_smaller, tr("Smaller"));
+    name(m_larger, tr("Larger"));
+    m_width->setText(tr("&Width"));
+    m_area->setAccessibleName(tr("Pages of the report"));
+    m_smallArea->setAccessibleName(tr("Pages in small"));
+    m_languageTitle->setText(tr("Language"));
+    m_both->setText(tr("Both"));
+    m_both->setAccessibleName(tr("Both languages"));
+    m_paperTitle->setText(tr("P&aper"));
+    m_paper->setAccessibleName(tr("Paper"));
+    m_sectionsTitle->setText(tr("Sections"));
+    m_signaturesTitle->setText(tr("Signatures"));
+    for (const Choice &choice : m_choices)
+        choice.box->setText(tr(choice.text));
+    m_save->setText(tr("&Save PDF…"));
+    m_print->setText(tr("&Print…"));
+    m_close->setText(tr("&Close"));
+}
+
+} // namespace palmer::ui

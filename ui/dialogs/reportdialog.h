@@ -1,0 +1,105 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "report/report.h"
+#include "ui/model/documentmodel.h"
+#include "ui/model/evaluator.h"
+#include "ui/pdf/pages.h"
+
+#include <QDialog>
+#include <functional>
+#include <vector>
+
+class QButtonGroup;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPrinter;
+class QPushButton;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace palmer::ui {
+
+class PageColumn;
+
+/// "Report…": the pages that will be printed, and beside them what the report shall have: languages, paper,
+/// sections, signatures. These are part of the document; choosing them is an edit of it. Saves a PDF for each
+/// language, prints.
+class ReportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *parent = nullptr);
+
+    /// Writes a PDF; of two languages NAME.fr.pdf and NAME.en.pdf. Returns the files written; none, and a
+    /// message, when that fails.
+    QStringList saveTo(const QString &path);
+    /// Prints the pages as shown.
+    bool printOn(QPrinter &printer);
+
+    [[nodiscard]] int pageCount() const;
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+
+private:
+    /// A box that stands for a word in a list of the report head.
+    struct Choice {
+        QCheckBox *box;
+        const char *text;
+        std::function<bool(const ReportHead &)> isOn;
+        std::function<void(ReportHead &, bool)> set;
+    };
+
+    QWidget *makeHead();
+    QWidget *makeSide();
+    void addChoices(QVBoxLayout *column);
+    void showDocument();
+    void change(const std::function<void(ReportHead &)> &change);
+    void goTo(int page);
+    void followScroll();
+    void setScale(double scale);
+    void fitWidth();
+    void choosePdf();
+    void choosePrinter();
+    void retranslate();
+
+    DocumentModel &m_model;
+    Evaluator &m_evaluator;
+    EvaluatedDocument m_evaluated;
+    std::vector<Report> m_reports;
+    Pages m_pages;
+    bool m_fit = true;
+
+    QLabel *m_title;
+    QLabel *m_summary;
+    QToolButton *m_previous;
+    QLabel *m_place;
+    QToolButton *m_next;
+    QToolButton *m_smaller;
+    QLabel *m_zoom;
+    QToolButton *m_larger;
+    QPushButton *m_width;
+    PageColumn *m_small;
+    PageColumn *m_column;
+    QScrollArea *m_smallArea;
+    QScrollArea *m_area;
+    QLabel *m_languageTitle;
+    QButtonGroup *m_languages;
+    QToolButton *m_both;
+    QLabel *m_paperTitle;
+    QComboBox *m_paper;
+    QLabel *m_sectionsTitle;
+    QLabel *m_signaturesTitle;
+    std::vector<Choice> m_choices;
+    QLabel *m_missing;
+    QPushButton *m_save;
+    QPushButton *m_print;
+    QPushButton *m_close;
+};
+
+} // namespace palmer::ui

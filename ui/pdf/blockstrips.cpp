@@ -1,0 +1,554 @@
+#include "ui/pdf/blockstrips.h"
+
+#include "ui/figures/drawfigure.h"
+#include "ui/pdf/logo.h"
+#include "ui/pdf/marks.h"
+#include "ui/pdf/phrasetext.h"
+#include "ui/pdf/rules.h"
+#include "ui/pdf/tablestrips.h"
+#include "ui/pdf/textblock.h"
+
+#include <QPainter>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+// Gaps, points.
+constexpr double afterHead = 5 * mm;
+constexpr double afterHeading = 1.9 * mm;
+constexpr double afterSmallHeading = 1.2 * mm;
+constexpr double betweenTables = 2.6 * mm;
+constexpr double belowTable = 1.8 * mm; ///< to the small text that belongs to it
+constexpr double paragraphGap = 1.6 * mm;
+constexpr double beforeVerdict = 3.8 * mm;
+constexpr double beforeEnd = 8 * mm;
+
+// The head of a test.
+constexpr double logoHeight = 10 * mm;
+constexpr double logoWidth = 50 * mm;
+constexpr double logoGap = 3.5 * mm;
+constexpr double nameGap = 1.1 * mm;
+constexpr double titleGap = 4.5 * mm;
+constexpr double subtitleGap = 1 * mm;
+constexpr double ruleAbove = 3.2 * mm;
+constexpr double ruleBelow = 2.6 * mm;
+constexpr double leftColumn = 74 * mm;
+constexpr double columnGap = 9 * mm;
+constexpr double leftLabels = 25;  ///< mm
+constexpr double rightLabels = 31; ///< mm
+
+constexpr TextStyle h1{15, true, black, 1.2};
+constexpr TextStyle h2{10.5, true, black, 1.2};
+constexpr TextStyle h3{9, true, black, 1.28};
+constexpr TextStyle subtitleStyle{10.5, false, black, 1.2};
+constexpr TextStyle noteStyle{8.5, false, noteGrey, 1.2};
+constexpr TextStyle smallStyle{8, false, noteGrey, 1.3};
+constexpr TextStyle paragraphStyle{9, false, black, 1.35};
+constexpr TextStyle labelStyle{8.5, false, labelGrey, 1.28};
+constexpr TextStyle valueStyle{9, false, black, 1.28};
+constexpr TextStyle missingStyle{9, false, dashGrey, 1.28};
+
+Strip strip(double height, std::function<void(QPainter &, QPointF)> draw) {
+    Strip result;
+    result.height = height;
+    result.draw = std::move(draw);
+    return result;
+}
+
+double heightOf(const Strips &strips) {
+    double height = 0;
+    for (const Strip &each : strips)
+        height += each.height + (&each == &strips.front() ? 0 : each.gap);
+    return height;
+}
+
+void drawStrips(QPainter &painter, QPointF at, const Strips &strips) {
+    for (const Strip &each : strips) {
+        if (&each != &strips.front())
+            at.ry() += each.gap;
+        if (each.draw)
+            each.draw(painter, at);
+        at.ry() += each.height;
+    }
+}
+
+Strip textStrip(TextBlock block, TextAlignment alignment = TextAlignment::left, double width = 0) {
+    const double height = block.height();
+    return strip(height, [block = std::move(block), alignment, width](QPainter &painter, QPointF at) {
+        block.draw(painter, at, alignment, width);
+    });
+}
+
+/// Lines of running text: at least two of them on each page.
+Strips lineStrips(const TextBlock &block) {
+    Strips result;
+    for (std::size_t i = 0; i < block.lineCount(); ++i) {
+        result.push_back(textStrip(block.line(i)));
+        const bool ends = i == 0 || i + 2 == block.lineCount();
+        result.back().withNext = ends && i + 1 < block.lineCount();
+    }
+    return result;
+}
+
+Strips keyValueStrips(const KeyValues &values, double width) {
+    constexpr double labelGap = 3 * mm;
+    constexpr double rowGap = 0.75 * mm;
+    const double left = values.labelWidth * mm + labelGap;
+    Strips result;
+    for (const KeyValue &row : values.rows) {
+        const bool missing = row.value.isEmpty();
+        const TextBlock label(row.key, labelStyle, values.labelWidth * mm + labelGap / 2);
+        const TextBlock value(missing ? thinDash : row.value, missing ? missingStyle : valueStyle,
+                              std::max(width - left, 20.0));
+        // Label and value on one base line.
+        const double drop = value.ascent() - label.ascent();
+        const std::size_t lines = std::max(label.lineCount(), value.lineCount());
+        constexpr std::size_t tallRow = 24; // is split between its lines
+        const std::size_t step = lines > tallRow ? 1 : lines;
+        for (std::size_t from = 0; from < lines; from += step) {
+            const double height = value.lineHeight() * static_cast<double>(step);
+            result.push_back(strip(height, [=](QPainter &painter, QPointF at) {
+                const bool all = step == lines;
+                if (from < label.lineCount())
+                    (all ? label : label.line(from)).draw(painter, at + QPointF(0, drop));
+                if (from < value.lineCount())
+                    (all ? value : value.line(from)).draw(painter, at + QPointF(left, 0));
+            }));
+            result.back().gap = from == 0 ? rowGap : 0;
+        }
+    }
+    return result;
+}
+
+Strips headingStrips(const Heading &heading, double width) {
+    const TextStyle &style = heading.level == 1 ? h1 : heading.level == 2 ? h2 : h3;
+    constexpr double noteGap = 2 * mm;
+    const TextBlock title(heading.text, style, width);
+    const TextBlock wholeNote(richText(heading.note), noteStyle);
+    Strip result;
+    const double noteLeft = title.width() + noteGap;
+    const bool beside =
+        title.lineCount() == 1 && wholeNote.lineCount() == 1 && noteLeft + wholeNote.width() <= width;
+    if (heading.note.plain().isEmpty()) {
+        result = textStrip(title);
+    } else if (beside) {
+        const double drop = title.ascent() - wholeNote.ascent();
+        result = strip(title.height(), [=](QPainter &painter, QPointF at) {
+            title.draw(painter, at);
+            wholeNote.draw(painter, at + QPointF(noteLeft, drop));
+        });
+    } else {
+        const TextBlock note(richText(heading.note), noteStyle, width);
+        result = strip(title.height() + note.height(), [=](QPainter &painter, QPointF at) {
+            title.draw(painter, at);
+            note.draw(painter, at + QPointF(0, title.height()));
+        });
+    }
+    result.withNext = true;
+    return {result};
+}
+
+/// Short notes on one line where they fit, a thin stroke between them, else below each other.
+class NoteLine {
+public:
+    NoteLine(const QStringList &notes, double room) {
+        double width = 0;
+        for (const QString &note : notes) {
+            for (const QString &line : note.split(u'\n', Qt::SkipEmptyParts)) {
+                m_notes.emplace_back(line, style, room);
+                width += m_notes.back().width() + (m_notes.size() > 1 ? noteGap : 0);
+            }
+        }
+        m_beside = width <= room;
+        for (const TextBlock &note : m_notes) {
+            m_width = m_beside ? width : std::max(m_width, note.width());
+            m_height = m_beside ? note.height() : m_height + note.height();
+        }
+    }
+
+    [[nodiscard]] bool empty() const { return m_notes.empty(); }
+    [[nodiscard]] double width() const { return m_width; }
+    [[nodiscard]] double height() const { return m_height; }
+
+    /// From `left`, or with the right end there.
+    void draw(QPainter &painter, QPointF at, TextAlignment alignment) const {
+        if (alignment == TextAlignment::right)
+            at.rx() -= m_width;
+        for (const TextBlock &note : m_notes) {
+            const bool first = &note == &m_notes.front();
+            if (m_beside && !first) {
+                painter.setPen(QPen(ruleGrey, groupRule * mm, Qt::SolidLine, Qt::FlatCap));
+                const QPointF stroke = at + QPointF(noteGap / 2, 0.15 * note.height());
+                painter.drawLine(stroke, stroke + QPointF(0, 0.7 * note.height()));
+                at.rx() += noteGap;
+            }
+            note.draw(painter, at, m_beside ? TextAlignment::left : alignment, m_width);
+            at += m_beside ? QPointF(note.width(), 0) : QPointF(0, note.height());
+        }
+    }
+
+private:
+    static constexpr TextStyle style{8, false, noteGrey, 1.2};
+    static constexpr double noteGap = 4 * mm;
+
+    std::vector<TextBlock> m_notes;
+    bool m_beside = false;
+    double m_width = 0;
+    double m_height = 0;
+};
+
+/// Logo, name and address of the laboratory at the left, number and what belongs to it at the right.
+Strip letterhead(const TestHead &head, double width) {
+    const Logo logo(head.logo);
+    const Logo mark(head.mark);
+    const QSizeF logoSize = logo.size({logoWidth, logoHeight});
+    const QSizeF markSize = mark.size({logoWidth, logoHeight});
+    const double logoRoom = logo.empty() ? 0 : logoSize.width() + logoGap;
+    const double markRoom = mark.empty() ? 0 : markSize.width() + logoGap;
+
+    constexpr double half = 0.5;
+    const TextBlock number(head.number, h2, width * half);
+    const NoteLine numberNotes(head.numberNotes, width * half);
+    const double numberWidth = std::max(number.width(), numberNotes.width());
+
+    const double nameWidth = width - logoRoom - markRoom - numberWidth - logoGap;
+    const TextBlock name(head.laboratory, h2, nameWidth);
+    const NoteLine address({head.address, head.accreditation}, nameWidth);
+
+    const auto heightOfBoth = [](const TextBlock &title, const NoteLine &notes) {
+        return title.height() + (notes.empty() ? 0 : nameGap + notes.height());
+    };
+    const double height = std::max({heightOfBoth(name, address), heightOfBoth(number, numberNotes),
+                                    logoSize.height(), markSize.height()});
+    return strip(height, [=](QPainter &painter, QPointF at) {
+        const QPointF right = at + QPointF(width, 0);
+        logo.draw(painter, QRectF(at, logoSize));
+        mark.draw(painter, QRectF(right - QPointF(numberWidth + logoGap + markSize.width(), 0), markSize));
+        name.draw(painter, at + QPointF(logoRoom, 0));
+        address.draw(painter, at + QPointF(logoRoom, name.height() + nameGap), TextAlignment::left);
+        number.draw(painter, at, TextAlignment::right, width);
+        numberNotes.draw(painter, right + QPointF(0, number.height() + nameGap), TextAlignment::right);
+    });
+}
+
+/// Two columns at the same height as one strip; one below the other where they are higher than `tallest`.
+Strips besideEachOther(Strips left, Strips right, double rightAt, double tallest) {
+    const double height = std::max(heightOf(left), heightOf(right));
+    if (height > tallest) {
+        left.insert(left.end(), right.begin(), right.end());
+        return left;
+    }
+    return {strip(height,
+                  [left = std::move(left), right = std::move(right), rightAt](QPainter &painter, QPointF at) {
+                      drawStrips(painter, at, left);
+                      drawStrips(painter, at + QPointF(rightAt, 0), right);
+                  })};
+}
+
+Strips testHeadStrips(const TestHead &head, double width, double tallest) {
+    Strips result{letterhead(head, width)};
+    const auto line = [&](const QString &text, const TextStyle &style, double gap) {
+        if (text.isEmpty())
+            return;
+        result.push_back(textStrip(TextBlock(text, style, width)));
+        result.back().gap = gap;
+    };
+    line(head.title, h1, titleGap);
+    line(head.subtitle, subtitleStyle, subtitleGap);
+    TextStyle small = noteStyle;
+    constexpr double smallest = 7.2;
+    while (small.size > smallest && TextBlock(head.editionTitle, small).width() > width)
+        small.size -= 0.1; // one line where that is readable
+    line(head.editionTitle, small, subtitleGap / 2);
+    line(head.notice, {9, true, black, 1.28}, 2 * subtitleGap);
+    result.push_back(strip(
+        ruleBelow, [width](QPainter &painter, QPointF at) { drawRule(painter, at, width, strongRule); }));
+    result.back().gap = ruleAbove;
+
+    KeyValues left = head.left;
+    left.labelWidth = leftLabels;
+    KeyValues right = head.right;
+    right.labelWidth = rightLabels;
+    const double rightAt = leftColumn + columnGap;
+    const Strips columns = besideEachOther(keyValueStrips(left, leftColumn),
+                                           keyValueStrips(right, width - rightAt), rightAt, tallest / 2);
+    result.insert(result.end(), columns.begin(), columns.end());
+    for (std::size_t i = 0; i + 1 < result.size() && heightOf(result) < tallest; ++i)
+        result[i].withNext = true;
+    return result;
+}
+
+Strips legendStrips(const ResultsLegend &legend, double width) {
+    constexpr double signGap = 0.9 * mm;
+    constexpr double itemGap = 2.4 * mm;
+    struct Item {
+        LegendSign sign;
+        TextBlock text;
+        double x;
+        double y;
+    };
+    std::vector<Item> items;
+    double x = 0;
+    double y = 0;
+    const double lineHeight = smallStyle.size * smallStyle.leading;
+    for (const LegendItem &item : legend.items) {
+        const double sign = item.sign == LegendSign::none ? 0 : legendSignWidth(item.sign) * mm + signGap;
+        TextBlock text(item.text, smallStyle);
+        if (x > 0 && x + sign + text.width() > width) {
+            x = 0;
+            y += lineHeight;
+        }
+        if (sign + text.width() > width)
+            text = TextBlock(item.text, smallStyle, width - sign);
+        items.push_back({item.sign, text, x, y});
+        x += sign + text.width() + itemGap;
+        y += text.height() - lineHeight;
+    }
+    return {strip(y + lineHeight, [items, lineHeight](QPainter &painter, QPointF at) {
+        for (const Item &item : items) {
+            const double sign = legendSignWidth(item.sign) * mm;
+            const QPointF left = at + QPointF(item.x, item.y);
+            if (item.sign != LegendSign::none)
+                drawLegendSign(painter, item.sign, left + QPointF(sign / 2, lineHeight / 2));
+            item.text.draw(painter, left + QPointF(item.sign == LegendSign::none ? 0 : sign + signGap, 0));
+        }
+    })};
+}
+
+Strips verdictStrips(const VerdictLine &line, double width) {
+    constexpr double padding = 2 * mm;
+    constexpr double left = 1.2 * mm;
+    constexpr double reasonGap = 6 * mm;
+    constexpr double largeMark = 3.4 * mm;
+    constexpr double widestWord = 80 * mm;
+    const Mark mark = line.verdict ? markOf(*line.verdict) : Mark::none;
+    const TextBlock label(line.label, {9, false, black, 1.28});
+    const double wordLeft = mark == Mark::none ? 0 : largeMark + 1.2 * mm;
+    const bool decided = line.verdict.has_value();
+    const TextBlock word(line.word, {decided ? 12.0 : 10.5, true, black, 1.2}, widestWord);
+    const double reasonLeft = left + std::max(wordLeft + word.width(), label.width()) + reasonGap;
+    const double reasonWidth = width - reasonLeft - left;
+    const TextBlock reason(line.reason, {8.5, false, black, 1.2}, reasonWidth);
+    const TextBlock accordance(line.accordance, {8.5, !line.inAccordance, black, 1.2}, reasonWidth);
+
+    const double leftHeight = label.height() + word.height();
+    const double rightHeight =
+        (line.reason.isEmpty() ? 0 : reason.height()) + (line.accordance.isEmpty() ? 0 : accordance.height());
+    const double inner = std::max(leftHeight, rightHeight);
+    const double height = inner + 2 * padding;
+    const bool hasReason = !line.reason.isEmpty();
+    return {strip(height, [=](QPainter &painter, QPointF at) {
+        drawRule(painter, at, width, strongRule);
+        drawRule(painter, at + QPointF(0, height), width, strongRule);
+        QPointF place = at + QPointF(left, padding + (inner - leftHeight) / 2);
+        label.draw(painter, place);
+        place.ry() += label.height();
+        drawMark(painter, mark, place + QPointF(largeMark / 2, word.lineHeight() / 2), largeMark);
+        word.draw(painter, place + QPointF(wordLeft, 0));
+        place = at + QPointF(reasonLeft, padding + (inner - rightHeight) / 2);
+        if (hasReason) {
+            reason.draw(painter, place);
+            place.ry() += reason.height();
+        }
+        accordance.draw(painter, place);
+    })};
+}
+
+/// A heading as large as its column allows.
+TextBlock signatureHeading(const QString &text, double width) {
+    TextStyle style = h3;
+    constexpr double smallest = 7.5;
+    while (style.size > smallest && TextBlock(text, style).width() > width)
+        style.size -= 0.1;
+    return {text, style, width};
+}
+
+Strips signatureStrips(const Signatures &signatures, double width) {
+    constexpr double gap = 8 * mm;
+    constexpr double lineHeight = 9 * mm;
+    constexpr double signatureHeight = 20.1 * mm; ///< 12 free below the label
+    constexpr double signatureLabel = 4.3 * mm;
+    constexpr double labelAbove = 4.6 * mm; ///< top of a label above its rule
+    constexpr double labelGap = 2 * mm;
+    constexpr TextStyle labelText{8, false, labelGrey, 1.2};
+    constexpr TextStyle valueText{9, false, black, 1.2};
+    struct Line {
+        TextBlock label;
+        TextBlock value;
+    };
+    const auto count = static_cast<double>(std::max<std::size_t>(signatures.columns.size(), 1));
+    const double columnWidth = (width - gap * (count - 1)) / count;
+
+    // What stands beside each other has one height, so all rules are level.
+    double headings = 0;
+    std::vector<double> heights;
+    std::vector<std::vector<Line>> columns;
+    for (const SignatureColumn &column : signatures.columns) {
+        headings = std::max(headings, signatureHeading(column.heading, columnWidth).height());
+        columns.emplace_back();
+        heights.resize(std::max(heights.size(), column.lines.size()));
+        for (std::size_t i = 0; i < column.lines.size(); ++i) {
+            const SignatureLine &line = column.lines[i];
+            Line made{TextBlock(line.label, labelText), {}};
+            double needed = line.forSignature ? signatureHeight : lineHeight;
+            if (!line.value.isEmpty()) {
+                made.value = TextBlock(line.value, valueText, columnWidth - made.label.width() - labelGap);
+                needed += made.value.height() - made.value.lineHeight();
+            }
+            heights[i] = std::max(heights[i], needed);
+            columns.back().push_back(std::move(made));
+        }
+    }
+    double height = headings;
+    for (const double each : heights)
+        height += each;
+    return {strip(height + groupRule * mm, [=](QPainter &painter, QPointF at) {
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            signatureHeading(signatures.columns[c].heading, columnWidth).draw(painter, at);
+            double y = at.y() + headings;
+            for (std::size_t i = 0; i < columns[c].size(); ++i) {
+                const auto &[label, value] = columns[c][i];
+                const double more = value.empty() ? 0 : value.height() - value.lineHeight();
+                const bool free = signatures.columns[c].lines[i].forSignature;
+                const double top = free ? y + signatureLabel : y + heights[i] - labelAbove - more;
+                label.draw(painter, {at.x(), top});
+                value.draw(painter,
+                           {at.x() + label.width() + labelGap, top + label.ascent() - value.ascent()});
+                y += heights[i];
+                drawRule(painter, {at.x(), y}, columnWidth, groupRule);
+            }
+            at.rx() += columnWidth + gap;
+        }
+    })};
+}
+
+bool beginsSection(const Block &block) {
+    const auto isSection = [](const auto *heading) { return heading && heading->level <= 2; };
+    if (const auto *columns = std::get_if<SideBySide>(&block))
+        return !columns->left.empty() && isSection(std::get_if<Heading>(&columns->left.front()));
+    return isSection(std::get_if<Heading>(&block));
+}
+
+/// The gap above a block, after the one before it.
+double gapBetween(const Block &above, const Block &below) {
+    const auto *heading = std::get_if<Heading>(&above);
+    if (std::holds_alternative<TestHead>(above))
+        return afterHead;
+    if (beginsSection(below))
+        return sectionGap;
+    if (heading)
+        return heading->level <= 2 ? afterHeading : afterSmallHeading;
+    if (std::holds_alternative<ResultsLegend>(below))
+        return belowTable;
+    if (std::holds_alternative<VerdictLine>(below))
+        return beforeVerdict;
+    if (std::holds_alternative<EndMark>(below))
+        return beforeEnd;
+    const auto *paragraph = std::get_if<Paragraph>(&below);
+    if (paragraph)
+        return paragraph->size == TextSize::small ? belowTable : paragraphGap;
+    if (std::holds_alternative<Table>(below))
+        return betweenTables;
+    return sectionGap / 2;
+}
+
+bool staysBelow(const Block &block) {
+    const auto *paragraph = std::get_if<Paragraph>(&block);
+    return std::holds_alternative<ResultsLegend>(block) || std::holds_alternative<VerdictLine>(block) ||
+           std::holds_alternative<EndMark>(block) || (paragraph && paragraph->size == TextSize::small);
+}
+
+bool isMark(const Block &block) {
+    return std::holds_alternative<RunningHead>(block) || std::holds_alternative<PageBreak>(block);
+}
+
+class StripMaker {
+public:
+    StripMaker(double width, double tallest)
+        : m_width(width)
+        , m_tallest(tallest) {}
+
+    Strips operator()(const Heading &heading) const { return headingStrips(heading, m_width); }
+    Strips operator()(const Paragraph &paragraph) const {
+        if (paragraph.text.isEmpty())
+            return {};
+        return lineStrips(TextBlock(
+            paragraph.text, paragraph.size == TextSize::small ? smallStyle : paragraphStyle, m_width));
+    }
+    Strips operator()(const KeyValues &values) const { return keyValueStrips(values, m_width); }
+    Strips operator()(const Table &table) const { return tableStrips(table, m_width); }
+    Strips operator()(const SideBySide &columns) const {
+        const double leftWidth = columns.leftWidth * mm;
+        const double rightAt = leftWidth + columns.gap * mm;
+        return besideEachOther(partStrips(columns.left, leftWidth),
+                               partStrips(columns.right, m_width - rightAt), rightAt, m_tallest);
+    }
+    Strips operator()(const TestHead &head) const { return testHeadStrips(head, m_width, m_tallest); }
+    Strips operator()(const FigureBlock &figure) const {
+        const auto content = std::make_shared<Figure>(figure.figure);
+        const QSizeF size = QSizeF(figure.width, figure.height) * mm;
+        return {strip(size.height(), [content, size](QPainter &painter, QPointF at) {
+            drawFigure(painter, QRectF(at, size), *content, Medium::paper);
+        })};
+    }
+    Strips operator()(const ResultsLegend &legend) const { return legendStrips(legend, m_width); }
+    Strips operator()(const VerdictLine &line) const { return verdictStrips(line, m_width); }
+    Strips operator()(const FindingsBlock &findings) const { return findingStrips(findings, m_width); }
+    Strips operator()(const Signatures &signatures) const { return signatureStrips(signatures, m_width); }
+    Strips operator()(const EndMark &mark) const {
+        return {textStrip(TextBlock(mark.text, smallStyle, m_width), TextAlignment::centre, m_width)};
+    }
+    Strips operator()(const RunningHead &running) const {
+        Strip result;
+        result.running = running;
+        return {result};
+    }
+    Strips operator()(const PageBreak &) const {
+        Strip result;
+        result.pageBreak = true;
+        return {result};
+    }
+
+private:
+    [[nodiscard]] Strips partStrips(const std::vector<Part> &parts, double width) const {
+        std::vector<Block> blocks;
+        for (const Part &part : parts)
+            std::visit([&](const auto &block) { blocks.emplace_back(block); }, part);
+        return blockStrips(blocks, width, m_tallest);
+    }
+
+    double m_width;
+    double m_tallest;
+};
+
+} // namespace
+
+Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest) {
+    Strips result;
+    const StripMaker maker(width, tallest);
+    const Block *above = nullptr;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const Block &block = blocks[i];
+        Strips strips = std::visit(maker, block);
+        if (strips.empty())
+            continue;
+        if (!isMark(block)) {
+            if (above && staysBelow(block) && !result.empty())
+                result.back().withNext = true;
+            strips.front().gap = above ? gapBetween(*above, block) : 0;
+            strips.front().block = static_cast<int>(i);
+            strips.front().section = beginsSection(block);
+            strips.back().verdict = std::holds_alternative<VerdictLine>(block);
+            above = &block;
+        } else if (std::holds_alternative<PageBreak>(block)) {
+            above = nullptr;
+        }
+        result.insert(result.end(), std::make_move_iterator(strips.begin()),
+                      std::make_move_iterator(strips.end()));
+    }
+    return result;
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "report/report.h"
+#include "ui/pdf/strip.h"
+
+namespace palmer::ui {
+
+/// The strips of all blocks, in their order, with the gaps between them. `width`: of the text, points;
+/// `tallest`: what fits on an empty page. Running heads are strips without height.
+[[nodiscard]] Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest);
+
+} // namespace palmer::ui

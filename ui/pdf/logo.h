@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QRectF>
+#include <QSizeF>
+#include <memory>
+
+class QPainter;
+class QSvgRenderer;
+
+namespace palmer::ui {
+
+/// A picture in the head of a report, PNG or SVG. What is neither is an empty logo. Opaque: archival PDF
+/// knows no transparency.
+class Logo {
+public:
+    explicit Logo(const QByteArray &bytes);
+
+    [[nodiscard]] bool empty() const { return m_size.isEmpty(); }
+    /// As large as it fits into `room`, with its own proportions.
+    [[nodiscard]] QSizeF size(QSizeF room) const;
+    void draw(QPainter &painter, const QRectF &rect) const;
+
+private:
+    std::shared_ptr<QSvgRenderer> m_vector;
+    QImage m_pixels;
+    QSizeF m_size;
+};
+
+} // namespace palmer::ui

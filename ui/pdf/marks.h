@@ -1,0 +1,27 @@
+#pragma once
+
+#include "report/report.h"
+
+#include <QPointF>
+
+class QPainter;
+
+namespace palmer::ui {
+
+/// Draws a mark into the square of `side` points around `centre`. They differ in form: black and white is
+/// enough.
+void drawMark(QPainter &painter, Mark mark, QPointF centre, double side);
+
+constexpr double markBox = 2.5; ///< width and height of a mark in a line of text, mm
+
+constexpr double guardPictureWidth = 16;   ///< mm
+constexpr double guardPictureHeight = 3.1; ///< mm
+
+/// The limit stands at 60 % of the width in every picture; what lies outside is put on the end.
+void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard);
+
+/// The signs of a guard picture one by one, for its legend; around `centre`. Widths in mm.
+[[nodiscard]] double legendSignWidth(LegendSign sign);
+void drawLegendSign(QPainter &painter, LegendSign sign, QPointF centre);
+
+} // namespace palmer::ui

@@ -1,0 +1,325 @@
+#include "ui/pdf/pages.h"
+
+#include "ui/pdf/blockstrips.h"
+#include "ui/pdf/rules.h"
+#include "ui/pdf/textblock.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <map>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double leftMargin = 20 * mm;
+constexpr double rightMargin = 15 * mm;
+constexpr double topMargin = 15 * mm;
+constexpr double bottomMargin = 18 * mm;
+constexpr double footerRule = 14 * mm;    ///< above the edge
+constexpr double footerText = 1.3 * mm;   ///< below its rule
+constexpr double runningRule = 1.45 * mm; ///< below its text
+constexpr double belowRunningHead = 6 * mm;
+/// To keep the results on the first page, gaps from this size on may shrink to this part.
+constexpr double smallestToNarrow = 3 * mm;
+constexpr double narrowest = 0.55;
+constexpr double roundingRoom = 0.01;
+constexpr double largestGap = 8.5 * mm; ///< where the page has room
+constexpr double sectionRoom = 25 * mm; ///< below the top of a section
+
+constexpr TextStyle runningStyle{7.5, false, noteGrey, 1.2};
+
+double runningHeadHeight() {
+    return runningStyle.size * runningStyle.leading + runningRule + belowRunningHead;
+}
+
+QSizeF sizeOf(Paper paper) {
+    return paper == Paper::letter ? QSizeF(612, 792) : QSizeF(210, 297) * mm;
+}
+
+/// A text cut at its end to what fits.
+TextBlock elided(const QString &text, double width) {
+    TextBlock block(text.simplified(), runningStyle);
+    QString rest = text.simplified();
+    while (block.width() > width && !rest.isEmpty()) {
+        rest.chop(1);
+        block = TextBlock(rest.trimmed() + u'…', runningStyle);
+    }
+    return block;
+}
+
+/// Strips of one page before their places are final.
+struct PageStrips {
+    std::optional<RunningHead> running;
+    Strips strips;
+
+    [[nodiscard]] double top() const { return topMargin + (running ? runningHeadHeight() : 0); }
+    [[nodiscard]] double used() const {
+        double height = 0;
+        for (const Strip &strip : strips)
+            height += strip.height + (&strip == &strips.front() ? 0 : strip.gap);
+        return height;
+    }
+};
+
+/// Fills pages with the strips one after another.
+class Flow {
+public:
+    explicit Flow(double bottom)
+        : m_bottom(bottom) {}
+
+    void fill(const Strips &strips) {
+        for (std::size_t i = 0; i < strips.size();) {
+            if (strips[i].pageBreak) {
+                if (!m_page.strips.empty())
+                    turnPage();
+                ++i;
+            } else if (strips[i].running) {
+                m_running = strips[i].running;
+                if (m_page.strips.empty())
+                    m_page.running.reset();
+                ++i;
+            } else {
+                const std::size_t end = chainEnd(strips, i);
+                placeChain(strips, i, end);
+                i = end;
+            }
+        }
+        if (!m_page.strips.empty() || m_pages.empty())
+            turnPage();
+    }
+
+    [[nodiscard]] const std::vector<PageStrips> &pages() const { return m_pages; }
+
+private:
+    /// Behind the strips that stay together with the one at `from`.
+    static std::size_t chainEnd(const Strips &strips, std::size_t from) {
+        std::size_t end = from + 1;
+        while (end < strips.size() && strips[end - 1].withNext && !strips[end].pageBreak &&
+               !strips[end].running)
+            ++end;
+        return end;
+    }
+
+    [[nodiscard]] double room() const { return m_bottom - m_page.top() - m_page.used(); }
+
+    /// Height of strips as they would stand next, the head of their table included where it is to be
+    /// repeated.
+    [[nodiscard]] double needed(const Strips &strips, std::size_t from, std::size_t end) const {
+        double height = 0;
+        const bool begins = m_page.strips.empty();
+        if (begins && strips[from].head)
+            height += strips[from].head->height;
+        for (std::size_t i = from; i < end; ++i)
+            height += strips[i].height + (begins && i == from ? 0 : strips[i].gap);
+        return height;
+    }
+
+    void placeChain(const Strips &strips, std::size_t from, std::size_t end) {
+        double height = needed(strips, from, end);
+        if (strips[from].section)
+            height = std::max(height, strips[from].gap + sectionRoom);
+        if (!m_page.strips.empty() && height > room() && !narrowGaps(strips, from, end, height - room()))
+            turnPage();
+        if (m_narrowing < 1 || needed(strips, from, end) <= room()) {
+            for (std::size_t i = from; i < end; ++i)
+                place(strips[i]);
+            return;
+        }
+        for (std::size_t i = from; i < end; ++i) { // higher than a page
+            if (!m_page.strips.empty() && needed(strips, i, i + 1) > room())
+                turnPage();
+            place(strips[i]);
+        }
+    }
+
+    /// On the first page of a test the larger gaps give way before the results do, all in the same ratio.
+    bool narrowGaps(const Strips &strips, std::size_t from, std::size_t end, double missing) {
+        if (m_narrowing < 1 || m_page.running || !strips[end - 1].verdict)
+            return false;
+        double gaps = 0;
+        const auto add = [&gaps](const Strip &strip) {
+            gaps += strip.gap >= smallestToNarrow ? strip.gap : 0;
+        };
+        std::for_each(m_page.strips.begin(), m_page.strips.end(), add);
+        for (std::size_t i = from; i < end; ++i)
+            add(strips[i]);
+        if (missing > (1 - narrowest) * gaps)
+            return false;
+        m_narrowing = 1 - (missing + roundingRoom) / gaps;
+        for (Strip &strip : m_page.strips)
+            strip.gap = narrowed(strip.gap);
+        return true;
+    }
+
+    [[nodiscard]] double narrowed(double gap) const {
+        return gap < smallestToNarrow ? gap : m_narrowing * gap;
+    }
+
+    void place(const Strip &strip) {
+        if (m_page.strips.empty() && strip.head)
+            m_page.strips.push_back(*strip.head);
+        m_page.strips.push_back(strip);
+        m_page.strips.back().gap = narrowed(strip.gap);
+    }
+
+    void turnPage() {
+        m_pages.push_back(std::move(m_page));
+        m_page = {};
+        m_page.running = m_running;
+        m_narrowing = 1;
+    }
+
+    double m_bottom;
+    std::vector<PageStrips> m_pages;
+    PageStrips m_page;
+    std::optional<RunningHead> m_running;
+    double m_narrowing = 1; ///< ratio of the larger gaps on this page
+};
+
+class PageMaker {
+public:
+    PageMaker(const Report &report, QSizeF size)
+        : m_report(report)
+        , m_size(size)
+        , m_width(size.width() - leftMargin - rightMargin) {}
+
+    [[nodiscard]] PrintedPage page(const PageStrips &content, const Strip *next, std::size_t number,
+                            std::size_t count) const {
+        PrintedPage result;
+        result.size = m_size;
+        if (content.running)
+            addRunningHead(result, *content.running);
+        addStrips(result, content, next);
+        addFooter(result, number, count);
+        return result;
+    }
+
+private:
+    static double wideGap(const Strip &strip) {
+        return strip.section && strip.gap >= sectionGap ? largestGap : strip.gap;
+    }
+
+    void addStrips(PrintedPage &page, const PageStrips &content, const Strip *next) const {
+        const double free = m_size.height() - bottomMargin - content.top() - content.used();
+        double extra = 0;
+        for (const Strip &strip : content.strips) {
+            if (&strip != &content.strips.front())
+                extra += wideGap(strip) - strip.gap;
+        }
+        const bool wide = extra <= free;
+        double y = content.top();
+        for (const Strip &strip : content.strips) {
+            if (&strip != &content.strips.front())
+                y += wide ? wideGap(strip) : strip.gap;
+            if (strip.draw)
+                page.parts.push_back({{leftMargin, y}, strip.draw});
+            y += strip.height;
+        }
+        const bool tableGoesOn =
+            next && next->head && !content.strips.empty() && content.strips.back().head == next->head;
+        if (tableGoesOn) {
+            page.parts.push_back(
+                {{leftMargin, y}, [width = content.strips.back().closingRule](QPainter &painter, QPointF at) {
+                     drawRule(painter, at, width, outerRule);
+                 }});
+        }
+    }
+
+    void addRunningHead(PrintedPage &page, const RunningHead &running) const {
+        const TextBlock right = elided(running.right, 0.7 * m_width);
+        const TextBlock left = elided(running.left, m_width - right.width() - 5 * mm);
+        page.parts.push_back({{leftMargin, topMargin}, [=, width = m_width](QPainter &painter, QPointF at) {
+                                  left.draw(painter, at);
+                                  right.draw(painter, at, TextAlignment::right, width);
+                                  drawRule(painter, at + QPointF(0, left.lineHeight() + runningRule), width,
+                                           headRule, ruleGrey);
+                              }});
+    }
+
+    void addFooter(PrintedPage &page, std::size_t number, std::size_t count) const {
+        QString pageNumber = m_report.footerRight;
+        pageNumber.replace(QLatin1String("%1"), QString::number(number));
+        pageNumber.replace(QLatin1String("%2"), QString::number(count));
+        const TextBlock centre = elided(m_report.footerCentre, m_width / 2);
+        const TextBlock right(pageNumber, runningStyle);
+        const TextBlock left = elided(m_report.footerLeft, (m_width - centre.width()) / 2 - 3 * mm);
+        page.parts.push_back(
+            {{leftMargin, m_size.height() - footerRule}, [=, width = m_width](QPainter &painter, QPointF at) {
+                 drawRule(painter, at, width, headRule, ruleGrey);
+                 const QPointF line = at + QPointF(0, footerText);
+                 left.draw(painter, line);
+                 centre.draw(painter, line, TextAlignment::centre, width);
+                 right.draw(painter, line, TextAlignment::right, width);
+             }});
+    }
+
+    const Report &m_report;
+    QSizeF m_size;
+    double m_width;
+};
+
+Flow flowOf(const std::vector<Block> &blocks, QSizeF size) {
+    const double bottom = size.height() - bottomMargin;
+    Flow flow(bottom);
+    flow.fill(blockStrips(blocks, size.width() - leftMargin - rightMargin,
+                          bottom - topMargin - runningHeadHeight()));
+    return flow;
+}
+
+std::map<QString, int> anchorPages(const Flow &flow, const std::vector<Block> &blocks) {
+    std::map<QString, int> result;
+    int number = 0;
+    for (const PageStrips &page : flow.pages()) {
+        ++number;
+        for (const Strip &strip : page.strips) {
+            const auto *heading = strip.block < 0
+                                      ? nullptr
+                                      : std::get_if<Heading>(&blocks[static_cast<std::size_t>(strip.block)]);
+            if (heading && !heading->anchor.isEmpty())
+                result[heading->anchor] = number;
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+Pages layoutPages(const Report &report) {
+    const QSizeF size = sizeOf(report.paper);
+    Flow flow = flowOf(report.blocks, size);
+    // The numbers of pages in the text may move what follows them, and so themselves.
+    std::map<QString, int> numbers = anchorPages(flow, report.blocks);
+    constexpr int attempts = 3;
+    for (int i = 0; i < attempts && !numbers.empty(); ++i) {
+        const Report numbered = withPages(report, numbers);
+        flow = flowOf(numbered.blocks, size);
+        const std::map<QString, int> moved = anchorPages(flow, numbered.blocks);
+        if (moved == numbers)
+            break;
+        numbers = moved;
+    }
+
+    const PageMaker maker(report, size);
+    const std::vector<PageStrips> &filled = flow.pages();
+    Pages pages;
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+        const bool last = i + 1 == filled.size();
+        // On the next page a repeated head stands first, then the row that goes on.
+        const Strip *next = !last && filled[i + 1].strips.size() > 1 ? &filled[i + 1].strips[1] : nullptr;
+        pages.push_back(maker.page(filled[i], next, i + 1, filled.size()));
+    }
+    return pages;
+}
+
+void drawPage(QPainter &painter, const PrintedPage &page) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::TextAntialiasing);
+    for (const PagePart &part : page.parts)
+        part.draw(painter, part.place);
+    painter.restore();
+}
+
+} // namespace palmer::ui

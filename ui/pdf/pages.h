@@ -1,0 +1,37 @@
+#pragma once
+
+#include "report/report.h"
+
+#include <QPointF>
+#include <QSizeF>
+#include <functional>
+#include <vector>
+
+class QPainter;
+
+namespace palmer::ui {
+
+/// Something on a page: what draws it, and where, in points from the page's top left corner.
+struct PagePart {
+    QPointF place;
+    std::function<void(QPainter &, QPointF)> draw;
+};
+
+/// A page ready to be drawn; it needs nothing of the report it was made from. Size in points.
+struct PrintedPage {
+    QSizeF size;
+    std::vector<PagePart> parts; ///< in the order of reading; running head first, footer last
+};
+
+using Pages = std::vector<PrintedPage>;
+
+/// The report as pages, with running heads, footers and the numbers of pages put in. A section never starts
+/// in the last 25 mm, a figure keeps its caption, the results with their verdict stay whole, heads of split
+/// tables repeat. Any report gives pages; an empty one gives one page. Needs a QApplication (figures).
+[[nodiscard]] Pages layoutPages(const Report &report);
+
+/// Draws a page on paper, in a preview or into a file. One unit of the painter is a point; the page is not
+/// filled.
+void drawPage(QPainter &painter, const PrintedPage &page);
+
+} // namespace palmer::ui

@@ -1,0 +1,19 @@
+#include "ui/pdf/phrasetext.h"
+
+namespace palmer::ui {
+
+RichText richText(const Phrase &phrase, bool bold) {
+    RichText result;
+    for (const Span &span : phrase.spans) {
+        TextRun run;
+        run.text = span.text;
+        run.bold = (bold || span.bold) && !span.muted;
+        run.italic = span.italic;
+        run.script = span.subscript ? TextRun::Script::subscript : TextRun::Script::normal;
+        run.grey = span.muted;
+        result.push_back(run);
+    }
+    return result;
+}
+
+} // namespace palmer::ui

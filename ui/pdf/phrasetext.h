@@ -1,0 +1,14 @@
+#pragma once
+
+#include "report/report.h"
+#include "ui/pdf/textblock.h"
+
+namespace palmer::ui {
+
+/// The spans of a phrase as they are set. `bold`: all but what is muted.
+[[nodiscard]] RichText richText(const Phrase &phrase, bool bold = false);
+
+/// What stands where nothing is stated.
+inline const QString thinDash = QStringLiteral("–");
+
+} // namespace palmer::ui

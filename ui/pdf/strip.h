@@ -1,0 +1,36 @@
+#pragma once
+
+#include "report/report.h"
+#include "ui/pdf/rules.h"
+
+#include <QPointF>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace palmer::ui {
+
+/// A piece of a column that stays on one page: a heading, a row of a table, a figure. Lengths in points. What
+/// it draws it holds, so strips may be kept and copied.
+struct Strip {
+    double height = 0;
+    std::function<void(QPainter &, QPointF topLeft)> draw;
+    double gap = 0;                     ///< above it, unless it begins a page
+    bool section = false;               ///< begins a section: its gap may grow, and it needs room below it
+    bool verdict = false;               ///< ends the results of a test, for which gaps give way
+    bool withNext = false;              ///< never the last of a page
+    double closingRule = 0;             ///< length of the rule below it where its table is split
+    std::shared_ptr<Strip> head;        ///< of the table it continues: repeated where it begins a page
+    bool pageBreak = false;             ///< nothing but the end of a page
+    std::optional<RunningHead> running; ///< nothing but the running head from here on
+    int block = -1;                     ///< index of the block that it begins
+};
+
+constexpr double sectionGap = 6 * mm; ///< usual gap above a section
+
+using Strips = std::vector<Strip>;
+
+} // namespace palmer::ui

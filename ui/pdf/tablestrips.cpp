@@ -1,0 +1,426 @@
+#include "ui/pdf/tablestrips.h"
+
+#include "ui/pdf/marks.h"
+#include "ui/pdf/phrasetext.h"
+#include "ui/pdf/rules.h"
+#include "ui/pdf/textblock.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <numeric>
+
+namespace palmer::ui {
+
+namespace {
+
+// Measures of a table, points.
+constexpr double textSize = 8.5;
+constexpr double cellPadding = 1.0 * mm; ///< left and right
+constexpr double firstPadding = 1.2 * mm;
+constexpr double rowPadding = 0.52 * mm; ///< above and below
+constexpr double headAbove = 1.15 * mm;
+constexpr double headBelow = 1.05 * mm;
+constexpr double spannerGap = 0.95 * mm; ///< between a spanner, its rule and what stands below
+constexpr double markWidth = 3.7 * mm;   ///< with the gap to the word
+constexpr double tallestRow = 120 * mm;  ///< that is not split
+
+constexpr TextStyle cellStyle{textSize, false, black, 1.2};
+
+TextStyle styled(bool bold, QRgb colour = black) {
+    TextStyle style = cellStyle;
+    style.bold = bold;
+    style.colour = colour;
+    return style;
+}
+
+qsizetype decimalMark(const QString &number) {
+    const auto mark =
+        std::find_if(number.begin(), number.end(), [](QChar c) { return c == u'.' || c == u','; });
+    return mark == number.end() ? -1 : mark - number.begin();
+}
+
+bool isNumber(const QString &text) {
+    return std::any_of(text.begin(), text.end(), [](QChar c) { return c.isDigit(); });
+}
+
+/// Where the cells of a column stand.
+struct Place {
+    double left = 0; ///< of the text, from the left edge of the table
+    double width = 0;
+    double fraction = 0; ///< room for mark and decimals
+
+    [[nodiscard]] double right() const { return left + width; }
+};
+
+std::vector<double> columnWidths(const Table &table, double width) {
+    std::vector<double> result;
+    double fixed = 0;
+    std::size_t sharing = 0;
+    std::size_t flexible = 0;
+    for (const Column &column : table.columns) {
+        result.push_back(column.width * mm);
+        fixed += (column.width + column.gapBefore) * mm;
+        sharing += column.width <= 0 ? 1 : 0;
+        flexible += column.flexible ? 1 : 0;
+    }
+    const double rest = width - fixed;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const Column &column = table.columns[i];
+        if (sharing > 0)
+            result[i] += column.width <= 0 ? rest / static_cast<double>(sharing) : 0;
+        else if (flexible > 0)
+            result[i] += column.flexible ? rest / static_cast<double>(flexible) : 0;
+        else
+            result[i] *= (result[i] + rest * result[i] / std::max(fixed, 1.0)) / result[i];
+    }
+    return result;
+}
+
+std::vector<Place> places(const Table &table, double width) {
+    std::vector<Place> result;
+    const std::vector<double> widths = columnWidths(table, width);
+    const double decimal = textWidth(QStringLiteral(","), cellStyle);
+    const double digit = textWidth(QStringLiteral("0"), cellStyle);
+    double x = 0;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const Column &column = table.columns[i];
+        const bool first = i == 0;
+        Place place;
+        x += column.gapBefore * mm;
+        const double padding = std::max(column.paddingLeft * mm, first ? firstPadding : 0);
+        place.left = x + padding;
+        place.width = std::max(widths[i] - padding - cellPadding, 1.0);
+        x += widths[i];
+        if (column.alignment == Alignment::decimal) {
+            qsizetype decimals = -1;
+            for (const auto &row : table.rows) {
+                const QString text = row[i].text.plain();
+                const qsizetype mark = isNumber(text) ? decimalMark(text) : -1;
+                if (mark >= 0)
+                    decimals = std::max(decimals, text.size() - mark - 1);
+            }
+            if (decimals >= 0)
+                place.fraction = decimal + static_cast<double>(decimals) * digit;
+        }
+        result.push_back(place);
+    }
+    return result;
+}
+
+/// A text at its place in a row.
+struct PlacedText {
+    TextBlock block;
+    double x = 0;
+    double width = 0; ///< to align in
+    TextAlignment alignment = TextAlignment::left;
+};
+
+/// A row made ready: texts, marks and pictures in the order they are read.
+struct Row {
+    struct Sign {
+        Mark mark = Mark::none;
+        std::optional<Guard> guard;
+        double x = 0;
+    };
+    std::vector<PlacedText> texts;
+    std::vector<Sign> signs;
+    std::size_t lines = 1;
+};
+
+TextAlignment textAlignment(Alignment alignment) {
+    return alignment == Alignment::left ? TextAlignment::left : TextAlignment::right;
+}
+
+/// A number so that its decimal mark stands where those of its column do; a text that is none, and a number
+/// too wide for that, right aligned.
+PlacedText decimalText(const QString &text, const TextStyle &style, const Place &place) {
+    const qsizetype mark = isNumber(text) ? decimalMark(text) : text.size();
+    const QString whole = mark < 0 ? text : text.left(mark);
+    const double x = place.right() - place.fraction - textWidth(whole, style);
+    if (x < place.left - cellPadding || (!isNumber(text) && text != thinDash))
+        return {TextBlock(text, style, place.width), place.left, place.width, TextAlignment::right};
+    return {TextBlock(text, style), x};
+}
+
+void addCell(Row &row, const Cell &cell, const Column &column, const Place &place) {
+    if (cell.blank)
+        return;
+    if (cell.guard) {
+        row.signs.push_back({Mark::none, cell.guard, place.left});
+        return;
+    }
+    const bool missing = cell.isMissing();
+    const TextStyle style = missing ? styled(false, dashGrey) : styled(false);
+    const RichText text = missing ? RichText{{thinDash}} : richText(cell.text, cell.bold);
+    PlacedText placed;
+    if (column.alignment == Alignment::decimal) {
+        placed = decimalText(missing ? thinDash : cell.text.plain(), styled(cell.bold, style.colour), place);
+    } else {
+        const double before = cell.mark == Mark::none ? 0 : markWidth;
+        if (cell.mark != Mark::none)
+            row.signs.push_back({cell.mark, {}, place.left});
+        placed = {TextBlock(text, style, place.width - before), place.left + before, place.width - before,
+                  textAlignment(column.alignment)};
+    }
+    row.lines = std::max(row.lines, placed.block.lineCount());
+    row.texts.push_back(std::move(placed));
+}
+
+void drawRow(QPainter &painter, QPointF at, const Row &row) {
+    const double middle = at.y() + textSize * cellStyle.leading / 2; // of the first line
+    for (const Row::Sign &sign : row.signs) {
+        if (sign.guard)
+            drawGuardPicture(painter, {at.x() + sign.x, middle - guardPictureHeight * mm / 2}, *sign.guard);
+        else
+            drawMark(painter, sign.mark, {at.x() + sign.x + markBox * mm / 2, middle}, markBox * mm);
+    }
+    for (const PlacedText &text : row.texts)
+        text.block.draw(painter, at + QPointF(text.x, 0), text.alignment, text.width);
+}
+
+/// The part of a row that its line `index` is.
+Row lineOf(const Row &row, std::size_t index) {
+    Row result;
+    if (index == 0)
+        result.signs = row.signs;
+    for (const PlacedText &text : row.texts) {
+        if (index < text.block.lineCount())
+            result.texts.push_back({text.block.line(index), text.x, text.width, text.alignment});
+    }
+    return result;
+}
+
+struct RowEdges {
+    double above = 0;
+    double below = 0;
+    bool groupEnds = false;
+    bool tableEnds = false;
+};
+
+void addRow(Strips &strips, Row row, double lineHeight, double width, RowEdges edges,
+            const std::shared_ptr<Strip> &head) {
+    const double height = static_cast<double>(row.lines) * lineHeight;
+    std::vector<Row> parts;
+    if (height > tallestRow) {
+        for (std::size_t i = 0; i < row.lines; ++i)
+            parts.push_back(lineOf(row, i));
+    } else {
+        parts.push_back(std::move(row));
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double above = i == 0 ? edges.above : 0;
+        const bool last = i + 1 == parts.size();
+        Strip strip;
+        strip.height = above + static_cast<double>(parts[i].lines) * lineHeight + (last ? edges.below : 0);
+        strip.head = head;
+        strip.closingRule = width;
+        strip.draw = [part = std::make_shared<Row>(std::move(parts[i])), above, width, height = strip.height,
+                      group = last && edges.groupEnds,
+                      end = last && edges.tableEnds](QPainter &painter, QPointF at) {
+            drawRow(painter, at + QPointF(0, above), *part);
+            if (end)
+                drawRule(painter, at + QPointF(0, height), width, outerRule);
+            else if (group)
+                drawRule(painter, at + QPointF(0, height), width, groupRule, groupGrey);
+        };
+        strips.push_back(std::move(strip));
+    }
+}
+
+/// Head and first row, last row and the one before it stay together; all of a table that must not be split.
+void keepTogether(Strips &strips, bool all, bool headed) {
+    for (std::size_t i = 0; i + 1 < strips.size(); ++i) {
+        const bool top = i == 0 || (headed && i == 1);
+        strips[i].withNext = all || top || i + 2 == strips.size();
+    }
+}
+
+/// A title, smaller where a word of it is wider than its column.
+TextBlock headText(const Phrase &title, double room) {
+    constexpr double smallest = 7;
+    TextStyle style = cellStyle;
+    double widest = 0;
+    for (const QString &word : title.plain().split(u' ', Qt::SkipEmptyParts))
+        widest = std::max(widest, textWidth(word, styled(true)));
+    while (widest * style.size / cellStyle.size > room && style.size > smallest)
+        style.size -= 0.1;
+    style.leading *= cellStyle.size / style.size;
+    return {richText(title, true), style, room};
+}
+
+class TableHead {
+public:
+    TableHead(const Table &table, const std::vector<Place> &places, double width)
+        : m_width(width) {
+        double below = 0; // height of the titles and units
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            const Column &column = table.columns[i];
+            const Place &place = places[i];
+            const auto last =
+                std::min(i + static_cast<std::size_t>(std::max(column.titleSpan, 1)), places.size()) - 1;
+            const bool right = column.alignment != Alignment::left; // may stand out to the left
+            const double room =
+                places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding / 2);
+            Title title;
+            if (!column.title.plain().isEmpty())
+                title.name = headText(column.title, room);
+            if (!column.unit.isEmpty())
+                title.unit = TextBlock(column.unit, styled(false, noteGrey), room);
+            title.alignment = textAlignment(column.alignment);
+            title.x = place.left;
+            title.width = places[last].right() - place.left;
+            below = std::max(below, title.name.height() + title.unit.height());
+            m_titles.push_back(std::move(title));
+        }
+        const bool spanned = !table.spanners.empty();
+        double spannersHeight = 0;
+        double underSpanners = 0;
+        for (const Spanner &spanner : table.spanners) {
+            const std::size_t last = std::min(spanner.first + spanner.count, places.size()) - 1;
+            const double left = places[spanner.first].left;
+            const double length = places[last].right() - left;
+            m_spanners.push_back(
+                {spanner.first, {TextBlock(richText(spanner.title, true), cellStyle, length), left, length}});
+            spannersHeight = std::max(spannersHeight, m_spanners.back().title.block.height());
+            for (std::size_t i = spanner.first; i <= last; ++i)
+                underSpanners =
+                    std::max(underSpanners, m_titles[i].name.height() + m_titles[i].unit.height());
+        }
+        double inner = below;
+        if (spanned)
+            inner = std::max(below, spannersHeight + 2 * spannerGap + underSpanners);
+        m_height = headAbove + inner + headBelow;
+        m_spannerRule = headAbove + spannersHeight + spannerGap;
+    }
+
+    [[nodiscard]] double height() const { return m_height; }
+
+    void draw(QPainter &painter, QPointF at) const {
+        painter.fillRect(QRectF(at, QSizeF(m_width, m_height)), headTint);
+        drawRule(painter, at, m_width, outerRule);
+        drawRule(painter, at + QPointF(0, m_height), m_width, headRule);
+        const bool units = std::any_of(m_titles.begin(), m_titles.end(),
+                                       [](const Title &title) { return !title.unit.empty(); });
+        const double bottom = at.y() + m_height - headBelow;
+        const double unitHeight = textSize * cellStyle.leading;
+        for (std::size_t i = 0; i < m_titles.size(); ++i) {
+            const Title &title = m_titles[i];
+            for (const HeadSpanner &spanner : m_spanners) { // read before the first of its columns
+                if (spanner.first == i)
+                    drawSpanner(painter, at, spanner.title);
+            }
+            if (title.name.empty())
+                continue;
+            // Aligned at the bottom; above numbers the line of the units stays free.
+            const bool free = units && (title.alignment == TextAlignment::right || !title.unit.empty());
+            const double top = bottom - title.name.height() - (free ? unitHeight : 0);
+            title.name.draw(painter, {at.x() + title.x, top}, title.alignment, title.width);
+        }
+        for (const Title &title : m_titles) {
+            if (!title.unit.empty())
+                title.unit.draw(painter, {at.x() + title.x, bottom - title.unit.height()}, title.alignment,
+                                title.width);
+        }
+    }
+
+private:
+    void drawSpanner(QPainter &painter, QPointF at, const PlacedText &title) const {
+        title.block.draw(painter, at + QPointF(title.x, headAbove), TextAlignment::centre, title.width);
+        drawRule(painter, at + QPointF(title.x, m_spannerRule), title.width, groupRule);
+    }
+
+    struct HeadSpanner {
+        std::size_t first = 0;
+        PlacedText title;
+    };
+    struct Title {
+        TextBlock name;
+        TextBlock unit;
+        double x = 0;
+        double width = 0;
+        TextAlignment alignment = TextAlignment::left;
+    };
+
+    double m_width = 0;
+    double m_height = 0;
+    double m_spannerRule = 0;
+    std::vector<Title> m_titles;
+    std::vector<HeadSpanner> m_spanners;
+};
+
+} // namespace
+
+Strips tableStrips(const Table &table, double width) {
+    const std::vector<Place> columns = places(table, width);
+    Strips strips;
+    std::shared_ptr<Strip> head;
+    if (!table.headless) {
+        const auto content = std::make_shared<TableHead>(table, columns, width);
+        head = std::make_shared<Strip>();
+        head->height = content->height();
+        head->draw = [content](QPainter &painter, QPointF at) { content->draw(painter, at); };
+        strips.push_back(*head);
+    }
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+        Row row;
+        for (std::size_t i = 0; i < table.columns.size(); ++i)
+            addCell(row, table.rows[r][i], table.columns[i], columns[i]);
+        const bool last = r + 1 == table.rows.size();
+        const bool group = std::binary_search(table.rulesAfter.begin(), table.rulesAfter.end(), r);
+        addRow(strips, std::move(row), textSize * cellStyle.leading, width,
+               {rowPadding, rowPadding, group, last}, head);
+    }
+    if (table.headless && !strips.empty()) {
+        strips.front().draw = [draw = strips.front().draw, width](QPainter &painter, QPointF at) {
+            drawRule(painter, at, width, outerRule);
+            draw(painter, at);
+        };
+    }
+    keepTogether(strips, table.unbroken, !table.headless);
+    return strips;
+}
+
+Strips findingStrips(const FindingsBlock &findings, double width) {
+    constexpr TextStyle style{9, false, black, 1.28};
+    constexpr double padding = 0.5 * mm;
+    constexpr double textLeft = firstPadding + 3.2 * mm + cellPadding;
+    constexpr double clauseWidth = 12 * mm;
+    double gradeWidth = 14 * mm;
+    for (const FindingLine &line : findings.lines) {
+        TextStyle bold = style;
+        bold.bold = line.grade == Grade::requirement;
+        gradeWidth = std::max(gradeWidth, textWidth(line.gradeName, bold) + cellPadding);
+    }
+    const double sentenceLeft = textLeft + gradeWidth + cellPadding;
+    const double clauseLeft = width - cellPadding - clauseWidth;
+    const double sentenceWidth = clauseLeft - cellPadding - sentenceLeft;
+    const auto topRule = std::make_shared<Strip>(); // also where the findings go on
+    topRule->draw = [width](QPainter &painter, QPointF at) { drawRule(painter, at, width, outerRule); };
+    topRule->height = 0.6 * mm;
+
+    Strips strips;
+    for (std::size_t i = 0; i < findings.lines.size(); ++i) {
+        const FindingLine &line = findings.lines[i];
+        TextStyle grade = style;
+        grade.bold = line.grade == Grade::requirement;
+        TextStyle clause = style;
+        if (line.clause.isEmpty())
+            clause.colour = dashGrey;
+        Row row;
+        row.signs.push_back({markOf(line.grade), {}, firstPadding});
+        row.texts.push_back({TextBlock(line.gradeName, grade), textLeft});
+        row.texts.push_back({TextBlock(line.sentence, style, sentenceWidth), sentenceLeft});
+        row.texts.push_back({TextBlock(line.clause.isEmpty() ? thinDash : line.clause, clause, clauseWidth),
+                             clauseLeft, clauseWidth, TextAlignment::right});
+        row.lines = std::max(row.texts[1].block.lineCount(), row.texts[2].block.lineCount());
+        const bool last = i + 1 == findings.lines.size();
+        addRow(strips, std::move(row), style.size * style.leading, width,
+               {padding, padding + (last ? topRule->height : 0), false, last}, topRule);
+    }
+    if (!strips.empty())
+        strips.insert(strips.begin(), *topRule);
+    keepTogether(strips, false, true);
+    return strips;
+}
+
+} // namespace palmer::ui
