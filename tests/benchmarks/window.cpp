@@ -1,4 +1,3 @@
-#include "kernel/measurement/test.h"
 #include "ui/examples.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/figures/figureview.h"
@@ -10,11 +9,13 @@
 
 #include <QApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QScrollBar>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <benchmark/benchmark.h>
+#include <algorithm>
 #include <chrono>
 
 using namespace palmer;
@@ -64,6 +65,11 @@ public:
                               Qt::NoModifier);
             QApplication::sendEvent(canvas, &event);
         }
+    }
+
+    void press(int key) {
+        QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier);
+        QApplication::sendEvent(m_figure.findChild<FigureCanvas *>(), &event);
     }
 
     void scroll(int by) {
@@ -118,6 +124,23 @@ void scrollLargeTest(benchmark::State &state) {
     state.counters["longest_frame_ms"] = longest;
 }
 BENCHMARK(scrollLargeTest)->Iterations(400)->Unit(benchmark::kMillisecond);
+
+/// A frame of zooming, where the figure is drawn anew: what 400 targets cost.
+void zoomLargeTest(benchmark::State &state) {
+    Parts parts(testdata::evaluatedDocument(testdata::largeTest()));
+    parts.show();
+    double longest = 0;
+    bool in = true;
+    for (auto _ : state) {
+        const auto from = Clock::now();
+        parts.press(in ? Qt::Key_Plus : Qt::Key_Minus);
+        Parts::paint();
+        in = !in;
+        longest = std::max(longest, milliseconds(from));
+    }
+    state.counters["longest_frame_ms"] = longest;
+}
+BENCHMARK(zoomLargeTest)->Iterations(40)->Unit(benchmark::kMillisecond);
 
 /// Goal: 100 ms from the document to the finished figure.
 void showExample(benchmark::State &state) {

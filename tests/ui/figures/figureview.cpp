@@ -181,6 +181,7 @@ private slots:
         view.show(evaluatedDocument(positioningTest("ISO 230-2:2006", {0, 100, 200}, {{1, 2, 3}}, {{2, 3, 4}})), 0);
         view.resize(560, 380);
         auto *canvas = view.findChild<FigureCanvas *>();
+        view.grab(); // lays it out
         QVERIFY(canvas->placeOf({1, 2}));
     }
 
