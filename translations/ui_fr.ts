@@ -459,6 +459,10 @@
         <source>none</source>
         <translation>aucun</translation>
     </message>
+    <message>
+        <source>Not agreed: %1</source>
+        <translation>Non convenu : %1</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::FindingsPanel</name>

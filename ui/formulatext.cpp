@@ -90,8 +90,9 @@ void drawPiece(QPainter &painter, QPointF baseline, const Piece &piece) {
     const double top = capital ? metrics.capHeight() : metrics.xHeight();
     const double gap = metrics.xHeight() * 0.28;
     const double y = at.y() - top - gap;
-    painter.fillRect(QRectF(at.x() + piece.width * 0.12, y, piece.width * 0.76, qMax(1.0, metrics.lineWidth())),
-                     painter.pen().color());
+    painter.fillRect(
+        QRectF(at.x() + piece.width * 0.12, y, piece.width * 0.76, qMax(1.0, metrics.lineWidth())),
+        painter.pen().color());
 }
 
 QColor colourOf(const Piece &piece, const QColor &colour, const QPalette &palette) {

@@ -20,4 +20,16 @@ VerdictMark verdictMark(std::optional<Verdict> verdict) {
     return {};
 }
 
+Token verdictGround(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::conforms:
+        return Token::okGround;
+    case Verdict::notProven:
+        return Token::unsureGround;
+    case Verdict::doesNotConform:
+        break;
+    }
+    return Token::badGround;
+}
+
 } // namespace palmer::ui

@@ -19,4 +19,7 @@ struct VerdictMark {
 
 [[nodiscard]] VerdictMark verdictMark(std::optional<Verdict> verdict);
 
+/// The ground of a chip that says the verdict.
+[[nodiscard]] Token verdictGround(Verdict verdict);
+
 } // namespace palmer::ui

@@ -12,7 +12,7 @@ namespace palmer {
 namespace {
 
 constexpr double mostParts = 6;
-constexpr double margin = 0.06; ///< of the span, on either side
+constexpr double margin = 0.06;   ///< of the span, on either side
 constexpr double mostStretch = 3; ///< of the scale, to show the origin
 constexpr double leastSpan = 1e-3;
 
@@ -47,8 +47,9 @@ TargetStrip targetStrip(const Test &test, const TestEvaluation &evaluation, std:
             include(lane.readings.back().value);
         }
         if (target < results.targets.size()) {
-            const DirectionStatistics &s = direction == Direction::positive ? results.targets[target].positive
-                                                                            : results.targets[target].negative;
+            const DirectionStatistics &s = direction == Direction::positive
+                                               ? results.targets[target].positive
+                                               : results.targets[target].negative;
             if (std::isfinite(s.mean))
                 lane.mean = s.mean * scale;
             if (std::isfinite(s.mean) && std::isfinite(s.s) && c > 0) {

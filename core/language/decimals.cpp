@@ -3,7 +3,6 @@
 #include "language/rounding.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace palmer {
 
@@ -13,8 +12,12 @@ constexpr int mostOfLengths = 3;
 constexpr int mostOfAngles = 4;
 constexpr int mostOfReadings = 4;
 constexpr int mostOfAngularReadings = 2; ///< degrees have no short form in arc seconds: 0.01″ has to do
-constexpr int finest = 9; ///< beyond stand the rounding errors of conversions
-constexpr std::size_t looked = 2000; ///< enough to see how many decimals numbers have
+constexpr int finest = 9;                ///< beyond stand the rounding errors of conversions
+constexpr std::size_t looked = 2000;     ///< enough to see how many decimals numbers have
+
+int mostDecimals(const Axis &axis) {
+    return axis.motion == Motion::rotary ? mostOfAngularReadings : mostOfReadings;
+}
 
 } // namespace
 
@@ -34,14 +37,6 @@ int positionDecimals(const PositioningMeasurement &measurement) {
     return std::min(result, most);
 }
 
-namespace {
-
-int mostDecimals(const Axis &axis) {
-    return axis.motion == Motion::rotary ? mostOfAngularReadings : mostOfReadings;
-}
-
-} // namespace
-
 int readingDecimals(const PositioningMeasurement &measurement) {
     const int most = mostDecimals(measurement.axis);
     int result = 0;
@@ -60,25 +55,6 @@ int readingDecimals(const PositioningMeasurement &measurement) {
 
 int statisticDecimals(const PositioningMeasurement &measurement) {
     return std::min(readingDecimals(measurement) + 1, mostDecimals(measurement.axis));
-}
-
-std::optional<double> finestResolution(std::span<const Instrument> instruments, const Test &test) {
-    std::optional<double> result;
-    for (const Instrument &instrument : instruments) {
-        if (instrument.resolution && std::ranges::count(test.instruments, instrument.id) > 0)
-            result = std::min(result.value_or(*instrument.resolution), *instrument.resolution);
-    }
-    return result;
-}
-
-int resultDecimals(const Parameter &parameter, std::optional<double> resolution) {
-    const Quantity quantity = parameter.term.quantity;
-    int result = decimalsWithoutUncertainty;
-    if (parameter.expandedUncertainty)
-        result = decimalsWithUncertainty(*parameter.expandedUncertainty, quantity, resolution);
-    if (parameter.value && parameter.limit && parameter.limit->value)
-        result = decimalsShowingSide(std::abs(*parameter.value), *parameter.limit->value, quantity, result);
-    return result;
 }
 
 } // namespace palmer

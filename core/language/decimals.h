@@ -1,12 +1,7 @@
 #pragma once
 
-#include "kernel/evaluation/parameter.h"
-#include "kernel/measurement/machine.h"
-#include "kernel/measurement/test.h"
+#include "kernel/measurement/positioning.h"
 #include "kernel/words/quantity.h"
-
-#include <optional>
-#include <span>
 
 namespace palmer {
 
@@ -23,13 +18,6 @@ namespace palmer {
 
 /// Statistics per target: one more than the readings, within the same bounds.
 [[nodiscard]] int statisticDecimals(const PositioningMeasurement &measurement);
-
-/// The finest resolution of the instruments a test names, mm or degrees; null where none states one.
-[[nodiscard]] std::optional<double> finestResolution(std::span<const Instrument> instruments,
-                                                     const Test &test);
-
-/// Value, U and verdict of a parameter: by U and resolution, more where rounding would hide the verdict.
-[[nodiscard]] int resultDecimals(const Parameter &parameter, std::optional<double> resolution);
 
 /// Quantities of the positions and deviations of an axis.
 [[nodiscard]] inline Quantity positionQuantity(const Axis &axis) {

@@ -2,7 +2,7 @@
 
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/targetvalue.h"
-#include "language/decimals.h"
+#include "report/wording.h"
 
 #include <algorithm>
 #include <array>
@@ -23,10 +23,10 @@ struct Recipe {
     Outcome (*function)(Targets, double);
     const char *formula;
     std::array<const char *, 3> steps;
-    const char *bars = "";      ///< quantity per target
+    const char *bars = ""; ///< quantity per target
     const char *barsTitle = "";
     std::array<const char *, 3> terms{}; ///< per target, whose clauses are named too
-    bool parts = false;         ///< the parts of the sum are weighed
+    bool parts = false;                  ///< the parts of the sum are weighed
 };
 
 // clang-format off
@@ -225,8 +225,8 @@ private:
         }
         const std::optional<double> value = id.startsWith(u'Σ')   ? sum(id.mid(1).toStdString())
                                             : id.startsWith(u'^') ? largest(id.mid(1).toStdString())
-                                            : target(which)       ? valueOf(id.toStdString(), *target(which), m_c)
-                                                                  : std::nullopt;
+                                            : target(which) ? valueOf(id.toStdString(), *target(which), m_c)
+                                                            : std::nullopt;
         FormulaSpan span{value ? shown(*value) : QStringLiteral("–"), false, true};
         if (id.endsWith(u'+'))
             span.approach = Direction::positive;
@@ -287,9 +287,8 @@ private:
     }
 
     [[nodiscard]] bool dependsOnTemperature() const {
-        const auto row = std::ranges::find(m_evaluation.edition->rows, std::string_view(m_parameter.term.id),
-                                           [](const Row &r) { return std::string_view(r.term.id); });
-        return row != m_evaluation.edition->rows.end() && row->dependsOnTemperature;
+        const Row *row = rowOf(*m_evaluation.edition, m_parameter);
+        return row && row->dependsOnTemperature;
     }
 
     /// Which part of the sum weighs how much, where the sum is what rules.
@@ -385,9 +384,8 @@ std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::
         std::ranges::find(evaluation.parameters, id, [](const Parameter &p) { return parameterId(p); });
     if (parameter == evaluation.parameters.end())
         return std::nullopt;
-    const auto row = std::ranges::find(evaluation.edition->rows, std::string_view(parameter->term.id),
-                                       [](const Row &r) { return std::string_view(r.term.id); });
-    if (row == evaluation.edition->rows.end())
+    const Row *row = rowOf(*evaluation.edition, *parameter);
+    if (!row)
         return std::nullopt;
     const auto recipe = std::ranges::find(recipes, row->value, &Recipe::function);
     if (recipe == recipes.end())

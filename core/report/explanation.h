@@ -14,24 +14,24 @@ namespace palmer {
 
 /// What a parameter is made of at each target, for a picture of bars: the quantity its rule looks at.
 struct TargetBars {
-    Formula title;                              ///< "R_i"
-    QString unit;                               ///< of the labels
-    std::vector<std::optional<double>> values;  ///< by index of the target; mm, rotary: degrees
-    std::vector<QString> labels;                ///< of the values
-    std::optional<std::size_t> ruling;          ///< index of the target that rules
+    Formula title;                             ///< "R_i"
+    QString unit;                              ///< of the labels
+    std::vector<std::optional<double>> values; ///< by index of the target; mm, rotary: degrees
+    std::vector<QString> labels;               ///< of the values
+    std::optional<std::size_t> ruling;         ///< index of the target that rules
 };
 
 /// Where a parameter comes from, in one language.
 struct Explanation {
-    QString id;                   ///< of the parameter
+    QString id; ///< of the parameter
     Formula symbol;
-    QString name;                 ///< the edition's term
-    Formula formula;              ///< in symbols
-    std::vector<Formula> steps;   ///< with the numbers of this test put in; the last ends in the result
-    QStringList words;            ///< sentences: what rules it, what weighs, what to know
-    QString result;               ///< "R = 10,26 µm"; empty without a value
-    QString source;               ///< "ISO 230-2:2006, 2.17 and 2.19"
-    std::vector<Ruling> ruling;   ///< targets (from 1) and directions that rule it
+    QString name;               ///< the edition's term
+    Formula formula;            ///< in symbols
+    std::vector<Formula> steps; ///< with the numbers of this test put in; the last ends in the result
+    QStringList words;          ///< sentences: what rules it, what weighs, what to know
+    QString result;             ///< "R = 10,26 µm"; empty without a value
+    QString source;             ///< "ISO 230-2:2006, 2.17 and 2.19"
+    std::vector<Ruling> ruling; ///< targets (from 1) and directions that rule it
     std::optional<TargetBars> bars;
 };
 

@@ -1,6 +1,6 @@
 #include "report/readingtable.h"
 
-#include "language/decimals.h"
+#include "report/wording.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,25 +14,11 @@ namespace {
 constexpr int digitsOfMicrometre = 3;
 constexpr int digitsOfSecond = 4;
 
-bool scatters(const PositioningResults &results) {
-    return std::max(results.positiveRuns, results.negativeRuns) > 1;
-}
-
 /// Whether the test has the quantity, and the table shows it: of both directions R, not R↑ and R↓ besides; x̄
 /// stands in the card of the target.
 bool has(std::string_view id, const PositioningResults &results) {
-    if (id.starts_with("range") && results.standardDeviation != DeviationMethod::range)
-        return false;
-    if (!scatters(results) && (id.starts_with("s") || id.starts_with("R")))
-        return false;
     const bool both = results.upward && results.downward;
-    if (id == "mean" || (both && (id == "R+" || id == "R-")))
-        return false;
-    if (id.ends_with('+'))
-        return results.upward;
-    if (id.ends_with('-'))
-        return results.downward;
-    return both;
+    return isShown(id, results) && id != "mean" && !(both && (id == "R+" || id == "R-"));
 }
 
 } // namespace
@@ -67,8 +53,7 @@ std::vector<StatisticColumn> statisticColumns(const TestEvaluation &evaluation, 
         return columns;
     for (const TargetTerm &term : evaluation.edition->targetTerms) {
         if (has(term.id, *results))
-            columns.push_back({term.id,
-                               symbolFormula({term.symbol.base, "", term.symbol.arrow}),
+            columns.push_back({term.id, symbolFormula({term.symbol.base, "", term.symbol.arrow}),
                                language.text(term.name)});
     }
     return columns;
@@ -80,11 +65,12 @@ ReadingTexts::ReadingTexts(const PositioningMeasurement &measurement, const Lang
     , m_language(language)
     , m_unit(unit)
     , m_positionDecimals(positionDecimals(measurement))
-    , m_readingDecimals(readingDecimals(measurement)) {}
+    , m_readingDecimals(readingDecimals(measurement))
+    , m_statisticDecimals(statisticDecimals(measurement)) {}
 
 QString ReadingTexts::position(std::size_t target) const {
     return m_language.number(m_measurement->targets[target], positionQuantity(m_measurement->axis),
-                              m_positionDecimals);
+                             m_positionDecimals);
 }
 
 QString ReadingTexts::shown(double deviation, std::size_t target) const {
@@ -92,8 +78,8 @@ QString ReadingTexts::shown(double deviation, std::size_t target) const {
         return m_language.number(deviation, deviationQuantity(m_measurement->axis), m_readingDecimals);
     const bool linear = m_measurement->axis.motion == Motion::linear;
     return m_language.number(m_measurement->targets[target] + deviation,
-                              positionQuantity(m_measurement->axis),
-                              m_readingDecimals + (linear ? digitsOfMicrometre : digitsOfSecond));
+                             positionQuantity(m_measurement->axis),
+                             m_readingDecimals + (linear ? digitsOfMicrometre : digitsOfSecond));
 }
 
 const ExcludedReading *ReadingTexts::excluded(std::size_t run, std::size_t target) const {
@@ -114,14 +100,14 @@ ShownReading ReadingTexts::reading(std::size_t run, std::size_t target) const {
 
 QString ReadingTexts::statistic(std::optional<double> value) const {
     return m_language.number(value.value_or(std::numeric_limits<double>::quiet_NaN()),
-                              deviationQuantity(m_measurement->axis), m_readingDecimals + 1);
+                             deviationQuantity(m_measurement->axis), m_statisticDecimals);
 }
 
 QString ReadingTexts::arrowAndNumber(std::size_t run) const {
     const Direction approach = m_measurement->runs[run].approach;
-    const auto number = std::count_if(
-        m_measurement->runs.begin(), m_measurement->runs.begin() + static_cast<std::ptrdiff_t>(run) + 1,
-        [approach](const Run &r) { return r.approach == approach; });
+    const auto number = std::count_if(m_measurement->runs.begin(),
+                                      m_measurement->runs.begin() + static_cast<std::ptrdiff_t>(run) + 1,
+                                      [approach](const Run &r) { return r.approach == approach; });
     return (approach == Direction::positive ? QStringLiteral("↑ ") : QStringLiteral("↓ ")) +
            QString::number(number);
 }
@@ -163,10 +149,10 @@ QString ReadingTexts::summary(std::span<const std::pair<std::size_t, std::size_t
         return places.size() == 1 ? label(places[0].first, places[0].second)
                                   : m_language.quantity(sum, quantity, m_readingDecimals);
     return m_language.sentence({REPORT_TEXT("report", "%1 readings: mean %2, range %3"),
-                                 {Number{static_cast<double>(count), Quantity::count, 0},
-                                  Number{sum / count, quantity, m_readingDecimals + 1},
-                                  Number{most - least, quantity, m_readingDecimals}},
-                                 {}});
+                                {Number{static_cast<double>(count), Quantity::count, 0},
+                                 Number{sum / count, quantity, m_statisticDecimals},
+                                 Number{most - least, quantity, m_readingDecimals}},
+                                {}});
 }
 
 } // namespace palmer

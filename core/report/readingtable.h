@@ -42,14 +42,14 @@ struct StatisticColumn {
     QString name;   ///< the edition's term
 };
 
-/// x̄ and s of each direction, B and R, as far as the edition knows them and this test has them, in its order; of
-/// a test from one direction R of that.
+/// x̄ and s of each direction, B and R, as far as the edition knows them and this test has them, in its order;
+/// of a test from one direction R of that.
 [[nodiscard]] std::vector<StatisticColumn> statisticColumns(const TestEvaluation &evaluation,
                                                             const Language &language);
 
 /// A reading as it is shown.
 struct ShownReading {
-    QString text;          ///< a dash where there is none
+    QString text; ///< a dash where there is none
     bool missing = false;
     bool excluded = false; ///< set aside: shown all the same
     QString reason;        ///< why it was set aside
@@ -87,6 +87,7 @@ private:
     ReadingUnit m_unit;
     int m_positionDecimals;
     int m_readingDecimals;
+    int m_statisticDecimals;
 };
 
 } // namespace palmer

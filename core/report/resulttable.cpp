@@ -1,7 +1,7 @@
 #include "report/resulttable.h"
 
 #include "kernel/evaluation/conformity.h"
-#include "language/decimals.h"
+#include "report/wording.h"
 
 #include <QStringList>
 #include <algorithm>
@@ -69,25 +69,6 @@ Text ruleName(Rule rule) {
     return {};
 }
 
-QString ruling(const Parameter &parameter) {
-    QStringList ends;
-    for (const auto &end : parameter.ruling) {
-        if (!end)
-            continue;
-        QString text = QString::number(end->target);
-        if (end->approach)
-            text += *end->approach == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
-        ends << text;
-    }
-    return ends.join(QStringLiteral(" – "));
-}
-
-bool isShown(const Parameter &parameter, const Document &document) {
-    const auto &include = document.report.include;
-    return parameter.term.printed == Printed::always ||
-           std::ranges::count(include, ReportExtra::meanRepeatability) > 0;
-}
-
 /// What A, A+ and A-, B and Bmean, Psmax and Psmean have in common.
 std::string_view familyOf(std::string_view id) {
     for (const std::string_view end : {"+", "-", "mean", "max"}) {
@@ -134,18 +115,6 @@ std::optional<DecisionScale> decisionScale(const Parameter &parameter) {
     return scale;
 }
 
-QString verdictWord(Verdict verdict, const Language &language) {
-    switch (verdict) {
-    case Verdict::conforms:
-        return language.text(REPORT_TEXT("report", "conforms"));
-    case Verdict::notProven:
-        return language.text(REPORT_TEXT("report", "not proven"));
-    case Verdict::doesNotConform:
-        return language.text(REPORT_TEXT("report", "does not conform"));
-    }
-    return {};
-}
-
 bool isUnfinished(const Test &test) {
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     if (!measurement)
@@ -174,17 +143,17 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
     else
         table.verdict = evaluation.verdict;
     if (table.verdict)
-        table.verdictWord = verdictWord(*table.verdict, language);
+        table.verdictWord = language.text(verdictText(*table.verdict));
     table.rule = language.text(ruleName(source.decisionRule.rule));
 
-    const std::optional<double> resolution = finestResolution(document.instruments, source);
+    const std::optional<double> resolution = finestResolution(document, source);
     const QString none = QStringLiteral("–");
     std::string_view family;
     for (const Parameter &parameter : evaluation.parameters) {
-        if (!isShown(parameter, document))
+        if (!isPrinted(parameter, document.report))
             continue;
         const Quantity quantity = parameter.term.quantity;
-        const int decimals = resultDecimals(parameter, resolution);
+        const int decimals = parameterDecimals(parameter, resolution);
         if (table.unit.isEmpty())
             table.unit = language.unit(quantity);
         if (parameter.expandedUncertainty)
@@ -194,7 +163,7 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
         line.name = language.text(shortName(parameter.term.name));
         line.fullName = language.text(parameter.term.name);
-        line.ruling = ruling(parameter);
+        line.ruling = rulingText(parameter);
         line.value = parameter.value ? language.number(*parameter.value, quantity, decimals) : none;
         line.uncertainty = parameter.expandedUncertainty
                                ? language.uncertainty(*parameter.expandedUncertainty, quantity, decimals)
@@ -207,7 +176,7 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         }
         line.verdict = parameter.verdict;
         if (parameter.verdict)
-            line.verdictWord = verdictWord(*parameter.verdict, language);
+            line.verdictWord = language.text(verdictText(*parameter.verdict));
         line.scale = decisionScale(parameter);
         line.main = familyOf(parameter.term.id) != family;
         family = familyOf(parameter.term.id);
@@ -225,8 +194,8 @@ QString asTabSeparated(const ResultTable &table, const Language &language) {
         return text == QStringLiteral("–") ? QString() : plainNumber(text);
     };
     for (const ResultLine &line : table.lines) {
-        rows << QStringList{line.symbol.plain(), line.fullName,     cell(line.value), cell(line.uncertainty),
-                            cell(line.limit),    line.verdictWord}
+        rows << QStringList{line.symbol.plain(),    line.fullName,    cell(line.value),
+                            cell(line.uncertainty), cell(line.limit), line.verdictWord}
                     .join(u'\t');
     }
     return rows.join(u'\n') + u'\n';
@@ -235,16 +204,16 @@ QString asTabSeparated(const ResultTable &table, const Language &language) {
 QString asHtml(const ResultTable &table, const Language &language) {
     const Head titles = head(table, language);
     QString html = QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n<tr>");
-    for (const QString &title : {titles.symbol, titles.name, titles.value, titles.uncertainty, titles.limit,
-                                 titles.verdict})
+    for (const QString &title :
+         {titles.symbol, titles.name, titles.value, titles.uncertainty, titles.limit, titles.verdict})
         html += QStringLiteral("<th>") + title.toHtmlEscaped() + QStringLiteral("</th>");
     html += QStringLiteral("</tr>\n");
     for (const ResultLine &line : table.lines) {
         html += QStringLiteral("<tr><td>");
         for (const FormulaSpan &span : line.symbol.spans)
-            html += span.subscript ? QStringLiteral("<sub>") + span.text.toHtmlEscaped() +
-                                         QStringLiteral("</sub>")
-                                   : span.text.toHtmlEscaped();
+            html += span.subscript
+                        ? QStringLiteral("<sub>") + span.text.toHtmlEscaped() + QStringLiteral("</sub>")
+                        : span.text.toHtmlEscaped();
         html += QStringLiteral("</td><td>") + line.fullName.toHtmlEscaped() + QStringLiteral("</td>");
         for (const QString &number : {line.value, line.uncertainty, line.limit})
             html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");

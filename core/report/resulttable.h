@@ -59,9 +59,6 @@ struct ResultTable {
     QString edition;
 };
 
-/// The words of a verdict.
-[[nodiscard]] QString verdictWord(Verdict verdict, const Language &language);
-
 /// Whether readings are missing that were not set aside: the test is under way.
 [[nodiscard]] bool isUnfinished(const Test &test);
 
@@ -70,8 +67,8 @@ struct ResultTable {
 [[nodiscard]] ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test,
                                       const Language &language);
 
-/// Tab-separated with a head, as spreadsheets paste it: numbers as the language writes them, without spaces in
-/// them and with "-", that a spreadsheet of that language reads as numbers.
+/// Tab-separated with a head, as spreadsheets paste it: numbers as the language writes them, without spaces
+/// in them and with "-", that a spreadsheet of that language reads as numbers.
 [[nodiscard]] QString asTabSeparated(const ResultTable &table, const Language &language);
 
 /// The same as a table of HTML, for texts.

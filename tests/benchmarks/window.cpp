@@ -14,8 +14,8 @@
 #include <QScrollBar>
 #include <QTableView>
 #include <QVBoxLayout>
-#include <benchmark/benchmark.h>
 #include <algorithm>
+#include <benchmark/benchmark.h>
 #include <chrono>
 
 using namespace palmer;

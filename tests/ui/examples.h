@@ -26,8 +26,8 @@ inline Test decidedExample() {
     test.decisionRule.rule = Rule::iso14253_1;
     auto &uncertainty = measurement(test).uncertainty;
     uncertainty.method = UncertaintyMethod::direct;
-    uncertainty.expanded = {{"A", 3.0},  {"A+", 3.0}, {"A-", 3.0}, {"E", 2.7},  {"E+", 2.7},    {"E-", 2.7},
-                            {"M", 2.7},  {"R", 1.5},  {"R+", 1.9}, {"R-", 1.9}, {"B", 0.61}, {"Bmean", 0.61}};
+    uncertainty.expanded = {{"A", 3.0}, {"A+", 3.0}, {"A-", 3.0}, {"E", 2.7},  {"E+", 2.7}, {"E-", 2.7},
+                            {"M", 2.7}, {"R", 1.5},  {"R+", 1.9}, {"R-", 1.9}, {"B", 0.61}, {"Bmean", 0.61}};
     return test;
 }
 

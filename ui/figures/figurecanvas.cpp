@@ -68,8 +68,8 @@ void FigureCanvas::drawAnew() {
     if (!m_figure)
         return;
     QPainter painter(&m_drawn);
-    m_transform =
-        drawFigure(painter, QRectF(rect()), *m_figure, isDark(palette()) ? Medium::screenDark : Medium::screenLight);
+    m_transform = drawFigure(painter, QRectF(rect()), *m_figure,
+                             isDark(palette()) ? Medium::screenDark : Medium::screenLight);
 }
 
 QPointF FigureCanvas::shown(const FigureReading &reading) const {
@@ -122,9 +122,11 @@ void FigureCanvas::paintEvent(QPaintEvent *) {
     }
 }
 
-void FigureCanvas::paintLabel(QPainter &painter, QPointF beside, const QString &text, const QColor &colour) const {
+void FigureCanvas::paintLabel(QPainter &painter, QPointF beside, const QString &text,
+                              const QColor &colour) const {
     painter.setFont(themeFont(TextSize::tiny));
-    const QSizeF size(painter.fontMetrics().horizontalAdvance(text) + 12.0, painter.fontMetrics().height() + 4.0);
+    const QSizeF size(painter.fontMetrics().horizontalAdvance(text) + 12.0,
+                      painter.fontMetrics().height() + 4.0);
     QRectF label(QPointF(beside.x() + 14, beside.y() - size.height() / 2), size);
     if (label.right() > width() - 2)
         label.moveRight(beside.x() - 14);
@@ -176,7 +178,8 @@ void FigureCanvas::paintMarking(QPainter &painter) const {
         const QPointF upper = m_transform.map(dimension.upperPosition, dimension.upper);
         const bool oneTarget = dimension.lowerPosition == dimension.upperPosition;
         // At a single target beside it, else at the edge, with leaders from both ends.
-        const double x = oneTarget ? std::max(plot.left() + 6, lower.x() - markWidth / 2 - 4) : plot.right() - 10;
+        const double x =
+            oneTarget ? std::max(plot.left() + 6, lower.x() - markWidth / 2 - 4) : plot.right() - 10;
         painter.save();
         painter.setClipRect(plot.adjusted(-2, -2, 2, 2));
         painter.setPen(QPen(colour, 1, Qt::DashLine));
@@ -189,7 +192,8 @@ void FigureCanvas::paintMarking(QPainter &painter) const {
         painter.restore();
         beside = QPointF(x, std::clamp((lower.y() + upper.y()) / 2, plot.top() + 12, plot.bottom() - 12));
         if (x > plot.center().x()) // the label keeps out of the targets' way
-            beside.rx() -= 28 + QFontMetrics(themeFont(TextSize::tiny)).horizontalAdvance(m_marking.label) + 12;
+            beside.rx() -=
+                28 + QFontMetrics(themeFont(TextSize::tiny)).horizontalAdvance(m_marking.label) + 12;
     }
     paintLabel(painter, beside, m_marking.label, colour);
 }

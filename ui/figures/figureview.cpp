@@ -3,8 +3,8 @@
 #include "figures/deviationfigure.h"
 #include "report/explanation.h"
 #include "report/readingtable.h"
-#include "ui/figures/exportfigure.h"
 #include "ui/elidedlabel.h"
+#include "ui/figures/exportfigure.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/ruling.h"
 #include "ui/theme.h"
@@ -58,9 +58,11 @@ std::vector<FigureReading> readingsOf(const CurveFigure &figure, const Positioni
     readings.reserve(figure.readings.size());
     for (const ReadingMark &mark : figure.readings) {
         const auto &list = runs[mark.role == CurveRole::up ? 0 : 1];
-        readings.push_back({mark.x, mark.y, mark.role,
-                            {list[static_cast<std::size_t>(mark.run) - 1],
-                             static_cast<std::size_t>(mark.target) - 1}});
+        readings.push_back(
+            {mark.x,
+             mark.y,
+             mark.role,
+             {list[static_cast<std::size_t>(mark.run) - 1], static_cast<std::size_t>(mark.target) - 1}});
     }
     if (!readings.empty())
         return readings;
@@ -68,8 +70,10 @@ std::vector<FigureReading> readingsOf(const CurveFigure &figure, const Positioni
         if (curve.role == CurveRole::mean)
             continue;
         for (const FigurePoint &point : curve.points)
-            readings.push_back(
-                {point.x, point.y, curve.role, {runOf(curve.role, 1), static_cast<std::size_t>(point.target) - 1}});
+            readings.push_back({point.x,
+                                point.y,
+                                curve.role,
+                                {runOf(curve.role, 1), static_cast<std::size_t>(point.target) - 1}});
     }
     return readings;
 }
@@ -165,14 +169,15 @@ void FigureView::refresh() {
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     std::optional<std::array<Interval, 2>> zoomed;
     if (m_whole && m_shown &&
-        (m_shown->x.from != m_whole->x.from || m_shown->x.to != m_whole->x.to || m_shown->y.from != m_whole->y.from ||
-         m_shown->y.to != m_whole->y.to))
+        (m_shown->x.from != m_whole->x.from || m_shown->x.to != m_whole->x.to ||
+         m_shown->y.from != m_whole->y.from || m_shown->y.to != m_whole->y.to))
         zoomed = {{{m_shown->x.from, m_shown->x.to}, {m_shown->y.from, m_shown->y.to}}};
     const CurveFigure full = deviationFigure(test, evaluation, m_language);
     m_whole = full;
     if (!m_readingMarks) {
         m_whole->readings.clear();
-        std::erase_if(m_whole->legend, [](const LegendEntry &entry) { return entry.sample == LegendSample::readings; });
+        std::erase_if(m_whole->legend,
+                      [](const LegendEntry &entry) { return entry.sample == LegendSample::readings; });
     }
     m_shown = zoomed ? withRanges(*m_whole, (*zoomed)[0], (*zoomed)[1], m_language) : *m_whole;
     m_title->setText(m_whole->y.quantity);
@@ -268,18 +273,22 @@ bool FigureView::saveTo(const QString &path) {
 void FigureView::askWhereToSave() {
     if (!m_shown)
         return;
-    const QStringList filters{tr("PDF, vectors (*.pdf)"), tr("SVG, vectors (*.svg)"), tr("PNG, picture (*.png)")};
+    const QStringList filters{tr("PDF, vectors (*.pdf)"), tr("SVG, vectors (*.svg)"),
+                              tr("PNG, picture (*.png)")};
     QString chosen = filters.front();
-    QString path = QFileDialog::getSaveFileName(this, tr("Save figure"), m_shown->title + QStringLiteral(".pdf"),
-                                                filters.join(QStringLiteral(";;")), &chosen);
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Save figure"), m_shown->title + QStringLiteral(".pdf"),
+                                     filters.join(QStringLiteral(";;")), &chosen);
     if (path.isEmpty())
         return;
     constexpr std::array suffixes{".pdf", ".svg", ".png"};
     if (QFileInfo(path).suffix().isEmpty())
-        path += QString::fromLatin1(suffixes.at(static_cast<std::size_t>(std::max<qsizetype>(0, filters.indexOf(chosen)))));
+        path += QString::fromLatin1(
+            suffixes.at(static_cast<std::size_t>(std::max<qsizetype>(0, filters.indexOf(chosen)))));
     if (!saveTo(path))
-        QMessageBox::warning(this, tr("Save figure"),
-                             tr("The figure could not be written to %1. Choose another folder or file.").arg(path));
+        QMessageBox::warning(
+            this, tr("Save figure"),
+            tr("The figure could not be written to %1. Choose another folder or file.").arg(path));
 }
 
 void FigureView::retranslate() {
@@ -296,8 +305,8 @@ void FigureView::retranslate() {
     name(m_detach, tr("Open the figure in a window of its own"));
     name(m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
     m_canvas->setToolTip({});
-    m_canvas->setAccessibleDescription(
-        tr("Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click"));
+    m_canvas->setAccessibleDescription(tr(
+        "Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click"));
     refresh();
 }
 

@@ -136,8 +136,9 @@ void AgreedPointsPage::refresh() {
         const bool settled = state != AgreementState::notAgreed;
         open += settled ? 0 : 1;
         const QString letter = QString::fromUtf8(row.point->letter);
-        row.letter->setContent(letter, letter.isEmpty() ? QString::fromLatin1(settled ? "check" : "miss") : QString(),
-                               settled ? Token::ok : Token::unsure, settled ? Token::okGround : Token::unsureGround);
+        row.letter->setContent(
+            letter, letter.isEmpty() ? QString::fromLatin1(settled ? "check" : "miss") : QString(),
+            settled ? Token::ok : Token::unsure, settled ? Token::okGround : Token::unsureGround);
         row.letter->setAccessibleName(settled ? tr("settled") : tr("not agreed"));
         row.letter->setFixedWidth(letterWidth);
         row.name->setText(m_language.text(row.point->name));
@@ -157,11 +158,12 @@ void AgreedPointsPage::refresh() {
     }
     const int all = static_cast<int>(m_rows.size());
     m_chip->setVisible(open > 0);
-    m_chip->setContent(tr("%1 of %2 points not agreed").arg(open).arg(all), QStringLiteral("warn"), Token::unsure,
-                       Token::unsureGround);
+    m_chip->setContent(tr("%1 of %2 points not agreed").arg(open).arg(all), QStringLiteral("warn"),
+                       Token::unsure, Token::unsureGround);
     const QString word = QString::fromUtf8(edition->word);
-    m_source->setText(*edition->pointsClause == 0 ? word
-                                                  : tr("%1, clause %2").arg(word, QString::fromUtf8(edition->pointsClause)));
+    m_source->setText(*edition->pointsClause == 0
+                          ? word
+                          : tr("%1, clause %2").arg(word, QString::fromUtf8(edition->pointsClause)));
     m_source->setFont(themeFont(TextSize::small));
 }
 

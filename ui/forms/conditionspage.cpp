@@ -21,7 +21,8 @@ const PositioningMeasurement *positioning(const FormSource &source) {
 const Conditions *common(const FormSource &source) {
     if (const auto *measurement = positioning(source))
         return &measurement->conditions.common;
-    const auto *circular = source.test ? std::get_if<CircularMeasurement>(&source.test->measurement) : nullptr;
+    const auto *circular =
+        source.test ? std::get_if<CircularMeasurement>(&source.test->measurement) : nullptr;
     return circular ? &circular->conditions.common : nullptr;
 }
 
@@ -55,7 +56,8 @@ QString number(const FormSource &source) {
 template <std::optional<double> Expansion::*value>
 QString expansion(const FormSource &source) {
     const Conditions *conditions = common(source);
-    return conditions ? stated(conditions->expansion.*value, Quantity::expansion, source.language) : QString();
+    return conditions ? stated(conditions->expansion.*value, Quantity::expansion, source.language)
+                      : QString();
 }
 
 /// All sensors of a kind, one after the other.
@@ -113,7 +115,8 @@ QString axisTravel(const FormSource &source) {
 QString feedback(const FormSource &source) {
     if (const auto *measurement = positioning(source))
         return stated(measurement->axis.positionFeedback);
-    const auto *circular = source.test ? std::get_if<CircularMeasurement>(&source.test->measurement) : nullptr;
+    const auto *circular =
+        source.test ? std::get_if<CircularMeasurement>(&source.test->measurement) : nullptr;
     return circular ? stated(circular->positionFeedback) : QString();
 }
 
@@ -164,7 +167,8 @@ QString warmUp(const FormSource &source) {
 }
 
 QString feed(const FormSource &source) {
-    if (const auto *circular = source.test ? std::get_if<CircularMeasurement>(&source.test->measurement) : nullptr)
+    if (const auto *circular =
+            source.test ? std::get_if<CircularMeasurement>(&source.test->measurement) : nullptr)
         return stated(circular->feed, Quantity::feed, source.language);
     const auto *measurement = positioning(source);
     if (!measurement)
@@ -193,38 +197,44 @@ ConditionsPage::ConditionsPage(Selection &selection, QWidget *parent)
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperatures"));
     beginRow();
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air, start"), celsius, start<air>, 2);
+    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air, start"), celsius, start<air>,
+              2);
     addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air, end"), celsius, end<air>, 2);
-    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"), position<air>, 3);
-    addText("correctionTo20", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Correction to 20 °C"), correction, 3);
+    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
+            position<air>, 3);
+    addText("correctionTo20", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Correction to 20 °C"),
+            correction, 3);
     beginRow();
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, start"), celsius, start<machine>, 2);
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, end"), celsius, end<machine>, 2);
-    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"), position<machine>, 3);
+    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, start"), celsius,
+              start<machine>, 2);
+    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, end"), celsius,
+              end<machine>, 2);
+    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
+            position<machine>, 3);
     addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"), alpha,
               expansion<&Expansion::machine>, 3);
     beginRow();
     addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, start"), celsius,
               start<instrument>, 2);
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, end"), celsius, end<instrument>,
-              2);
-    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"), position<instrument>,
-            3);
+    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, end"), celsius,
+              end<instrument>, 2);
+    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
+            position<instrument>, 3);
     addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"), alpha,
               expansion<&Expansion::instrument>, 3);
     beginRow();
-    addNumber("airPressure", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air pressure"), QStringLiteral("hPa"),
-              number<&PositioningConditions::airPressure, Quantity::pressure>);
-    addNumber("airHumidity", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Relative humidity"), QStringLiteral("%"),
-              number<&PositioningConditions::airHumidity, Quantity::percent>);
+    addNumber("airPressure", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air pressure"),
+              QStringLiteral("hPa"), number<&PositioningConditions::airPressure, Quantity::pressure>);
+    addNumber("airHumidity", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Relative humidity"),
+              QStringLiteral("%"), number<&PositioningConditions::airHumidity, Quantity::percent>);
     addNumber("gradientPerHour", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperature gradient"),
               QStringLiteral("°C/h"), number<&PositioningConditions::gradientPerHour, Quantity::gradient>);
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Cycle and load"));
     beginRow();
     addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Feed rate"), {}, feed);
-    addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"), QStringLiteral("s"),
-              number<&PositioningConditions::dwell, Quantity::time>);
+    addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"),
+              QStringLiteral("s"), number<&PositioningConditions::dwell, Quantity::time>);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), of<&Conditions::load>);
     beginRow();
     addText("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up"), warmUp);
@@ -235,7 +245,8 @@ ConditionsPage::ConditionsPage(Selection &selection, QWidget *parent)
             yesOrNo<&Conditions::complete>);
     addText("levelled", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Levelled and aligned"),
             yesOrNo<&Conditions::levelled>);
-    addText("unloaded", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Unloaded"), yesOrNo<&Conditions::unloaded>);
+    addText("unloaded", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Unloaded"),
+            yesOrNo<&Conditions::unloaded>);
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
     beginRow();
@@ -251,12 +262,12 @@ ConditionsPage::ConditionsPage(Selection &selection, QWidget *parent)
     addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Z"), mm,
               coordinate<&Conditions::toolOffset, 2>);
     beginRow();
-    addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, X"), mm,
-              coordinate<&Conditions::workpieceOffset, 0>);
-    addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Y"), mm,
-              coordinate<&Conditions::workpieceOffset, 1>);
-    addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Z"), mm,
-              coordinate<&Conditions::workpieceOffset, 2>);
+    addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, X"),
+              mm, coordinate<&Conditions::workpieceOffset, 0>);
+    addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Y"),
+              mm, coordinate<&Conditions::workpieceOffset, 1>);
+    addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Z"),
+              mm, coordinate<&Conditions::workpieceOffset, 2>);
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test and axis"));
     beginRow();
@@ -264,9 +275,10 @@ ConditionsPage::ConditionsPage(Selection &selection, QWidget *parent)
     addText("name", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis"), axisName);
     addText("travel", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis travel"), axisTravel);
     beginRow();
-    addText("positionFeedback", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
-            feedback);
-    addText("targetChoice", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Choice of targets"), targetChoice);
+    addText("positionFeedback",
+            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"), feedback);
+    addText("targetChoice", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Choice of targets"),
+            targetChoice);
     addStretch();
     refresh();
 }

@@ -113,13 +113,15 @@ void Field::retranslate() {
     m_label->setFont(themeFont(TextSize::small));
     m_unit->setFont(themeFont(TextSize::small));
     m_mark->setFont(themeFont(TextSize::tiny));
-    const QString label = m_labelArgument.isEmpty() || m_labelSource.isEmpty() ? m_labelSource : m_labelSource.arg(m_labelArgument);
+    const QString label = m_labelArgument.isEmpty() || m_labelSource.isEmpty()
+                              ? m_labelSource
+                              : m_labelSource.arg(m_labelArgument);
     m_label->setText(label);
     m_mark->setVisible(m_required);
     m_edit->setPlaceholderText(m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
-                                                                                  : tr("not stated"));
+                                                                                   : tr("not stated"));
     m_edit->setAccessibleName(label);
-    m_edit->setAccessibleDescription(m_required ? tr("required, not stated")
+    m_edit->setAccessibleDescription(m_required                 ? tr("required, not stated")
                                      : m_edit->text().isEmpty() ? tr("not stated")
                                                                 : m_unit->text());
     const QColor unsure = token(Token::unsure, palette());

@@ -64,7 +64,8 @@ void Form::beginRow() {
     m_body->addLayout(m_row);
 }
 
-Field *Form::add(Field::Kind kind, const char *key, const char *label, const QString &unit, Value value, int weight) {
+Field *Form::add(Field::Kind kind, const char *key, const char *label, const QString &unit, Value value,
+                 int weight) {
     auto *field = new Field(kind, m_scroll->widget());
     field->setUnit(unit);
     field->edit()->setObjectName(QStringLiteral("field.") + QString::fromLatin1(key) + u'.' +
@@ -137,8 +138,8 @@ void Form::refresh() {
         return;
     }
     const bool hasTest = m_test < m_evaluated.tests.size();
-    const FormSource source{*m_evaluated.document, hasTest ? m_evaluated.document->tests[m_test].get() : nullptr,
-                            m_language};
+    const FormSource source{*m_evaluated.document,
+                            hasTest ? m_evaluated.document->tests[m_test].get() : nullptr, m_language};
     for (const Entry &entry : m_entries) {
         const QString value = entry.value(source);
         entry.field->show(value, value.isEmpty() && isMissingHere(entry.key));
@@ -167,7 +168,8 @@ QString Form::missingText(int count) const {
 
 bool Form::focusField(const QString &id) {
     const auto has = [&](const Entry &entry) { return id == QLatin1StringView(entry.key); };
-    auto found = std::ranges::find_if(m_entries, [&](const Entry &entry) { return has(entry) && entry.field->isRequired(); });
+    auto found = std::ranges::find_if(
+        m_entries, [&](const Entry &entry) { return has(entry) && entry.field->isRequired(); });
     if (found == m_entries.end())
         found = std::ranges::find_if(m_entries, has);
     if (found == m_entries.end())

@@ -50,11 +50,13 @@ public:
     void follow(Selection &selection);
 
 protected:
-    // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP of the context.
+    // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP
+    // of the context.
     void addSection(const char *title);
     /// Begins a row; its fields share the width by their weights.
     void beginRow();
-    /// `key`: id of the findings that say it is missing, which is the key in the file; empty: never asked for.
+    /// `key`: id of the findings that say it is missing, which is the key in the file; empty: never asked
+    /// for.
     Field *addText(const char *key, const char *label, Value value, int weight = 1);
     Field *addNumber(const char *key, const char *label, const QString &unit, Value value, int weight = 1);
     void addStretch();
@@ -83,7 +85,8 @@ private:
         const char *source;
     };
 
-    Field *add(Field::Kind kind, const char *key, const char *label, const QString &unit, Value value, int weight);
+    Field *add(Field::Kind kind, const char *key, const char *label, const QString &unit, Value value,
+               int weight);
     [[nodiscard]] bool isMissingHere(const char *key) const;
 
     const char *m_context;

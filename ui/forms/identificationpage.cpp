@@ -36,13 +36,15 @@ IdentificationPage::IdentificationPage(QWidget *parent)
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Revision"), of<&ReportHead::revision>);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Replaces"), of<&ReportHead::replaces>);
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Date of issue"), dateOf<&ReportHead::date>);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Date of issue"),
+            dateOf<&ReportHead::date>);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Performed from"),
             dateOf<&ReportHead::performedFrom>);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "to"), dateOf<&ReportHead::performedTo>);
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Place"), of<&ReportHead::place>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator"), of<&ReportHead::operatorName>);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator"),
+            of<&ReportHead::operatorName>);
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Order"), of<&ReportHead::order>);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Procedure"), of<&ReportHead::procedure>);
@@ -76,7 +78,8 @@ IdentificationPage::IdentificationPage(QWidget *parent)
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"));
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Adjustments made"), of<&ReportHead::adjustments>);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Adjustments made"),
+            of<&ReportHead::adjustments>);
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"), of<&ReportHead::remarks>);
     addStretch();

@@ -49,14 +49,16 @@ void InstrumentsPage::prepare() {
                 of<&Instrument::description>(k), 2);
         addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Short name"), of<&Instrument::id>(k));
         beginRow();
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Manufacturer"), of<&Instrument::manufacturer>(k));
+        addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Manufacturer"),
+                of<&Instrument::manufacturer>(k));
         addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Type"), of<&Instrument::model>(k));
         addText("serialNumber", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Serial number"),
                 of<&Instrument::serialNumber>(k));
         beginRow();
         addText("certificate", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration certificate"),
                 of<&Instrument::certificate>(k));
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated by"), of<&Instrument::calibratedBy>(k));
+        addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated by"),
+                of<&Instrument::calibratedBy>(k));
         beginRow();
         addText("calibrationDate", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated on"),
                 dateOf<&Instrument::calibrationDate>(k));

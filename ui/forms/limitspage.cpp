@@ -22,7 +22,8 @@ QString rule(const FormSource &source) {
         return {};
     switch (source.test->decisionRule.rule) {
     case Rule::simpleAcceptance:
-        return QCoreApplication::translate(context, QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "simple acceptance"));
+        return QCoreApplication::translate(context,
+                                           QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "simple acceptance"));
     case Rule::iso14253_1:
         return QCoreApplication::translate(
             context, QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "ISO 14253-1: conformity is to be proven"));
@@ -44,7 +45,8 @@ LimitsPage::LimitsPage(Selection &selection, QWidget *parent)
 
 /// A row of fields for each parameter that the edition of the test knows.
 void LimitsPage::prepare() {
-    const Test *shown = test() < evaluated().tests.size() ? evaluated().document->tests[test()].get() : nullptr;
+    const Test *shown =
+        test() < evaluated().tests.size() ? evaluated().document->tests[test()].get() : nullptr;
     const Edition *edition = shown ? findEdition(shown->edition) : nullptr;
     const auto *measurement = shown ? std::get_if<PositioningMeasurement>(&shown->measurement) : nullptr;
     const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
@@ -56,31 +58,36 @@ void LimitsPage::prepare() {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Decision rule"));
     beginRow();
     addText("decisionRule", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Rule"), rule, 2);
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Guard band, times U"), {}, [](const FormSource &source) {
-        return source.test ? source.language.number(source.test->decisionRule.guardFactor, Quantity::number)
-                           : QString();
-    });
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Guard band, times U"), {},
+              [](const FormSource &source) {
+                  return source.test
+                             ? source.language.number(source.test->decisionRule.guardFactor, Quantity::number)
+                             : QString();
+              });
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed limits"));
     const Quantity quantity = rotary ? Quantity::angularDeviation : Quantity::deviation;
     for (const Row &row : edition->rows) {
         const std::string id = row.term.id;
         beginRow();
-        Field *limit = addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"),
-                                 language().unit(quantity), [id, quantity](const FormSource &source) {
-                                     const Limit *agreed = limitOf(source, id);
-                                     return agreed ? stated(agreed->value, quantity, source.language) : QString();
-                                 });
+        Field *limit =
+            addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"),
+                      language().unit(quantity), [id, quantity](const FormSource &source) {
+                          const Limit *agreed = limitOf(source, id);
+                          return agreed ? stated(agreed->value, quantity, source.language) : QString();
+                      });
         limit->setLabelArgument(symbolFormula(row.term.symbol).plain());
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed for edition"), [id](const FormSource &source) {
-            const Limit *agreed = limitOf(source, id);
-            return agreed ? stated(agreed->edition.value_or(source.test->edition)) : QString();
-        });
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source"),
+        addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed for edition"),
                 [id](const FormSource &source) {
                     const Limit *agreed = limitOf(source, id);
-                    return agreed ? stated(agreed->source) : QString();
-                },
-                2);
+                    return agreed ? stated(agreed->edition.value_or(source.test->edition)) : QString();
+                });
+        addText(
+            "", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source"),
+            [id](const FormSource &source) {
+                const Limit *agreed = limitOf(source, id);
+                return agreed ? stated(agreed->source) : QString();
+            },
+            2);
     }
     addStretch();
 }

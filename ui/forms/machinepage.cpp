@@ -22,16 +22,20 @@ MachinePage::MachinePage(QWidget *parent)
     beginRow();
     addText("name", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Name"), of<&Machine::name>);
     beginRow();
-    addText("manufacturer", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Manufacturer"), of<&Machine::manufacturer>);
+    addText("manufacturer", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Manufacturer"),
+            of<&Machine::manufacturer>);
     addText("model", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Type"), of<&Machine::model>);
     beginRow();
-    addText("serialNumber", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Serial number"), of<&Machine::serialNumber>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Year of construction"), [](const FormSource &source) {
-        const auto &year = source.document.machine.year;
-        return year ? QString::number(*year) : QString();
-    });
+    addText("serialNumber", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Serial number"),
+            of<&Machine::serialNumber>);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Year of construction"),
+            [](const FormSource &source) {
+                const auto &year = source.document.machine.year;
+                return year ? QString::number(*year) : QString();
+            });
     beginRow();
-    addText("controller", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Numerical control"), of<&Machine::controller>);
+    addText("controller", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Numerical control"),
+            of<&Machine::controller>);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Location"), of<&Machine::location>);
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Condition"), of<&Machine::condition>);

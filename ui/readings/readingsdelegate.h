@@ -13,7 +13,8 @@ class ReadingsDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override;
 
     void setHovered(const QModelIndex &index) { m_hovered = index; }
     void setCurrent(const QModelIndex &index) { m_current = index; }

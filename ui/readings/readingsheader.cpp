@@ -31,14 +31,16 @@ QSize ReadingsHeader::sizeHint() const {
 void ReadingsHeader::paintColumn(QPainter &painter, int column, const QRect &area) const {
     const ReadingsModel::Head &head = m_model.head(column);
     const bool grouped = !head.group.isEmpty();
-    const QRect lower = grouped ? area.adjusted(2, height() / 2, -textMargin, 0) : area.adjusted(2, 0, -textMargin, 0);
+    const QRect lower =
+        grouped ? area.adjusted(2, height() / 2, -textMargin, 0) : area.adjusted(2, 0, -textMargin, 0);
     QColor colour = token(Token::secondaryText, palette());
     if (head.approach)
         colour = token(*head.approach == Direction::positive ? Token::up : Token::downText, palette());
     else if (!grouped)
         colour = palette().color(QPalette::Text);
     drawFormula(painter, lower, Qt::AlignRight | Qt::AlignVCenter, head.text,
-                grouped && !head.approach ? themeFont(TextSize::small) : font(), colour, head.approach.has_value());
+                grouped && !head.approach ? themeFont(TextSize::small) : font(), colour,
+                head.approach.has_value());
 }
 
 void ReadingsHeader::paintEvent(QPaintEvent *event) {
@@ -66,7 +68,8 @@ void ReadingsHeader::paintEvent(QPaintEvent *event) {
                 // Of a wide group the title stays in the part in view.
                 const int seenLeft = std::max(left, 0);
                 const int seenRight = std::min(right, viewport()->width());
-                painter.drawText(QRect(seenLeft, 3, seenRight - seenLeft, height() / 2 - 3), Qt::AlignCenter, group);
+                painter.drawText(QRect(seenLeft, 3, seenRight - seenLeft, height() / 2 - 3), Qt::AlignCenter,
+                                 group);
                 painter.setPen(line);
                 painter.drawLine(left + 6, height() / 2 + 1, right - 7, height() / 2 + 1);
             }

@@ -57,7 +57,8 @@ void ReadingsModel::rebuild() {
     m_readings = readingColumns(*m_measurement, m_grouping);
     m_statistics = statisticColumns(*m_evaluation, m_language);
     m_heads.push_back({formulaFrom(QStringLiteral("i")), {}, {}, tr("Number of the target")});
-    m_heads.push_back({formulaFrom(QStringLiteral("P ") + m_texts->positionUnit()), {}, {}, tr("Target position")});
+    m_heads.push_back(
+        {formulaFrom(QStringLiteral("P ") + m_texts->positionUnit()), {}, {}, tr("Target position")});
     for (const ReadingColumn &column : m_readings) {
         const bool up = column.approach == Direction::positive;
         const QString arrow = up ? QStringLiteral("↑") : QStringLiteral("↓");
@@ -137,7 +138,8 @@ QVariant ReadingsModel::data(const QModelIndex &index, int role) const {
         }
         return {};
     case Qt::AccessibleTextRole: {
-        const QString where = tr("target %1, %2").arg(QString::number(index.row() + 1), head(index.column()).name);
+        const QString where =
+            tr("target %1, %2").arg(QString::number(index.row() + 1), head(index.column()).name);
         if (place && m_texts->reading(place->run, place->target).missing)
             return where + QStringLiteral(": ") + tr("no reading");
         return where + QStringLiteral(": ") + text(index);

@@ -47,7 +47,8 @@ ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
         view->setItemDelegate(new ReadingsDelegate(view)); // both before a model: it tells its current cell
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen}) {
-        view->setItemDelegate(new ReadingsDelegate(view)); // before the model, which tells of its current cell
+        view->setItemDelegate(
+            new ReadingsDelegate(view)); // before the model, which tells of its current cell
         view->setModel(&model);
         view->setHorizontalHeader(new ReadingsHeader(model, view));
         view->verticalHeader()->hide();
@@ -80,8 +81,9 @@ ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *
 
 void ReadingsView::setRowHeight() {
     const int height = window() ? window()->height() : 0;
-    const int row = height >= highWindow ? rowHeightHigh : height <= lowWindow && height > 0 ? rowHeightLow
-                                                                                              : rowHeightNormal;
+    const int row = height >= highWindow                ? rowHeightHigh
+                    : height <= lowWindow && height > 0 ? rowHeightLow
+                                                        : rowHeightNormal;
     if (verticalHeader()->defaultSectionSize() == row)
         return;
     verticalHeader()->setDefaultSectionSize(row);
@@ -126,7 +128,8 @@ void ReadingsView::placeFrozen() {
     m_frozen->show();
     m_frozen->horizontalHeader()->setFixedHeight(horizontalHeader()->height());
     m_frozen->setGeometry(frameWidth(), frameWidth(),
-                          columnWidth(ReadingsModel::numberColumn) + columnWidth(ReadingsModel::positionColumn),
+                          columnWidth(ReadingsModel::numberColumn) +
+                              columnWidth(ReadingsModel::positionColumn),
                           viewport()->height() + horizontalHeader()->height());
     m_frozen->raise();
     m_frozen->verticalScrollBar()->setValue(verticalScrollBar()->value());

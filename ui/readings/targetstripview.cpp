@@ -77,8 +77,9 @@ void TargetStripView::paintLane(QPainter &painter, std::size_t lane) const {
 
     painter.setPen(Qt::NoPen);
     if (shown.lower && shown.upper)
-        painter.fillRect(QRectF(QPointF(x(*shown.lower), area.top()), QPointF(x(*shown.upper), area.bottom())),
-                         bandColor(up, !up, medium));
+        painter.fillRect(
+            QRectF(QPointF(x(*shown.lower), area.top()), QPointF(x(*shown.upper), area.bottom())),
+            bandColor(up, !up, medium));
     if (shown.mean) {
         painter.setPen(QPen(colour, 2));
         painter.drawLine(QPointF(x(*shown.mean), area.top()), QPointF(x(*shown.mean), area.bottom()));
@@ -137,11 +138,12 @@ void TargetStripView::paintEvent(QPaintEvent *) {
     painter.setFont(themeFont(TextSize::tiny));
     for (const Tick &tick : m_strip.axis.ticks) {
         const double at = x(tick.value);
-        painter.setPen(tick.value == 0 ? token(Token::secondaryText, palette()) : token(Token::line, palette()));
+        painter.setPen(tick.value == 0 ? token(Token::secondaryText, palette())
+                                       : token(Token::line, palette()));
         painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
         painter.setPen(token(Token::secondaryText, palette()));
-        painter.drawText(QRectF(at - 30, area.bottom() + 2, 60, bottomMargin - 2), Qt::AlignHCenter | Qt::AlignTop,
-                         tick.label);
+        painter.drawText(QRectF(at - 30, area.bottom() + 2, 60, bottomMargin - 2),
+                         Qt::AlignHCenter | Qt::AlignTop, tick.label);
     }
     for (std::size_t lane = 0; lane < m_strip.lanes.size(); ++lane)
         paintLane(painter, lane);

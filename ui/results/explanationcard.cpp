@@ -110,8 +110,8 @@ void ExplanationCard::refresh() {
 }
 
 void ExplanationCard::copy() const {
-    QGuiApplication::clipboard()->setText(m_name->text() + u'\n' + m_view->plainText() + u'\n' + m_source->text() +
-                                          u'\n');
+    QGuiApplication::clipboard()->setText(m_name->text() + u'\n' + m_view->plainText() + u'\n' +
+                                          m_source->text() + u'\n');
 }
 
 void ExplanationCard::paintEvent(QPaintEvent *) {

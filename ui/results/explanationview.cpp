@@ -47,7 +47,8 @@ double ExplanationView::draw(QPainter *painter, double width) const {
     double y = 0;
     const auto line = [&](const Formula &formula, const QFont &font, const QColor &colour, double left,
                           double indent) {
-        y += drawFormulaLines(painter, QRectF(left, y, width - left, 0), formula, font, colour, palette(), indent);
+        y += drawFormulaLines(painter, QRectF(left, y, width - left, 0), formula, font, colour, palette(),
+                              indent);
     };
     line(m_explanation.formula, themeFont(TextSize::base), secondary, 0, stepIndent);
     y += gap;

@@ -36,7 +36,8 @@ QSize FindingsDelegate::sizeHint(const QStyleOptionViewItem &, const QModelIndex
     return {100, rowHeight};
 }
 
-void FindingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const {
+void FindingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
+                             const QModelIndex &index) const {
     const FindingsModel::Line &line = static_cast<const FindingsModel *>(index.model())->line(index.row());
     const QPalette &palette = option.palette;
     const QRect row = option.rect;
@@ -51,7 +52,8 @@ void FindingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
     drawLineIcon(*painter, QRect(row.left(), row.top(), 16, row.height()), QString::fromLatin1(look.icon),
                  token(look.colour, palette));
     const QColor secondary = token(Token::secondaryText, palette);
-    drawLineIcon(*painter, QRect(row.right() - 15, row.top(), 14, row.height()), QStringLiteral("right"), secondary);
+    drawLineIcon(*painter, QRect(row.right() - 15, row.top(), 14, row.height()), QStringLiteral("right"),
+                 secondary);
 
     QFont font = themeFont(TextSize::small);
     painter->setFont(font);

@@ -91,7 +91,8 @@ void FindingsModel::show(const TestEvaluationPointer &evaluation, Page page, con
             }
             if (all == 0)
                 continue;
-            QString text = other == Page::agreedPoints && missing == all ? tr("%n point(s) not agreed", nullptr, all)
+            QString text = other == Page::agreedPoints && missing == all
+                               ? tr("%n point(s) not agreed", nullptr, all)
                            : missing == all ? tr("%n required statement(s) missing", nullptr, all)
                                             : tr("%n finding(s)", nullptr, all);
             const QString line = tr("%1: %2", "page: what is found there").arg(pageName(other), text);

@@ -3,8 +3,8 @@
 #include "ui/figures/style.h"
 #include "ui/formulatext.h"
 #include "ui/results/resultsmodel.h"
-#include "ui/results/verdictlook.h"
 #include "ui/theme.h"
+#include "ui/verdictmark.h"
 
 #include <QPainter>
 
@@ -49,7 +49,8 @@ void paintScale(QPainter &painter, const QRect &area, const DecisionScale &scale
         const double back = scale.above ? tip - 8 : tip + 8;
         painter.drawPolygon(QPolygonF{{tip, y}, {back, y - 4.5}, {back, y + 4.5}});
     } else {
-        painter.drawPolygon(QPolygonF{{x, y - diamond}, {x + diamond, y}, {x, y + diamond}, {x - diamond, y}});
+        painter.drawPolygon(
+            QPolygonF{{x, y - diamond}, {x + diamond, y}, {x, y + diamond}, {x - diamond, y}});
     }
     painter.restore();
 }
@@ -69,8 +70,8 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
     QColor ground = base;
     if (explained)
         ground = blend(explanation, base, 0.13);
-    else if ((option.state & QStyle::State_Selected) && (option.state & QStyle::State_HasFocus ||
-                                                         option.widget->hasFocus()))
+    else if ((option.state & QStyle::State_Selected) &&
+             (option.state & QStyle::State_HasFocus || option.widget->hasFocus()))
         ground = selectedGround(palette);
     painter->fillRect(cell, ground);
     if (line.main && index.row() > 0) {
@@ -90,7 +91,7 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
         return;
     case ResultsModel::scale:
         if (line.scale) {
-            QColor colour = line.verdict ? token(verdictLook(*line.verdict).colour, palette) : text;
+            QColor colour = line.verdict ? token(verdictMark(line.verdict).colour, palette) : text;
             if (model->table().provisional)
                 colour = blend(colour, base, dimmed);
             paintScale(*painter, cell, *line.scale, colour, palette);
@@ -99,12 +100,12 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
     case ResultsModel::verdict: {
         if (!line.verdict)
             return;
-        const VerdictLook look = verdictLook(*line.verdict);
+        const VerdictMark look = verdictMark(line.verdict);
         QColor colour = token(look.colour, palette);
         if (model->table().provisional)
             colour = blend(colour, base, dimmed);
-        drawLineIcon(*painter, QRect(cell.left(), cell.top(), markWidth - 4, cell.height()),
-                     QString::fromLatin1(look.icon), colour);
+        drawLineIcon(*painter, QRect(cell.left(), cell.top(), markWidth - 4, cell.height()), look.icon,
+                     colour);
         font.setWeight(model->table().provisional ? QFont::Normal : QFont::DemiBold);
         painter->setFont(font);
         painter->setPen(colour);

@@ -5,14 +5,16 @@
 
 namespace palmer::ui {
 
-/// Draws a cell of the results: bidirectional bold, its details dimmed, the decision scale, verdict with mark.
+/// Draws a cell of the results: bidirectional bold, its details dimmed, the decision scale, verdict with
+/// mark.
 class ResultsDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override;
 
     void setExplained(const QString &id) { m_explained = id; }
 

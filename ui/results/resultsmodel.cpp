@@ -35,7 +35,8 @@ QVariant ResultsModel::data(const QModelIndex &index, int role) const {
     if (role == Qt::ToolTipRole)
         return index.column() == name || index.column() == symbol ? QVariant(shown.fullName) : QVariant();
     if (role == Qt::TextAlignmentRole) {
-        const bool number = index.column() == value || index.column() == uncertainty || index.column() == limit;
+        const bool number =
+            index.column() == value || index.column() == uncertainty || index.column() == limit;
         return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     }
     if (role == Qt::AccessibleTextRole && index.column() == symbol)

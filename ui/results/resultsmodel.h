@@ -18,7 +18,9 @@ public:
     void setTable(const ResultTable &table);
     void retranslate();
     [[nodiscard]] const ResultTable &table() const { return m_table; }
-    [[nodiscard]] const ResultLine &line(int row) const { return m_table.lines[static_cast<std::size_t>(row)]; }
+    [[nodiscard]] const ResultLine &line(int row) const {
+        return m_table.lines[static_cast<std::size_t>(row)];
+    }
     [[nodiscard]] int rowOf(const QString &id) const; ///< −1: none
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;

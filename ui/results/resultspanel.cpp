@@ -3,8 +3,8 @@
 #include "ui/elidedlabel.h"
 #include "ui/results/chip.h"
 #include "ui/results/resultsdelegate.h"
-#include "ui/results/verdictlook.h"
 #include "ui/theme.h"
+#include "ui/verdictmark.h"
 
 #include <QClipboard>
 #include <QEvent>
@@ -13,8 +13,8 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QPainter>
 #include <QMimeData>
+#include <QPainter>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -47,8 +47,8 @@ protected:
             if (isSectionHidden(column))
                 continue;
             const bool right = column >= ResultsModel::value && column <= ResultsModel::limit;
-            const QRect room =
-                QRect(sectionViewportPosition(column), 0, sectionSize(column), height()).adjusted(2, 0, -4, -2);
+            const QRect room = QRect(sectionViewportPosition(column), 0, sectionSize(column), height())
+                                   .adjusted(2, 0, -4, -2);
             painter.setPen(token(Token::secondaryText, palette()));
             painter.drawText(room, (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
                              model()->headerData(column, Qt::Horizontal).toString());
@@ -162,8 +162,8 @@ void ResultsPanel::refresh() {
     if (table.provisional) {
         m_chip->setContent(tr("provisional"), QStringLiteral("dots"), Token::secondaryText, Token::hover);
     } else if (table.verdict) {
-        const VerdictLook look = verdictLook(*table.verdict);
-        m_chip->setContent(table.verdictWord, QString::fromLatin1(look.icon), look.colour, look.ground);
+        const VerdictMark look = verdictMark(table.verdict);
+        m_chip->setContent(table.verdictWord, look.icon, look.colour, verdictGround(*table.verdict));
     }
     m_chip->setVisible(!table.view && (table.provisional || table.verdict) && !table.lines.empty());
     m_copy->setEnabled(!table.lines.empty());
@@ -180,10 +180,11 @@ void ResultsPanel::fitColumns() {
     const QFontMetrics metrics(bold);
     m_table->setColumnWidth(ResultsModel::symbol, symbolWidth);
     m_table->setColumnWidth(ResultsModel::scale, scaleWidth);
-    for (const int column : {ResultsModel::value, ResultsModel::uncertainty, ResultsModel::limit,
-                             ResultsModel::verdict}) {
-        int width = QFontMetrics(themeFont(TextSize::small))
-                        .horizontalAdvance(m_model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    for (const int column :
+         {ResultsModel::value, ResultsModel::uncertainty, ResultsModel::limit, ResultsModel::verdict}) {
+        int width =
+            QFontMetrics(themeFont(TextSize::small))
+                .horizontalAdvance(m_model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
         for (int row = 0; row < m_model.rowCount(); ++row) {
             const QString text = m_model.index(row, column).data().toString();
             const int mark = column == ResultsModel::verdict && !text.isEmpty() ? 16 : 0;

@@ -16,7 +16,8 @@ namespace palmer::ui {
 class ResultsDelegate;
 class Chip;
 
-/// The results of the test in view: numbers, decision scale, verdicts. Arrows move, Enter or a click explains.
+/// The results of the test in view: numbers, decision scale, verdicts. Arrows move, Enter or a click
+/// explains.
 class ResultsPanel : public QWidget {
     Q_OBJECT
 

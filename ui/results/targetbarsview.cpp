@@ -57,8 +57,8 @@ void TargetBarsView::paintEvent(QPaintEvent *) {
     drawFormula(painter, QRectF(0, 0, width(), titleHeight), Qt::AlignLeft, m_bars->title, tiny, secondary);
     painter.setFont(tiny);
     painter.setPen(secondary);
-    painter.drawText(QRectF(titleWidth, 0, width() - titleWidth, titleHeight - 2), Qt::AlignLeft | Qt::AlignVCenter,
-                     QStringLiteral(" ") + m_title);
+    painter.drawText(QRectF(titleWidth, 0, width() - titleWidth, titleHeight - 2),
+                     Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral(" ") + m_title);
 
     double least = 0;
     double most = 0;
@@ -89,8 +89,9 @@ void TargetBarsView::paintEvent(QPaintEvent *) {
                                  Qt::AlignCenter, m_bars->labels[i]);
             }
         }
-        if (ruling || (i % stride == 0 && !(m_bars->ruling && *m_bars->ruling < i + stride &&
-                                            *m_bars->ruling > i && stride > 1))) {
+        if (ruling ||
+            (i % stride == 0 &&
+             !(m_bars->ruling && *m_bars->ruling<i + stride && * m_bars->ruling> i && stride > 1))) {
             painter.setFont(tiny);
             painter.setPen(ruling ? explanation : secondary);
             painter.drawText(QRectF(left - 8, area.bottom() + 1, step + 16, numberHeight), Qt::AlignCenter,

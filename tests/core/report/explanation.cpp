@@ -42,8 +42,8 @@ private slots:
         QTest::addColumn<QString>("expected");
         const QByteArray iso("ISO 230-2:2006");
         const QByteArray vdi("VDI/DGQ 3441:1977");
-        const auto row = [](const char *name, const QByteArray &edition, const char *id, const QString &formula,
-                            const QString &expected) {
+        const auto row = [](const char *name, const QByteArray &edition, const char *id,
+                            const QString &formula, const QString &expected) {
             QTest::newRow(name) << edition << QByteArray(id) << formula << expected;
         };
         row("accuracy: first of equal ends", iso, "A",
@@ -59,19 +59,22 @@ private slots:
             u"M = x̄4 − x̄5 = 5.50 − (−2.00) = 7.50\u00a0µm"_s);
         row("repeatability", iso, "R", u"R = max Ri; Ri = max(2si↑ + 2si↓ + |Bi|; 4si↑; 4si↓)"_s,
             u"R5 = max(2·1.00 + 2·2.00 + |8.00|; 4·1.00; 4·2.00)\n= max(14.00; 4.00; 8.00) = 14.00\u00a0µm"_s);
-        row("repeatability upwards", iso, "R+", u"R↑ = max Ri↑; Ri↑ = 4si↑"_s, u"R↑ = R2↑ = 4·2.00 = 8.00\u00a0µm"_s);
+        row("repeatability upwards", iso, "R+", u"R↑ = max Ri↑; Ri↑ = 4si↑"_s,
+            u"R↑ = R2↑ = 4·2.00 = 8.00\u00a0µm"_s);
         row("reversal value", iso, "B", u"B = max |Bi|; Bi = x̄i↑ − x̄i↓"_s,
             u"B = |B5| = |2.00 − (−6.00)| = 8.00\u00a0µm"_s);
-        row("mean reversal value", iso, "Bmean", u"B̄ = Σ Bi / m; Bi = x̄i↑ − x̄i↓"_s, u"B̄ = 10.00 / 5 = 2.00\u00a0µm"_s);
-        row("smaller repeatability", "ISO 230-2:2014", "UPR", u"UPR = min(R↑; R↓); R↑ = max Ri↑; R↓ = max Ri↓"_s,
-            u"UPR = min(8.00; 12.00) = 8.00\u00a0µm"_s);
+        row("mean reversal value", iso, "Bmean", u"B̄ = Σ Bi / m; Bi = x̄i↑ − x̄i↓"_s,
+            u"B̄ = 10.00 / 5 = 2.00\u00a0µm"_s);
+        row("smaller repeatability", "ISO 230-2:2014", "UPR",
+            u"UPR = min(R↑; R↓); R↑ = max Ri↑; R↓ = max Ri↓"_s, u"UPR = min(8.00; 12.00) = 8.00\u00a0µm"_s);
         row("mean repeatability", "ISO 230-2:1988", "r",
             u"r̄ = Σ Ri / m; Ri = max(3si↑ + 3si↓ + |Bi|; 6si↑; 6si↓)"_s, u"r̄ = 61.00 / 5 = 12.20\u00a0µm"_s);
         row("positional uncertainty", vdi, "P", u"P = max(x̄i + (Ui + Psi)/2) − min(x̄i − (Ui + Psi)/2)"_s,
             u"P = (3.50 + (1.00 + 9.00)/2) − (−2.00 − (8.00 + 9.00)/2)\n= 8.50 − (−10.50) = 19.00\u00a0µm"_s);
         row("positional scatter", vdi, "Psmax", u"Psmax = max Psi; Psi = 3(si↑ + si↓)"_s,
             u"Psmax = 3·(1.00 + 3.00) = 12.00\u00a0µm"_s);
-        row("mean reversal range", vdi, "Umean", u"Ū = Σ Ui / m; Ui = |x̄i↑ − x̄i↓|"_s, u"Ū = 18.00 / 5 = 3.60\u00a0µm"_s);
+        row("mean reversal range", vdi, "Umean", u"Ū = Σ Ui / m; Ui = |x̄i↑ − x̄i↓|"_s,
+            u"Ū = 18.00 / 5 = 3.60\u00a0µm"_s);
     }
     void exactHand() {
         QFETCH(QByteArray, edition);
@@ -112,7 +115,8 @@ private slots:
         QTest::newRow("with those of the quantities it rests on")
             << QByteArray("ISO 230-2:2006") << QByteArray("R") << u"ISO 230-2:2006, clauses 2.17 and 2.19"_s;
         QTest::newRow("in the order of the standard, not of the alphabet")
-            << QByteArray("ISO 230-2:2006") << QByteArray("A") << u"ISO 230-2:2006, clauses 2.10, 2.15 and 2.24"_s;
+            << QByteArray("ISO 230-2:2006") << QByteArray("A")
+            << u"ISO 230-2:2006, clauses 2.10, 2.15 and 2.24"_s;
         QTest::newRow("1988") << QByteArray("ISO 230-2:1988") << QByteArray("Bmean")
                               << u"ISO 230-2:1988, clauses 2.7 and 6.3"_s;
         QTest::newRow("none are known: none are invented")
@@ -131,16 +135,19 @@ private slots:
                 continue;
             const EvaluatedDocument evaluated = evaluatedDocument(testdata::exactHand(edition->word));
             for (const Parameter &parameter : evaluated.tests[0]->parameters) {
-                const auto shown = explanation(evaluated, 0, parameterId(parameter), Language(Language::Id::french));
+                const auto shown =
+                    explanation(evaluated, 0, parameterId(parameter), Language(Language::Id::french));
                 const QByteArray where = QByteArray(edition->word) + ' ' + parameter.term.id;
                 QVERIFY2(shown, where);
-                QVERIFY2(!shown->formula.spans.empty() && !shown->steps.empty() && !shown->words.isEmpty(), where);
+                QVERIFY2(!shown->formula.spans.empty() && !shown->steps.empty() && !shown->words.isEmpty(),
+                         where);
                 QVERIFY2(!steps(*shown).contains(u'%') && !steps(*shown).contains(u'–') &&
                              !steps(*shown).contains(u'['),
                          where + ": " + steps(*shown).toUtf8());
-                const QString result = Language(Language::Id::french)
-                                           .quantity(*parameter.value, parameter.term.quantity, 2);
-                QVERIFY2(steps(*shown).endsWith(QStringLiteral("= ") + result), where + steps(*shown).toUtf8());
+                const QString result =
+                    Language(Language::Id::french).quantity(*parameter.value, parameter.term.quantity, 2);
+                QVERIFY2(steps(*shown).endsWith(QStringLiteral("= ") + result),
+                         where + steps(*shown).toUtf8());
                 ++count;
             }
         }

@@ -80,13 +80,15 @@ private slots:
     void computedColumns() {
         const auto ids = [](const Test &test) {
             QStringList list;
-            for (const StatisticColumn &column : statisticColumns(evaluated(test), Language(Language::Id::english)))
+            for (const StatisticColumn &column :
+                 statisticColumns(evaluated(test), Language(Language::Id::english)))
                 list << QString::fromStdString(column.id);
             return list.join(u' ');
         };
         QCOMPARE(ids(testdata::exactHand("ISO 230-2:2006")), u"mean+ mean- reversal s+ s- R"_s);
         QCOMPARE(ids(positioningTest("ISO 230-2:2006", {0, 1}, {{1, 2}, {1, 2}}, {})), u"mean+ s+ R+"_s);
-        QCOMPARE(ids(positioningTest("ISO 230-2:2006", {0, 1}, {{1, 2}}, {{1, 2}})), u"mean+ mean- reversal"_s);
+        QCOMPARE(ids(positioningTest("ISO 230-2:2006", {0, 1}, {{1, 2}}, {{1, 2}})),
+                 u"mean+ mean- reversal"_s);
     }
 };
 

@@ -134,12 +134,14 @@ private slots:
             for (auto &deviation : run.deviations)
                 *deviation *= 1000; // thousands get a space when they are shown
         }
-        const QString text = asTabSeparated(table(test, Language::Id::french), Language(Language::Id::french));
+        const QString text =
+            asTabSeparated(table(test, Language::Id::french), Language(Language::Id::french));
         const QStringList lines = text.split(u'\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), 13);
         for (const QString &row : lines)
             QCOMPARE(row.count(u'\t'), 5);
-        QVERIFY2(lines[1].startsWith(u"A\t"_s) && lines[1].contains(u"\t18000,0\t3,0\t25,0\t"_s), qPrintable(lines[1]));
+        QVERIFY2(lines[1].startsWith(u"A\t"_s) && lines[1].contains(u"\t18000,0\t3,0\t25,0\t"_s),
+                 qPrintable(lines[1]));
         QVERIFY2(lines[4].contains(u"\t13000,0\t\t\t"_s), qPrintable(lines[4])); // no dashes
     }
 

@@ -21,7 +21,8 @@ namespace {
 
 void wheel(QWidget *widget, Qt::KeyboardModifiers modifiers) {
     const QPointF at(widget->rect().center());
-    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, modifiers, Qt::NoScrollPhase,
+                      false);
     QCoreApplication::sendEvent(widget, &event);
 }
 
@@ -178,7 +179,8 @@ private slots:
     void ofASingleRunTheCurveIsRead() {
         Selection selection;
         FigureView view(selection);
-        view.show(evaluatedDocument(positioningTest("ISO 230-2:2006", {0, 100, 200}, {{1, 2, 3}}, {{2, 3, 4}})), 0);
+        view.show(
+            evaluatedDocument(positioningTest("ISO 230-2:2006", {0, 100, 200}, {{1, 2, 3}}, {{2, 3, 4}})), 0);
         view.resize(560, 380);
         auto *canvas = view.findChild<FigureCanvas *>();
         view.grab(); // lays it out

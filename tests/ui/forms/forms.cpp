@@ -69,8 +69,9 @@ private slots:
             QVERIFY(!field->isRequired() || field->text().isEmpty());
         auto *chip = page.findChild<Chip *>(u"missingChip"_s);
         QVERIFY(chip->isVisibleTo(&page));
-        QVERIFY2(chip->text().startsWith(QString::number(countMissing(*evaluated.tests[0], Page::conditions))),
-                 qPrintable(chip->text()));
+        QVERIFY2(
+            chip->text().startsWith(QString::number(countMissing(*evaluated.tests[0], Page::conditions))),
+            qPrintable(chip->text()));
     }
 
     void aFindingLeadsToItsField() {

@@ -110,8 +110,9 @@ private slots:
         page.show(evaluatedDocument(testdata::exactHand("ISO 230-2:2006")), 0);
         QSignalSpy spy(&page, &ReadingsPage::summaryChanged);
         auto *view = page.findChild<QTableView *>(u"readings"_s);
-        view->selectionModel()->select(QItemSelection(view->model()->index(1, 2), view->model()->index(1, 11)),
-                                       QItemSelectionModel::ClearAndSelect);
+        view->selectionModel()->select(
+            QItemSelection(view->model()->index(1, 2), view->model()->index(1, 11)),
+            QItemSelectionModel::ClearAndSelect);
         QVERIFY(!spy.isEmpty());
         QCOMPARE(spy.last().at(0).toString(), u"10 readings: mean 3.50\u00a0µm, range 4.0\u00a0µm"_s);
     }

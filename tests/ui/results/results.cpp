@@ -127,7 +127,8 @@ private slots:
         const QString text = card.findChild<QWidget *>(u"explanation"_s)->accessibleDescription();
         QVERIFY2(text.contains(u"R11 = max(2·1.85 + 2·1.39 + |−3.78|; 4·1.85; 4·1.39)"_s), qPrintable(text));
         QVERIFY2(text.contains(u"= 10.26\u00a0µm"_s), qPrintable(text));
-        QCOMPARE(card.findChild<QLabel *>(u"explanationSource"_s)->text(), u"ISO 230-2:2006, clauses 2.17 and 2.19"_s);
+        QCOMPARE(card.findChild<QLabel *>(u"explanationSource"_s)->text(),
+                 u"ISO 230-2:2006, clauses 2.17 and 2.19"_s);
         QVERIFY(card.findChild<QWidget *>(u"targetBars"_s)->isVisibleTo(&card));
         card.copy();
         QVERIFY(QGuiApplication::clipboard()->text().contains(u"= 10.26\u00a0µm"_s));
@@ -145,9 +146,10 @@ private slots:
             QCOMPARE(model.line(single).page, Page::agreedPoints);
             ++single;
         }
-        const auto expected = std::ranges::count_if(evaluated.tests[0]->findings, [&](const Finding &finding) {
-            return pageOf(finding, edition) == Page::agreedPoints;
-        });
+        const auto expected =
+            std::ranges::count_if(evaluated.tests[0]->findings, [&](const Finding &finding) {
+                return pageOf(finding, edition) == Page::agreedPoints;
+            });
         QCOMPARE(single, static_cast<int>(expected));
         // Then a line per page, each page once.
         QSet<int> pages;
@@ -169,7 +171,8 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
         QSignalSpy spy(&panel, &FindingsPanel::activated);
         auto *list = panel.findChild<QListView *>(u"findings"_s);
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                          list->visualRect(list->model()->index(0, 0)).center());
         QCOMPARE(spy.size(), 1);
         QCOMPARE(spy.at(0).at(0).value<Page>(), Page::conditions);
         QVERIFY(!spy.at(0).at(1).toString().isEmpty());
