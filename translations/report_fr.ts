@@ -192,10 +192,6 @@
         <translation>Cycle en pas sans accord écrit&#xa0;: ce n’est pas un résultat de réception selon cette norme.</translation>
     </message>
     <message>
-        <source>Worked example of ISO 230-2:1988 (table 2): the position of the first target and ten readings are stand-ins with the published mean and s. Compare the mean reversal value, R, A and the values per target, never the single readings.</source>
-        <translation>Exemple traité de l’ISO 230-2:1988 (tableau 2)&#xa0;: la position du premier point visé et dix relevés sont des valeurs de remplacement ayant la moyenne et le s publiés. Comparer l’erreur moyenne de réversibilité, R, A et les valeurs par point visé, jamais les relevés isolés.</translation>
-    </message>
-    <message>
         <source>largest temperature gradient, 12 h before and during the test</source>
         <translation>plus grand gradient de température, 12&#xa0;h avant et pendant l’essai</translation>
     </message>
@@ -2525,6 +2521,10 @@
     <message>
         <source>no verdict</source>
         <translation>pas de verdict</translation>
+    </message>
+    <message>
+        <source>Worked example of ISO 230-2:1988 (table 2): the position of the first target and ten readings are stand-ins with the published mean and s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) and the values per target, never the single readings.</source>
+        <translation>Exemple traité de l’ISO 230-2:1988 (tableau 2)&#xa0;: la position du premier point visé et dix relevés sont des valeurs de remplacement ayant la moyenne et le s publiés. Comparer l’erreur moyenne de réversibilité (publiée&#xa0;: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) et les valeurs par point visé, jamais les relevés isolés.</translation>
     </message>
 </context>
 </TS>

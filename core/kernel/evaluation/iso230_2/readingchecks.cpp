@@ -232,12 +232,16 @@ Sentence workedExample(const PositioningCase &test) {
         if (!reading || std::abs(*reading - (positive ? sevenUp : sixDown)[j]) > 1e-9)
             return std::nullopt;
     }
-    return Message{
-        REPORT_TEXT("report",
-                    "Worked example of ISO 230-2:1988 (table 2): the position of the first target and "
-                    "ten readings are stand-ins with the published mean and s. Compare the mean "
-                    "reversal value, R, A and the values per target, never the single readings."),
-        {}};
+    const auto published = [&](double micrometres, int decimals) {
+        return deviation(test, micrometres / 1000, decimals);
+    };
+    return Message{REPORT_TEXT("report", "Worked example of ISO 230-2:1988 (table 2): the position of the first "
+                                         "target and ten readings are stand-ins with the published mean and "
+                                         "s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ "
+                                         "(%3), R (%4), A (%5) and the values per target, never the single "
+                                         "readings."),
+                   {published(-1.53, 2), published(11.84, 2), published(9.9, 1), published(13.49, 2),
+                    published(18.03, 2)}};
 }
 
 } // namespace palmer::iso230_2
