@@ -1,3 +1,5 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
 #include "ui/dialogs/reportdialog.h"
 #include "ui/window/shownwindow.h"
 

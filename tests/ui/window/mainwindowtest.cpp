@@ -1,3 +1,5 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
 #include "ui/window/shownwindow.h"
 
 #include "document/savedocument.h"
@@ -20,9 +22,11 @@
 #include <QPushButton>
 #include <QTabBar>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QToolButton>
 #include <QUndoStack>
 #include <QWheelEvent>
+#include <set>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -202,7 +206,6 @@ void MainWindowTest::switchesTheLanguage() {
     auto *tabs = shown.find<QTabBar>("pageTabs");
     QCOMPARE(tabs->tabText(0), QStringLiteral("&Readings"));
     const QByteArray bytes = writeDocument(*shown.window->model().document());
-    shown.find<QToolButton>("toolBar")->findChild<QToolButton *>(QStringLiteral("french"));
     const auto switches = shown.window->findChildren<QToolButton *>(QStringLiteral("french"));
     QVERIFY(!switches.isEmpty());
     switches.constFirst()->click();
@@ -211,7 +214,6 @@ void MainWindowTest::switchesTheLanguage() {
     QVERIFY(dataOf(*shown.find<QListView>("navigation")->model()).contains(QStringLiteral("Identification")));
     QVERIFY(dataOf(*shown.find<QListView>("navigation")->model()).contains(QStringLiteral("20 novembre 2026")));
     QVERIFY(shown.find<QLabel>("testSummary")->accessibleName().startsWith(QStringLiteral("Axe C")));
-    QCOMPARE(QMessageBox::tr("OK").isEmpty(), false);
     QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("Annuler"));
     QCOMPARE(writeDocument(*shown.window->model().document()), bytes);
     QVERIFY(!shown.window->isWindowModified());
