@@ -110,7 +110,9 @@ private:
 
 /// The one style sheet; @names are filled in.
 constexpr auto styleSheet = R"(
-QMenuBar { background: @window; }
+QMenuBar { background: @window; padding-left: 10px; }
+QMenuBar::item { background: transparent; padding: 5px 8px; border-radius: 4px; }
+QMenuBar::item:selected { background: @selected; color: @text; }
 QToolTip { background: @base; color: @text; border: 1px solid @field; padding: 3px; }
 QStatusBar { background: @window; border-top: 1px solid @line; }
 QStatusBar::item { border: none; }

@@ -98,7 +98,8 @@ EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
             i < editions.size() && !editions[i].empty() ? findEdition(editions[i]) : nullptr;
         const Surroundings around = surroundings(*document, *test);
         const Edition *used = editionFor(*test, other);
-        TestEvaluationPointer evaluation = previous ? unchanged(*previous, test, around, used) : nullptr;
+        TestEvaluationPointer evaluation =
+            previous && previous->document ? unchanged(*previous, test, around, used) : nullptr;
         if (!evaluation)
             evaluation = std::make_shared<const TestEvaluation>(evaluateTest(*test, around, other));
         result.tests.push_back(std::move(evaluation));

@@ -30,7 +30,8 @@ struct EvaluatedDocument {
                                          const EvaluatedDocument *previous = nullptr,
                                          std::string_view edition = {});
 
-/// The same, each test under the edition of its own word in `editions`; empty or none: the test's.
+/// The same, each test under the edition of its own word in `editions`; empty or none: the test's. A
+/// `previous` without document counts as none.
 [[nodiscard]] EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
                                               std::span<const std::string> editions,
                                               const EvaluatedDocument *previous = nullptr);

@@ -287,8 +287,11 @@ bool Workplace::showNextMissing(bool forward) {
     const TestEvaluation &evaluation = *m_evaluated.tests[test];
     std::vector<std::pair<Page, QString>> missing;
     for (const Finding &finding : evaluation.findings) {
-        if (isMissing(finding, evaluation.edition))
-            missing.emplace_back(pageOf(finding, evaluation.edition), QString::fromStdString(finding.id));
+        if (!isMissing(finding, evaluation.edition))
+            continue;
+        std::pair field(pageOf(finding, evaluation.edition), QString::fromStdString(finding.id));
+        if (std::ranges::find(missing, field) == missing.end()) // several may be missing of one field
+            missing.push_back(std::move(field));
     }
     if (missing.empty())
         return false;

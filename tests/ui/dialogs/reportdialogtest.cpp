@@ -1,3 +1,5 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
 #include "ui/dialogs/reportdialog.h"
 #include "ui/window/shownwindow.h"
 
@@ -67,6 +69,7 @@ void ReportDialogTest::savesWhatItShows() {
     const QTemporaryDir folder;
     const ShownWindow window(examplePath("rotary-axis"));
     ShownDialog shown(window);
+    shown.click("reportEnglish");
     QVERIFY(shown.dialog.pageCount() > 1);
     const QString path = folder.filePath(QStringLiteral("report.pdf"));
     QCOMPARE(shown.dialog.saveTo(path), QStringList{path});
@@ -94,8 +97,8 @@ void ReportDialogTest::doesNotSpeakTheLanguageOfTheWindow() {
     const QString first = folder.filePath(QStringLiteral("a.pdf")), second = folder.filePath(QStringLiteral("b.pdf"));
     QVERIFY(!shown.dialog.saveTo(first).isEmpty());
     setWindowLanguage(Language::Id::french);
-    QCOMPARE(shown.dialog.findChild<QAbstractButton *>(QStringLiteral("savePdf"))->text(),
-             QStringLiteral("&Enregistrer le PDF…"));
+    QTRY_COMPARE(shown.dialog.findChild<QAbstractButton *>(QStringLiteral("savePdf"))->text(),
+                 QStringLiteral("&Enregistrer le PDF…"));
     QVERIFY(!shown.dialog.saveTo(second).isEmpty());
     QVERIFY(!textOf(first).isEmpty());
     QCOMPARE(textOf(second), textOf(first));
@@ -128,6 +131,7 @@ void ReportDialogTest::printsTheFilesEditionAndNoView() {
     const QString own = folder.filePath(QStringLiteral("own.pdf")), view = folder.filePath(QStringLiteral("view.pdf"));
     {
         ShownDialog shown(window);
+        shown.click("reportEnglish");
         QVERIFY(!shown.dialog.saveTo(own).isEmpty());
     }
     window.window->evaluator().setView(0, "ISO 230-2:2014");

@@ -1,3 +1,5 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractButton>
@@ -135,14 +137,18 @@ void AccessibilityTest::everyControlHasAName() {
     setWindowLanguage(language);
     for (const QString &file : {QString(), examplePath("long-axis-with-zone")}) {
         const ShownWindow shown(file);
-        int seen = 0;
-        for (QWidget *widget : shown.window->findChildren<QWidget *>()) {
-            if (!isControl(widget))
-                continue;
-            ++seen;
-            QVERIFY2(!spoken(widget).isEmpty(), qPrintable(path(widget)));
+        for (const Page page : pages) {
+            if (!file.isEmpty())
+                shown.window->workplace().showPage(page);
+            int seen = 0;
+            for (QWidget *widget : shown.window->findChildren<QWidget *>()) {
+                if (!isControl(widget) || !widget->isVisibleTo(shown.window))
+                    continue;
+                ++seen;
+                QVERIFY2(!spoken(widget).isEmpty(), qPrintable(path(widget)));
+            }
+            QVERIFY(seen > 3);
         }
-        QVERIFY(seen > 10);
     }
 }
 

@@ -1,3 +1,5 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
 #include "ui/window/shownwindow.h"
 
 #include "document/savedocument.h"
@@ -20,9 +22,11 @@
 #include <QPushButton>
 #include <QTabBar>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QToolButton>
 #include <QUndoStack>
 #include <QWheelEvent>
+#include <set>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -202,22 +206,20 @@ void MainWindowTest::switchesTheLanguage() {
     auto *tabs = shown.find<QTabBar>("pageTabs");
     QCOMPARE(tabs->tabText(0), QStringLiteral("&Readings"));
     const QByteArray bytes = writeDocument(*shown.window->model().document());
-    shown.find<QToolButton>("toolBar")->findChild<QToolButton *>(QStringLiteral("french"));
     const auto switches = shown.window->findChildren<QToolButton *>(QStringLiteral("french"));
     QVERIFY(!switches.isEmpty());
     switches.constFirst()->click();
-    QCOMPARE(tabs->tabText(0), QStringLiteral("&Relevés"));
+    QTRY_COMPARE(tabs->tabText(0), QStringLiteral("&Relevés"));
     QCOMPARE(shown.window->menuBar()->actions().constFirst()->text(), QStringLiteral("&Fichier"));
     QVERIFY(dataOf(*shown.find<QListView>("navigation")->model()).contains(QStringLiteral("Identification")));
     QVERIFY(dataOf(*shown.find<QListView>("navigation")->model()).contains(QStringLiteral("20 novembre 2026")));
     QVERIFY(shown.find<QLabel>("testSummary")->accessibleName().startsWith(QStringLiteral("Axe C")));
-    QCOMPARE(QMessageBox::tr("OK").isEmpty(), false);
     QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("Annuler"));
     QCOMPARE(writeDocument(*shown.window->model().document()), bytes);
     QVERIFY(!shown.window->isWindowModified());
     QCOMPARE(QSettings().value(QStringLiteral("window/language")).toString(), QStringLiteral("fr"));
     shown.find<QAction>("speakEnglish")->trigger();
-    QCOMPARE(tabs->tabText(0), QStringLiteral("&Readings"));
+    QTRY_COMPARE(tabs->tabText(0), QStringLiteral("&Readings"));
     restoreWindowLanguage();
     QCOMPARE(windowLanguage().id(), Language::Id::english);
 }
@@ -347,14 +349,16 @@ void MainWindowTest::walksMissingStatements() {
     const ShownWindow shown(examplePath("iso230-2-1988-example"));
     auto *next = shown.find<QAction>("nextMissing");
     const TestEvaluation &evaluation = *shown.window->evaluator().current().tests[0];
-    int missing = 0;
-    for (const Finding &finding : evaluation.findings)
-        missing += isMissing(finding, evaluation.edition);
-    QVERIFY(missing > 3);
+    std::set<std::pair<Page, std::string>> missing; // several statements may be missing of one field
+    for (const Finding &finding : evaluation.findings) {
+        if (isMissing(finding, evaluation.edition))
+            missing.emplace(pageOf(finding, evaluation.edition), finding.id);
+    }
+    QVERIFY(missing.size() > 3);
     next->trigger();
     const Page first = shown.window->workplace().selection().page();
     std::set<Page> seen;
-    for (int i = 0; i < missing; ++i) {
+    for (std::size_t i = 0; i < missing.size(); ++i) {
         seen.insert(shown.window->workplace().selection().page());
         next->trigger();
     }
