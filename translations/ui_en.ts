@@ -6,44 +6,32 @@
     <message numerus="yes">
         <source>%n point(s) not agreed</source>
         <translation>
-            <numerusform>%n point not agreed</numerusform>
-            <numerusform>%n points not agreed</numerusform>
-        </translation>
+            <numerusform>%n point not agreed</numerusform><numerusform>%n points not agreed</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n required statement missing</numerusform>
-            <numerusform>%n required statements missing</numerusform>
-        </translation>
+            <numerusform>%n required statement missing</numerusform><numerusform>%n required statements missing</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n finding(s)</source>
         <translation>
-            <numerusform>%n finding</numerusform>
-            <numerusform>%n findings</numerusform>
-        </translation>
+            <numerusform>%n finding</numerusform><numerusform>%n findings</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n requirement(s) not met</source>
         <translation>
-            <numerusform>%n requirement not met</numerusform>
-            <numerusform>%n requirements not met</numerusform>
-        </translation>
+            <numerusform>%n requirement not met</numerusform><numerusform>%n requirements not met</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n warning(s)</source>
         <translation>
-            <numerusform>%n warning</numerusform>
-            <numerusform>%n warnings</numerusform>
-        </translation>
+            <numerusform>%n warning</numerusform><numerusform>%n warnings</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n note(s)</source>
         <translation>
-            <numerusform>%n note</numerusform>
-            <numerusform>%n notes</numerusform>
-        </translation>
+            <numerusform>%n note</numerusform><numerusform>%n notes</numerusform></translation>
     </message>
 </context>
 <context>
@@ -51,9 +39,7 @@
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n required statement missing</numerusform>
-            <numerusform>%n required statements missing</numerusform>
-        </translation>
+            <numerusform>%n required statement missing</numerusform><numerusform>%n required statements missing</numerusform></translation>
     </message>
 </context>
 <context>
@@ -61,9 +47,7 @@
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n required statement missing</numerusform>
-            <numerusform>%n required statements missing</numerusform>
-        </translation>
+            <numerusform>%n required statement missing</numerusform><numerusform>%n required statements missing</numerusform></translation>
     </message>
 </context>
 <context>
@@ -71,16 +55,12 @@
     <message numerus="yes">
         <source>%n required statement(s) missing; printed as “–”</source>
         <translation>
-            <numerusform>%n required statement missing; printed as “–”</numerusform>
-            <numerusform>%n required statements missing; printed as “–”</numerusform>
-        </translation>
+            <numerusform>%n required statement missing; printed as “–”</numerusform><numerusform>%n required statements missing; printed as “–”</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n page(s) %1 · preview = PDF = paper</source>
         <translation>
-            <numerusform>%n page %1 · preview = PDF = paper</numerusform>
-            <numerusform>%n pages %1 · preview = PDF = paper</numerusform>
-        </translation>
+            <numerusform>%n page %1 · preview = PDF = paper</numerusform><numerusform>%n pages %1 · preview = PDF = paper</numerusform></translation>
     </message>
 </context>
 <context>
@@ -88,16 +68,12 @@
     <message numerus="yes">
         <source>%n target(s)</source>
         <translation>
-            <numerusform>%n target</numerusform>
-            <numerusform>%n targets</numerusform>
-        </translation>
+            <numerusform>%n target</numerusform><numerusform>%n targets</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n run(s)</source>
         <translation>
-            <numerusform>%n run</numerusform>
-            <numerusform>%n runs</numerusform>
-        </translation>
+            <numerusform>%n run</numerusform><numerusform>%n runs</numerusform></translation>
     </message>
 </context>
 </TS>

@@ -90,7 +90,7 @@
     </message>
     <message>
         <source>given by the device</source>
-        <translation>imposés par le dispositif</translation>
+        <translation>imposés par l’appareil</translation>
     </message>
     <message>
         <source>not applied</source>
@@ -105,7 +105,7 @@
         <translation>appliquée ici</translation>
     </message>
     <message>
-        <source>agreed or the maker&apos;s procedure</source>
+        <source>agreed or the maker's procedure</source>
         <translation>procédure convenue ou du constructeur</translation>
     </message>
     <message>
@@ -114,11 +114,11 @@
     </message>
     <message>
         <source>set-up movements only</source>
-        <translation>seulement les mouvements de réglage</translation>
+        <translation>mouvements de réglage seulement</translation>
     </message>
     <message>
         <source>rapid</source>
-        <translation>rapide</translation>
+        <translation>vitesse rapide</translation>
     </message>
     <message>
         <source>Temperatures</source>
@@ -138,7 +138,7 @@
     </message>
     <message>
         <source>Correction to 20 °C</source>
-        <translation>Correction à 20&#xa0;°C</translation>
+        <translation>Correction à 20 °C</translation>
     </message>
     <message>
         <source>Machine, start</source>
@@ -202,7 +202,7 @@
     </message>
     <message>
         <source>Levelled and aligned</source>
-        <translation>Nivelée et alignée</translation>
+        <translation>Mise à niveau et alignée</translation>
     </message>
     <message>
         <source>Unloaded</source>
@@ -339,11 +339,11 @@
     </message>
     <message>
         <source>Show single readings</source>
-        <translation>Montrer les relevés un à un</translation>
+        <translation>Afficher les relevés</translation>
     </message>
     <message>
         <source>Show the whole figure</source>
-        <translation>Montrer toute la figure</translation>
+        <translation>Afficher la figure entière</translation>
     </message>
     <message>
         <source>Copy the figure</source>
@@ -363,7 +363,7 @@
     </message>
     <message>
         <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click</source>
-        <translation>Plus et moins zooment, les flèches déplacent, 0 montre tout&#x202f;; la molette zoome avec Ctrl ou après un clic</translation>
+        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout ; la molette agrandit avec Ctrl ou après un clic</translation>
     </message>
 </context>
 <context>
@@ -411,49 +411,37 @@
     <message numerus="yes">
         <source>%n point(s) not agreed</source>
         <translation>
-            <numerusform>%n point n’est pas convenu</numerusform>
-            <numerusform>%n points ne sont pas convenus</numerusform>
-        </translation>
+            <numerusform>%n point non convenu</numerusform><numerusform>%n points non convenus</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n information requise manque</numerusform>
-            <numerusform>%n informations requises manquent</numerusform>
-        </translation>
+            <numerusform>%n information requise manque</numerusform><numerusform>%n informations requises manquent</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n finding(s)</source>
         <translation>
-            <numerusform>%n constat</numerusform>
-            <numerusform>%n constats</numerusform>
-        </translation>
+            <numerusform>%n constat</numerusform><numerusform>%n constats</numerusform></translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>page: what is found there</comment>
-        <translation>%1&#xa0;: %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message numerus="yes">
         <source>%n requirement(s) not met</source>
         <translation>
-            <numerusform>%n exigence non tenue</numerusform>
-            <numerusform>%n exigences non tenues</numerusform>
-        </translation>
+            <numerusform>%n exigence non tenue</numerusform><numerusform>%n exigences non tenues</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n warning(s)</source>
         <translation>
-            <numerusform>%n avertissement</numerusform>
-            <numerusform>%n avertissements</numerusform>
-        </translation>
+            <numerusform>%n avertissement</numerusform><numerusform>%n avertissements</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n note(s)</source>
         <translation>
-            <numerusform>%n note</numerusform>
-            <numerusform>%n notes</numerusform>
-        </translation>
+            <numerusform>%n note</numerusform><numerusform>%n notes</numerusform></translation>
     </message>
     <message>
         <source>none</source>
@@ -472,7 +460,7 @@
     </message>
     <message>
         <source>Show the findings</source>
-        <translation>Montrer les constats</translation>
+        <translation>Afficher les constats</translation>
     </message>
     <message>
         <source>Fold the findings away</source>
@@ -484,9 +472,7 @@
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n information requise manque</numerusform>
-            <numerusform>%n informations requises manquent</numerusform>
-        </translation>
+            <numerusform>%n information requise manque</numerusform><numerusform>%n informations requises manquent</numerusform></translation>
     </message>
 </context>
 <context>
@@ -517,7 +503,7 @@
     </message>
     <message>
         <source>Performed from</source>
-        <translation>Essais effectués du</translation>
+        <translation>Réalisé du</translation>
     </message>
     <message>
         <source>to</source>
@@ -643,7 +629,7 @@
     <name>palmer::ui::LanguageSwitch</name>
     <message>
         <source>Language of the window; the report has its own</source>
-        <translation>Langue de la fenêtre&#x202f;; le rapport a la sienne</translation>
+        <translation>Langue de la fenêtre ; le rapport a la sienne</translation>
     </message>
 </context>
 <context>
@@ -654,11 +640,11 @@
     </message>
     <message>
         <source>ISO 14253-1: conformity is to be proven</source>
-        <translation>ISO 14253-1&#xa0;: la conformité est à prouver</translation>
+        <translation>ISO 14253-1 : conformité à prouver</translation>
     </message>
     <message>
         <source>non-conformity is to be proven</source>
-        <translation>la non-conformité est à prouver</translation>
+        <translation>non-conformité à prouver</translation>
     </message>
     <message>
         <source>Decision rule</source>
@@ -752,7 +738,7 @@
     </message>
     <message>
         <source>Place: %1</source>
-        <translation>Emplacement&#xa0;: %1</translation>
+        <translation>Emplacement : %1</translation>
     </message>
     <message>
         <source>Save the test file</source>
@@ -768,7 +754,7 @@
     </message>
     <message>
         <source>Save the changes before closing?</source>
-        <translation>Enregistrer les modifications avant de fermer&#x202f;?</translation>
+        <translation>Enregistrer les modifications avant de fermer ?</translation>
     </message>
     <message>
         <source>Otherwise the changes since the last saving are lost.</source>
@@ -780,7 +766,7 @@
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler&#xa0;: %1</translation>
+        <translation>&amp;Annuler : %1</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -788,7 +774,7 @@
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Rétablir&#xa0;: %1</translation>
+        <translation>&amp;Rétablir : %1</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -828,7 +814,7 @@
     </message>
     <message>
         <source>Evaluates tests of machine tools after ISO 230-2 and ISO 230-4 and prints the report. Free software under the GNU General Public License, version 3 or later; without any warranty.</source>
-        <translation>Évalue les essais de machines-outils selon l’ISO 230-2 et l’ISO 230-4 et imprime le rapport. Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure&#x202f;; sans aucune garantie.</translation>
+        <translation>Évalue les essais de machines-outils selon l’ISO 230-2 et l’ISO 230-4 et imprime le rapport. Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure ; sans aucune garantie.</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -1028,15 +1014,15 @@
     </message>
     <message>
         <source>Set aside, without a reason</source>
-        <translation>Écarté, sans raison</translation>
+        <translation>Écarté, sans motif</translation>
     </message>
     <message>
         <source>Set aside: %1</source>
-        <translation>Écarté&#xa0;: %1</translation>
+        <translation>Écarté : %1</translation>
     </message>
     <message>
         <source>target %1, %2</source>
-        <translation>point %1, %2</translation>
+        <translation>point visé %1, %2</translation>
     </message>
     <message>
         <source>no reading</source>
@@ -1071,15 +1057,15 @@
     </message>
     <message>
         <source>Show deviations from the target positions</source>
-        <translation>Montrer les écarts par rapport aux points visés</translation>
+        <translation>Afficher les écarts aux points visés</translation>
     </message>
     <message>
         <source>Show actual positions; the data stay as they are</source>
-        <translation>Montrer les positions réelles&#x202f;; les données restent telles quelles</translation>
+        <translation>Afficher les positions réelles ; les données restent telles quelles</translation>
     </message>
     <message>
         <source>Runs side by side, both directions of a run together</source>
-        <translation>Passe après passe, les deux sens côte à côte</translation>
+        <translation>Passes côte à côte, les deux sens d’une passe ensemble</translation>
     </message>
     <message>
         <source>All runs of one direction side by side</source>
@@ -1135,8 +1121,8 @@
     <message numerus="yes">
         <source>%n required statement(s) missing; printed as “–”</source>
         <translation>
-            <numerusform>%n information requise manque&#x202f;; elle sera imprimée «&#xa0;–&#xa0;»</numerusform>
-            <numerusform>%n informations requises manquent&#x202f;; elles seront imprimées «&#xa0;–&#xa0;»</numerusform>
+            <numerusform>%n information requise manque ; elle sera imprimée « – »</numerusform>
+            <numerusform>%n informations requises manquent ; elles seront imprimées « – »</numerusform>
         </translation>
     </message>
     <message>
@@ -1156,7 +1142,7 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1&#xa0;%</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -1172,7 +1158,7 @@
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation>Enregistré&#xa0;: %1</translation>
+        <translation>Enregistré : %1</translation>
     </message>
     <message>
         <source>The printer did not accept the report.</source>
@@ -1360,7 +1346,7 @@
     </message>
     <message>
         <source>View; edition of the test: %1</source>
-        <translation>Vue&#x202f;; édition de l’essai&#xa0;: %1</translation>
+        <translation>Vue ; édition de l’essai : %1</translation>
     </message>
     <message>
         <source>E&amp;dition</source>
@@ -1372,7 +1358,7 @@
     </message>
     <message>
         <source>Shows the results under another edition; the file stays as it is</source>
-        <translation>Montre les résultats selon une autre édition&#x202f;; le fichier reste tel quel</translation>
+        <translation>Montre les résultats selon une autre édition ; le fichier reste tel quel</translation>
     </message>
     <message>
         <source>&amp;Set as edition of the test</source>
@@ -1384,7 +1370,7 @@
     </message>
     <message>
         <source>Writes this edition into the test; it can be undone</source>
-        <translation>Inscrit cette édition dans l’essai&#x202f;; peut être annulé</translation>
+        <translation>Inscrit cette édition dans l’essai ; peut être annulé</translation>
     </message>
 </context>
 <context>
@@ -1395,7 +1381,7 @@
     </message>
     <message>
         <source>Tests of machine tools: measure, judge, print the report</source>
-        <translation>Essais de machines-outils&#xa0;: mesurer, juger, imprimer le rapport</translation>
+        <translation>Essais de machines-outils : mesurer, juger, imprimer le rapport</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -1444,7 +1430,7 @@
     </message>
     <message>
         <source>target %1, run %2 %3: %4</source>
-        <translation>point %1, passe %2 %3&#xa0;: %4</translation>
+        <translation>point %1, passe %2 %3 : %4</translation>
     </message>
     <message>
         <source>no reading</source>
