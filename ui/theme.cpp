@@ -153,9 +153,8 @@ QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/icons/down-@kind.svg); width: 14px; height: 14px; }
 QComboBox QAbstractItemView { background: @base; border: 1px solid @field; selection-background-color: @selected;
     selection-color: @text; outline: none; }
-*[card="true"] { background: @base; border: 1px solid @line; border-radius: 6px; }
-*[ground="window"] { background: @window; }
-*[ground="base"] { background: @base; }
+QFrame[card="true"] { background: @base; border: 1px solid @line; border-radius: 6px; }
+.QWidget[ground="base"], palmer--ui--RightSide { background: @base; }
 QFrame[rule="true"] { background: @line; border: none; }
 QLabel[secondary="true"] { color: @secondary; }
 )";

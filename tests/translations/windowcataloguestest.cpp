@@ -107,7 +107,8 @@ void WindowCataloguesTest::areComplete() {
     QFETCH(QString, name);
     QFile file(catalogue(name));
     QVERIFY(file.open(QIODevice::ReadOnly));
-    const auto found = QRegularExpression("type=\"(unfinished|vanished|obsolete)\"").match(QString::fromUtf8(file.readAll()));
+    const auto found = QRegularExpression("type=\"(unfinished|vanished|obsolete)\"")
+                           .match(QString::fromUtf8(file.readAll()));
     QVERIFY2(!found.hasMatch(), qPrintable(found.captured()));
     const QList<Entry> entries = entriesOf(catalogue(name));
     QVERIFY(!entries.isEmpty());
@@ -115,7 +116,8 @@ void WindowCataloguesTest::areComplete() {
         QCOMPARE(entry.translations.size(), entry.counted ? 2 : 1);
         for (const QString &translation : entry.translations)
             QVERIFY2(!translation.trimmed().isEmpty(), qPrintable(entry.source));
-        QVERIFY2(entry.context.startsWith("palmer::ui::") || entry.context == u"edits" || entry.context == u"examples",
+        QVERIFY2(entry.context.startsWith("palmer::ui::") || entry.context == u"edits" ||
+                     entry.context == u"examples",
                  qPrintable(entry.context + ": tr() would look in another context"));
     }
 }

@@ -3,8 +3,8 @@
 #include "ui/theme.h"
 
 #include <QMouseEvent>
-#include <QPainter>
 #include <QPaintEvent>
+#include <QPainter>
 #include <algorithm>
 
 namespace palmer::ui {

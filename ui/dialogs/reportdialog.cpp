@@ -142,8 +142,8 @@ QWidget *ReportDialog::makeHead() {
     row->setContentsMargins(16, 0, 16, 0);
     row->addWidget(m_title);
     row->addWidget(m_summary, 1);
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_previous, m_place, m_next, m_smaller, m_zoom, m_larger,
-                                                            m_width})
+    for (QWidget *widget :
+         std::initializer_list<QWidget *>{m_previous, m_place, m_next, m_smaller, m_zoom, m_larger, m_width})
         row->addWidget(widget);
     connect(m_previous, &QToolButton::clicked, this,
             [this] { goTo(m_column->pageAt(m_area->verticalScrollBar()->value()) - 1); });
@@ -254,8 +254,9 @@ void ReportDialog::addChoices(QVBoxLayout *column) {
         column->addWidget(box);
         const std::size_t index = m_choices.size();
         m_choices.push_back({box, text, isOn, set});
-        connect(box, &QCheckBox::clicked, this,
-                [this, index](bool on) { change([&](ReportHead &head) { m_choices[index].set(head, on); }); });
+        connect(box, &QCheckBox::clicked, this, [this, index](bool on) {
+            change([&](ReportHead &head) { m_choices[index].set(head, on); });
+        });
     };
     const auto part = [&](const char *name, const char *text, ReportPart which) {
         add(
@@ -289,8 +290,9 @@ void ReportDialog::addChoices(QVBoxLayout *column) {
 }
 
 void ReportDialog::change(const std::function<void(ReportHead &)> &change) {
-    m_model.edit(QT_TRANSLATE_NOOP("edits", "choose what the report has"),
-                 [&](Document &document) { change(document.report); }, QStringLiteral("report.form"));
+    m_model.edit(
+        QT_TRANSLATE_NOOP("edits", "choose what the report has"),
+        [&](Document &document) { change(document.report); }, QStringLiteral("report.form"));
     showDocument(); // the buttons too, where nothing has changed
 }
 
@@ -308,7 +310,10 @@ void ReportDialog::showDocument() {
     }
     const bool french = holds(head.languages, ReportLanguage::fr);
     const bool english = holds(head.languages, ReportLanguage::en);
-    m_languages->button(french && english ? bothLanguages : french ? frenchOnly : englishOnly)->setChecked(true);
+    m_languages->button(french && english ? bothLanguages
+                        : french          ? frenchOnly
+                                          : englishOnly)
+        ->setChecked(true);
     m_paper->setCurrentIndex(head.paper == Paper::a4 ? 0 : 1);
     for (const Choice &choice : m_choices)
         choice.box->setChecked(choice.isOn(head));
@@ -322,7 +327,8 @@ void ReportDialog::showDocument() {
     m_missing->setText(tr("%n required statement(s) missing; printed as “–”", nullptr, missing));
     const QString number = QString::fromStdString(head.number);
     m_title->setText(number.isEmpty() ? tr("Report") : tr("Report %1").arg(number));
-    m_summary->setText(tr("%n page(s) %1 · preview = PDF = paper", nullptr, pageCount()).arg(m_paper->currentText()));
+    m_summary->setText(
+        tr("%n page(s) %1 · preview = PDF = paper", nullptr, pageCount()).arg(m_paper->currentText()));
     m_small->setPages(m_pages);
     m_column->setPages(m_pages);
     if (m_fit)
@@ -385,9 +391,11 @@ QStringList ReportDialog::saveTo(const QString &path) {
     QStringList written;
     const QFileInfo name(path);
     for (const Report &report : m_reports) {
-        const QString file = m_reports.size() == 1
-                                 ? path
-                                 : name.dir().filePath(QStringLiteral("%1.%2.pdf").arg(name.completeBaseName(), report.language));
+        const QString file =
+            m_reports.size() == 1
+                ? path
+                : name.dir().filePath(
+                      QStringLiteral("%1.%2.pdf").arg(name.completeBaseName(), report.language));
         QSaveFile device(file);
         QString why;
         if (!device.open(QIODevice::WriteOnly)) {
@@ -403,7 +411,8 @@ QStringList ReportDialog::saveTo(const QString &path) {
         }
         if (!why.isEmpty()) {
             auto *box = new QMessageBox(QMessageBox::Critical, windowTitle(),
-                                        tr("%1 cannot be saved").arg(QFileInfo(file).fileName()), QMessageBox::Ok, this);
+                                        tr("%1 cannot be saved").arg(QFileInfo(file).fileName()),
+                                        QMessageBox::Ok, this);
             box->setObjectName(QStringLiteral("errorBox"));
             box->setAttribute(Qt::WA_DeleteOnClose);
             box->setInformativeText(why);
@@ -421,13 +430,14 @@ void ReportDialog::choosePrinter() {
     printer.setDocName(m_title->text());
     printer.setFullPage(true);
     if (!m_pages.empty())
-        printer.setPageSize(QPageSize(m_pages.front().size, QPageSize::Point, QString(), QPageSize::FuzzyMatch));
+        printer.setPageSize(
+            QPageSize(m_pages.front().size, QPageSize::Point, QString(), QPageSize::FuzzyMatch));
     QPrintDialog dialog(&printer, this);
     dialog.setMinMax(1, pageCount());
     dialog.setOption(QAbstractPrintDialog::PrintPageRange);
     if (dialog.exec() == QDialog::Accepted && !printOn(printer)) {
-        auto *box = new QMessageBox(QMessageBox::Critical, windowTitle(), tr("The printer did not accept the report."),
-                                    QMessageBox::Ok, this);
+        auto *box = new QMessageBox(QMessageBox::Critical, windowTitle(),
+                                    tr("The printer did not accept the report."), QMessageBox::Ok, this);
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     }

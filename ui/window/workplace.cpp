@@ -88,8 +88,8 @@ QWidget *Workplace::makeCentre() {
     m_limits = new LimitsPage(m_selection, centre);
     m_reportPages = new ReportPages(centre);
     m_pages = new QStackedWidget(centre);
-    for (QWidget *page : std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits,
-                                                          m_reportPages})
+    for (QWidget *page :
+         std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits, m_reportPages})
         m_pages->addWidget(page);
     m_target = new TargetCard(m_selection, centre);
     m_explanation = new ExplanationCard(m_selection, centre);

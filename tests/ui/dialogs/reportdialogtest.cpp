@@ -94,7 +94,8 @@ void ReportDialogTest::doesNotSpeakTheLanguageOfTheWindow() {
     const ShownWindow window(examplePath("rotary-axis"));
     ShownDialog shown(window);
     shown.click("reportEnglish");
-    const QString first = folder.filePath(QStringLiteral("a.pdf")), second = folder.filePath(QStringLiteral("b.pdf"));
+    const QString first = folder.filePath(QStringLiteral("a.pdf")),
+                  second = folder.filePath(QStringLiteral("b.pdf"));
     QVERIFY(!shown.dialog.saveTo(first).isEmpty());
     setWindowLanguage(Language::Id::french);
     QTRY_COMPARE(shown.dialog.findChild<QAbstractButton *>(QStringLiteral("savePdf"))->text(),
@@ -128,7 +129,8 @@ void ReportDialogTest::choicesAreEditsOfTheDocument() {
 void ReportDialogTest::printsTheFilesEditionAndNoView() {
     const QTemporaryDir folder;
     const ShownWindow window(examplePath("iso230-2-1988-example"));
-    const QString own = folder.filePath(QStringLiteral("own.pdf")), view = folder.filePath(QStringLiteral("view.pdf"));
+    const QString own = folder.filePath(QStringLiteral("own.pdf")),
+                  view = folder.filePath(QStringLiteral("view.pdf"));
     {
         ShownDialog shown(window);
         shown.click("reportEnglish");

@@ -1,5 +1,5 @@
-#include "document/savedocument.h"
 #include "ui/model/documentmodel.h"
+#include "document/savedocument.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -17,7 +17,8 @@ Document example() {
 }
 
 void rename(DocumentModel &model, const char *name, const QString &mergeKey = {}) {
-    model.edit("name the machine", [name](Document &document) { document.machine.name = name; }, mergeKey);
+    model.edit(
+        "name the machine", [name](Document &document) { document.machine.name = name; }, mergeKey);
 }
 
 } // namespace

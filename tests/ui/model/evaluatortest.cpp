@@ -1,5 +1,5 @@
-#include "document/savedocument.h"
 #include "ui/model/evaluator.h"
+#include "document/savedocument.h"
 
 #include <QSignalSpy>
 #include <QTest>

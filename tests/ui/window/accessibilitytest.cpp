@@ -38,7 +38,9 @@ QString path(const QWidget *widget) {
 bool isControl(const QWidget *widget) {
     if (widget->objectName().startsWith(QLatin1StringView("qt_")) || qobject_cast<const QScrollBar *>(widget))
         return false;
-    if (qobject_cast<const QComboBox *>(widget->parentWidget()) || qobject_cast<const QTabBar *>(widget->parentWidget()))
+    if (qobject_cast<const QAbstractItemView *>(widget->parentWidget()) ||
+        qobject_cast<const QComboBox *>(widget->parentWidget()) ||
+        qobject_cast<const QTabBar *>(widget->parentWidget()))
         return false;
     return qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget) ||
            qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QAbstractItemView *>(widget) ||
@@ -106,8 +108,8 @@ void checkMnemonics(const QWidget &window) {
     }
 }
 
-constexpr Page pages[] = {Page::identification, Page::machine, Page::instruments, Page::readings,
-                          Page::conditions, Page::agreedPoints, Page::limits};
+constexpr Page pages[] = {Page::identification, Page::machine,      Page::instruments, Page::readings,
+                          Page::conditions,     Page::agreedPoints, Page::limits};
 
 } // namespace
 
