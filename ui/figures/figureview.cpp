@@ -149,6 +149,13 @@ void FigureView::setLanguage(const Language &language) {
     refresh();
 }
 
+void FigureView::standAlone() {
+    setWindowFlag(Qt::Window);
+    setAttribute(Qt::WA_DeleteOnClose);
+    m_detach->hide();
+    m_maximise->hide();
+}
+
 std::optional<CurveFigure> FigureView::figure() const {
     return m_shown;
 }

@@ -29,6 +29,8 @@ public:
     /// The figure as it is shown, with the ranges zoomed to; nothing for a test without one.
     [[nodiscard]] std::optional<CurveFigure> figure() const;
     void fit();
+    /// Makes it a window of its own, which goes away when it is closed.
+    void standAlone();
     /// Puts the figure on the clipboard, as vectors (SVG, PDF) and as a picture.
     void copy();
     /// Writes the figure; the kind follows the suffix (pdf, svg, png). False: it could not be written.

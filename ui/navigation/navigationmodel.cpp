@@ -1,5 +1,6 @@
 #include "ui/navigation/navigationmodel.h"
 
+#include "ui/testname.h"
 #include "ui/windowlanguage.h"
 
 #include <algorithm>
@@ -37,14 +38,6 @@ bool isUnfinished(const Test &test) {
     }
     return false;
 }
-
-namespace {
-
-QString testName(const Test &test) {
-    return QString::fromStdString(test.title.empty() ? test.id : test.title);
-}
-
-} // namespace
 
 void NavigationModel::show(const EvaluatedDocument &evaluated) {
     m_evaluated = evaluated;

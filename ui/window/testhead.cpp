@@ -2,6 +2,7 @@
 
 #include "kernel/evaluation/edition.h"
 #include "ui/theme.h"
+#include "ui/testname.h"
 #include "ui/windowlanguage.h"
 
 #include <QComboBox>
@@ -100,7 +101,7 @@ TestHead::TestHead(QWidget *parent)
 void TestHead::show(const EvaluatedDocument &evaluated, std::size_t test) {
     const Test &shown = *evaluated.document->tests[test];
     const TestEvaluation &evaluation = *evaluated.tests[test];
-    m_titleText = QString::fromStdString(shown.title.empty() ? shown.id : shown.title);
+    m_titleText = testName(shown);
     m_subtitleText = testSummary(shown);
     const bool hasEdition = evaluation.edition;
     const bool view = hasEdition && evaluation.view;

@@ -157,6 +157,7 @@ void Workplace::connectParts() {
         showPage(page);
         m_selection.setField(id);
     });
+    connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
     connect(m_figure, &FigureView::maximiseWanted, this, [this] { setFigureMaximised(!m_maximised); });
     for (QSplitter *splitter : {m_outer, m_inner})
         connect(splitter, &QSplitter::splitterMoved, this, [this] { keepSizes(); });
@@ -193,6 +194,20 @@ void Workplace::present() {
     presentPage();
 }
 
+void Workplace::detachFigure() {
+    if (!m_detachedFigure) {
+        m_detachedFigure = new FigureView(m_selection, this);
+        m_detachedFigure->standAlone();
+        m_detachedFigure->setObjectName(QStringLiteral("detachedFigure"));
+        m_detachedFigure->setWindowTitle(window()->windowTitle());
+        m_detachedFigure->resize(m_figure->size() * 3 / 2);
+        m_detachedFigure->setLanguage(windowLanguage());
+        m_detachedFigure->show(m_evaluated, m_selection.test());
+    }
+    m_detachedFigure->QWidget::show();
+    m_detachedFigure->activateWindow();
+}
+
 void Workplace::presentTest() {
     const std::size_t test = m_selection.test();
     m_reportPages->show(m_evaluated);
@@ -205,6 +220,8 @@ void Workplace::presentTest() {
     m_target->show(m_evaluated, test);
     m_explanation->show(m_evaluated, test);
     m_figure->show(m_evaluated, test);
+    if (m_detachedFigure)
+        m_detachedFigure->show(m_evaluated, test);
     m_results->show(m_evaluated, test);
     m_findings->show(m_evaluated, test);
     for (std::size_t i = 0; i < testPages.size(); ++i)
@@ -400,6 +417,8 @@ void Workplace::retranslate() {
     m_target->setLanguage(language);
     m_explanation->setLanguage(language);
     m_figure->setLanguage(language);
+    if (m_detachedFigure)
+        m_detachedFigure->setLanguage(language);
     m_results->setLanguage(language);
     m_findings->setLanguage(language);
     m_navigationModel.retranslate();

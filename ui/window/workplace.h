@@ -4,6 +4,7 @@
 #include "ui/model/selection.h"
 #include "ui/navigation/navigationmodel.h"
 
+#include <QPointer>
 #include <QWidget>
 
 class QFrame;
@@ -67,6 +68,7 @@ private:
     void connectParts();
     void present();
     void presentTest();
+    void detachFigure();
     void presentPage();
     void presentCard();
     void presentStatus();
@@ -98,6 +100,7 @@ private:
     QWidget *m_centre;
     RightSide *m_right;
     FigureView *m_figure;
+    QPointer<FigureView> m_detachedFigure; ///< in a window of its own, while it is open
     ResultsPanel *m_results;
     FindingsPanel *m_findings;
     QString m_field;   ///< the missing statement walked to last, by the id of its finding

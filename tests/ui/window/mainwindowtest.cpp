@@ -7,6 +7,7 @@
 #include "ui/navigation/navigationmodel.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
+#include "ui/testname.h"
 #include "ui/welcome/startlist.h"
 
 #include <QAbstractItemModelTester>
@@ -119,7 +120,7 @@ void MainWindowTest::opensEveryExample() {
     for (std::size_t test = 0; test < document.tests.size(); ++test) {
         shown.window->workplace().showTest(test);
         QCOMPARE(shown.find<QLabel>("testTitle")->accessibleName(),
-                 QString::fromStdString(document.tests[test]->title));
+                 testName(*document.tests[test]));
         QCOMPARE(shown.find<QComboBox>("edition")->currentText(),
                  QString::fromStdString(document.tests[test]->edition));
         QVERIFY(!shown.window->evaluator().current().tests[test]->parameters.empty());

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "kernel/measurement/test.h"
+
+#include <QString>
+
+namespace palmer::ui {
+
+/// What the window calls a test: its title, else its axis or plane, else its id.
+[[nodiscard]] QString testName(const Test &test);
+
+} // namespace palmer::ui
