@@ -2526,5 +2526,45 @@
         <source>Worked example of ISO 230-2:1988 (table 2): the position of the first target and ten readings are stand-ins with the published mean and s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) and the values per target, never the single readings.</source>
         <translation>Exemple traité de l’ISO 230-2:1988 (tableau 2)&#xa0;: la position du premier point visé et dix relevés sont des valeurs de remplacement ayant la moyenne et le s publiés. Comparer l’erreur moyenne de réversibilité (publiée&#xa0;: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) et les valeurs par point visé, jamais les relevés isolés.</translation>
     </message>
+    <message>
+        <source>Nominal radius</source>
+        <translation>Rayon nominal</translation>
+    </message>
+    <message>
+        <source>Contouring feed</source>
+        <translation>Vitesse d’avance de contournage</translation>
+    </message>
+    <message>
+        <source>Reference circle</source>
+        <translation>Cercle de référence</translation>
+    </message>
+    <message>
+        <source>minimum zone circles (MZC)</source>
+        <translation>cercles de zone minimale (MZC)</translation>
+    </message>
+    <message>
+        <source>least squares circle (LSC)</source>
+        <translation>cercle des moindres carrés (LSC)</translation>
+    </message>
+    <message>
+        <source>anticlockwise</source>
+        <translation>sens antihoraire</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>sens horaire</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajectoire</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 points evaluated from %4 to %5</source>
+        <translation>%1, %2&#xa0;: %3 points évalués de %4 à %5</translation>
+    </message>
+    <message>
+        <source>Correction of F and D to 20 °C</source>
+        <translation>Correction de F et D à 20&#xa0;°C</translation>
+    </message>
 </context>
 </TS>

@@ -33,8 +33,8 @@ public:
         addTitle(test, evaluation);
         if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
             addPositioning(test, *m, evaluation);
-        else if (std::holds_alternative<CircularMeasurement>(test.measurement))
-            addCircular(test, evaluation);
+        else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
+            addCircular(test, *circular, evaluation);
         else if (const auto *drift = std::get_if<DriftMeasurement>(&test.measurement))
             addDrift(*drift, std::get<DriftResults>(evaluation.results));
         if (evaluation.edition)
@@ -172,13 +172,39 @@ private:
         }
     }
 
-    void addCircular(const Test &test, const TestEvaluation &evaluation) {
+    void addCircular(const Test &test, const CircularMeasurement &m, const TestEvaluation &evaluation) {
+        const auto &results = std::get<CircularResults>(evaluation.results);
+        const auto length = [&](double value) { return m_language.quantity(value, Quantity::position); };
+        KeyValues head;
+        const auto add = [&](const Text &key, const QString &value) {
+            head.rows.push_back({text(key), value});
+        };
         if (evaluation.edition)
-            m_report.blocks.emplace_back(
-                KeyValues{{{text(REPORT_TEXT("report", "Edition")), editionText(*evaluation.edition)},
-                           {text(REPORT_TEXT("report", "Date of test")),
-                            m_language.date(test.date.value_or(std::string()))}}});
-        addParameters(test, evaluation, false);
+            add(REPORT_TEXT("report", "Edition"), editionText(*evaluation.edition));
+        add(REPORT_TEXT("report", "Date of test"), m_language.date(test.date.value_or(std::string())));
+        add(REPORT_TEXT("report", "Nominal radius"), length(m.nominalRadius));
+        add(REPORT_TEXT("report", "Contouring feed"),
+            m.feed ? m_language.quantity(*m.feed, Quantity::feed) : QString());
+        add(REPORT_TEXT("report", "Reference circle"),
+            text(m.referenceCircle == ReferenceCircle::minimumZone
+                     ? REPORT_TEXT("report", "minimum zone circles (MZC)")
+                     : REPORT_TEXT("report", "least squares circle (LSC)")));
+        for (const EvaluatedPath &path : results.paths) {
+            const QString sense =
+                text(path.sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise")
+                                                           : REPORT_TEXT("report", "clockwise"));
+            add(REPORT_TEXT("report", "Path"),
+                m_language.sentence({REPORT_TEXT("report", "%1, %2: %3 points evaluated from %4 to %5"),
+                                     {path.index, sense.toStdString(),
+                                      Number{static_cast<double>(path.source.size()), Quantity::count, 0},
+                                      Number{path.evaluated.from, Quantity::angle, 1},
+                                      Number{path.evaluated.to, Quantity::angle, 1}}}));
+        }
+        if (results.correction)
+            add(REPORT_TEXT("report", "Correction of F and D to 20 °C"),
+                m_language.quantity(*results.correction, Quantity::deviation, 2));
+        m_report.blocks.emplace_back(std::move(head));
+        addParameters(test, evaluation, results.notCorrected);
     }
 
     void addDrift(const DriftMeasurement &drift, const DriftResults &results) {
@@ -234,6 +260,12 @@ private:
                          {QStringLiteral("U (k = 2)"), unit, Alignment::decimal, false},
                          {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false},
                          {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false}};
+        if (std::holds_alternative<CircularMeasurement>(test.measurement)) {
+            constexpr std::ptrdiff_t rulingTargets = 2; // a circle has none
+            table.columns.erase(table.columns.begin() + rulingTargets);
+            for (auto &row : table.rows)
+                row.erase(row.begin() + rulingTargets);
+        }
         m_report.blocks.emplace_back(Heading{2, text(REPORT_TEXT("report", "Results"))});
         m_report.blocks.emplace_back(std::move(table));
     }

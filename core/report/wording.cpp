@@ -116,6 +116,8 @@ int parameterDecimals(const Parameter &parameter, std::optional<double> resoluti
 }
 
 bool isPrinted(const Parameter &parameter, const ReportHead &head) {
+    if (!parameter.required)
+        return false;
     return parameter.term.printed == Printed::always ||
            std::ranges::find(head.include, ReportExtra::meanRepeatability) != head.include.end();
 }
