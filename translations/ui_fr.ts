@@ -2,17 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr">
 <context>
-    <name>TestName</name>
-    <message>
-        <source>%1 circle</source>
-        <translation>Cercle %1</translation>
-    </message>
-    <message>
-        <source>%1 axis</source>
-        <translation>Axe %1</translation>
-    </message>
-</context>
-<context>
     <name>edits</name>
     <message>
         <source>set the edition of the test</source>
@@ -1470,6 +1459,17 @@
     <message>
         <source>&amp;Limits</source>
         <translation>&amp;Limites</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::testName</name>
+    <message>
+        <source>%1 circle</source>
+        <translation>Cercle %1</translation>
+    </message>
+    <message>
+        <source>%1 axis</source>
+        <translation>Axe %1</translation>
     </message>
 </context>
 </TS>

@@ -24,8 +24,8 @@ QString testName(const Test &test) {
     if (name.isEmpty())
         return QString::fromStdString(test.id);
     if (std::holds_alternative<CircularMeasurement>(test.measurement))
-        return QCoreApplication::translate("TestName", "%1 circle").arg(name);
-    return QCoreApplication::translate("TestName", "%1 axis").arg(name);
+        return QCoreApplication::translate("palmer::ui::testName", "%1 circle").arg(name);
+    return QCoreApplication::translate("palmer::ui::testName", "%1 axis").arg(name);
 }
 
 } // namespace palmer::ui
