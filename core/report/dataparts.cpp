@@ -13,7 +13,6 @@ namespace palmer {
 namespace {
 
 constexpr double textWidth = 175; ///< mm
-constexpr double numberWidth = 7; ///< mm, column i
 constexpr double positionWidth = 19;
 constexpr double directionsGap = 5;
 constexpr double digitWidth = 1.67; ///< mm, of 8.5 pt
@@ -29,8 +28,14 @@ Phrase indexed(const QString &base, const QString &index, const QString &after =
     return Phrase(std::move(spans));
 }
 
-Column targetColumn() {
-    return {Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, numberWidth};
+/// Width of column i, mm: two digits; one more for each digit more.
+double numberWidth(const PositioningPart &part) {
+    const qsizetype digits = QString::number(part.measurement.targets.size()).size();
+    return 7 + 2.0 * static_cast<double>(std::max<qsizetype>(0, digits - 2));
+}
+
+Column targetColumn(const PositioningPart &part) {
+    return {Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, numberWidth(part)};
 }
 
 Column positionColumn(const PositioningPart &part) {
@@ -84,7 +89,7 @@ public:
     }
 
     [[nodiscard]] std::vector<Table> tables() const {
-        const double room = textWidth - numberWidth - positionWidth;
+        const double room = textWidth - numberWidth(m_part) - positionWidth;
         const std::size_t most = std::max(m_up.size(), m_down.size());
         const bool sideBySide =
             most <= mostRunsSideBySide && !m_up.empty() && !m_down.empty() &&
@@ -120,7 +125,7 @@ private:
 
     [[nodiscard]] Table base() const {
         Table table;
-        table.columns = {targetColumn(), positionColumn(m_part)};
+        table.columns = {targetColumn(m_part), positionColumn(m_part)};
         const auto &targets = m_part.measurement.targets;
         for (std::size_t i = 0; i < targets.size(); ++i)
             table.rows.push_back(
@@ -249,7 +254,7 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
     const int digits = statisticDecimals(part.measurement);
     const auto ruling = rulingCells(part.evaluation);
     Table table;
-    table.columns = {targetColumn(), positionColumn(part)};
+    table.columns = {targetColumn(part), positionColumn(part)};
     std::vector<const char *> ids;
     for (const TargetTerm &term : edition.targetTerms) {
         if (!isShown(term.id, part.results))
@@ -303,7 +308,7 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
     const int places = positionDecimals(measurement.targets, part.along());
     Table table;
     table.columns = {
-        targetColumn(),
+        targetColumn(part),
         positionColumn(part),
         {QStringLiteral("j"), {}, Alignment::right, false, 12},
         {indexed(QStringLiteral("x"), QStringLiteral("ij")), unit, Alignment::decimal, false, 25},
