@@ -1,4 +1,5 @@
 #include "kernel/evaluation/evaluatetest.h"
+#include "kernel/evaluation/iso230_4/contouringfeed.h"
 
 #include <QFile>
 #include <QTest>
@@ -34,6 +35,7 @@ private slots:
     void limitsOfF();
     void hysteresis();
     void properties();
+    void feedForAnotherDiameter();
 };
 
 namespace {
@@ -236,9 +238,9 @@ void Circular::namesFollowTheSense_data() {
         QTest::newRow(name) << QString::fromUtf8(first) << QString::fromUtf8(second) << clockwiseFirst
                             << QString::fromUtf8(ids);
     };
-    row("XY", "X", "Y", false, "G(b)_XY D_XY G_XY G_YX Fmax_XY Fmax_YX Fmin_XY Fmin_YX");
-    row("XY, clockwise first", "X", "Y", true, "G(b)_YX D_YX G_YX G_XY Fmax_YX Fmax_XY Fmin_YX Fmin_XY");
-    row("ZX", "Z", "X", false, "G(b)_ZX D_ZX G_ZX G_XZ Fmax_ZX Fmax_XZ Fmin_ZX Fmin_XZ");
+    row("XY", "X", "Y", false, "G(b)_XY G_XY G_YX D_XY Fmax_XY Fmin_XY Fmax_YX Fmin_YX");
+    row("XY, clockwise first", "X", "Y", true, "G(b)_YX G_YX G_XY D_YX Fmax_YX Fmin_YX Fmax_XY Fmin_XY");
+    row("ZX", "Z", "X", false, "G(b)_ZX G_ZX G_XZ D_ZX Fmax_ZX Fmin_ZX Fmax_XZ Fmin_XZ");
 }
 
 void Circular::namesFollowTheSense() {
@@ -438,6 +440,22 @@ void Circular::properties() {
         for (const char *id : {"G_XY", "G_YX", "G(b)_XY", "D_XY", "Fmax_YX"})
             QVERIFY(std::abs(value(turned, id) - value(zone, id)) < 1e-7);
     }
+}
+
+void Circular::feedForAnotherDiameter() {
+    using iso230_4::contouringFeed;
+    // Annex C prints 559 mm/min; exactly 500·√1.25.
+    QVERIFY(std::abs(*contouringFeed({100, 500, 125}) - 250 * std::sqrt(5.0)) < 1e-12 * 559);
+    QCOMPARE(*contouringFeed({100, 500, 100}), 500.0);
+    QCOMPARE(*contouringFeed({1e-200, 1, 1e200}), 1e200); // the quotient alone would overflow
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {0.0, -1.0, infinite, none}) {
+        QVERIFY(!contouringFeed({bad, 500, 125}));
+        QVERIFY(!contouringFeed({100, bad, 125}));
+        QVERIFY(!contouringFeed({100, 500, bad}));
+    }
+    QVERIFY(!contouringFeed({1e-300, 1e300, 1e300}));
 }
 
 QTEST_GUILESS_MAIN(Circular)
