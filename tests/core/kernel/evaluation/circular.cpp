@@ -1,5 +1,7 @@
 #include "kernel/evaluation/evaluatetest.h"
+#include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
+#include "kernel/evaluation/iso230_4/paths.h"
 
 #include <QFile>
 #include <QTest>
@@ -35,6 +37,8 @@ private slots:
     void limitsOfF();
     void hysteresis();
     void properties();
+    void repetitionsAreEvaluatedLikeTheFirst();
+    void withoutLengthsNoCorrectionIsMissed();
     void feedForAnotherDiameter();
 };
 
@@ -440,6 +444,43 @@ void Circular::properties() {
         for (const char *id : {"G_XY", "G_YX", "G(b)_XY", "D_XY", "Fmax_YX"})
             QVERIFY(std::abs(value(turned, id) - value(zone, id)) < 1e-7);
     }
+}
+
+void Circular::repetitionsAreEvaluatedLikeTheFirst() {
+    const auto shape = [](double angle) { return 3 * std::cos(2 * angle) + 20 * std::cos(angle); };
+    auto test = circularTest({path(counterclockwise, 180, shape), path(clockwise, 180, shape),
+                              path(counterclockwise, 180, shape)});
+    for (Arc &arc : measurement(test).arcs)
+        arc.angleReference = AngleReference::commanded;
+    const auto e = evaluated(test);
+    const auto &results = std::get<CircularResults>(e.results);
+    QCOMPARE(results.repetitions, std::vector<std::size_t>{2});
+    const EvaluatedPath first = iso230_4::evaluatedPath(measurement(test), 0, results.centringError);
+    const EvaluatedPath third = iso230_4::evaluatedPath(measurement(test), 2, results.centringError);
+    QCOMPARE(first.points, results.paths[0].points);
+    QCOMPARE(third.points, first.points);
+    QCOMPARE(third.arc, 2u);
+    QCOMPARE(third.index, std::string("XY"));
+    for (const auto kind : {ReferenceCircle::minimumZone, ReferenceCircle::leastSquares})
+        QCOMPARE(iso230_4::circleOfPath(third, kind)->width,
+                 results.circle(CircleOf::counterclockwise, kind)->width);
+    auto tooFew = circularTest({path(counterclockwise, 3, shape)});
+    const EvaluatedPath three = iso230_4::evaluatedPath(measurement(tooFew), 0, std::nullopt);
+    QVERIFY(!iso230_4::circleOfPath(three, ReferenceCircle::minimumZone));
+}
+
+void Circular::withoutLengthsNoCorrectionIsMissed() {
+    auto test = circularTest({path(counterclockwise, 36, [](double angle) { return std::cos(2 * angle); })});
+    measurement(test).conditions.common.correctionTo20 = CorrectionTo20::appliedHere;
+    const auto asks = [&] {
+        const auto e = evaluated(test);
+        return std::ranges::any_of(e.findings, [](const Finding &f) {
+            return std::string_view(f.message.text.source).starts_with("F and D cannot be corrected");
+        });
+    };
+    QVERIFY(asks());
+    measurement(test).requiredResults = {"G"};
+    QVERIFY(!asks());
 }
 
 void Circular::feedForAnotherDiameter() {
