@@ -25,7 +25,7 @@ constexpr double smallestRadius = 8; ///< of a figure, mm: of what is too small 
 
 constexpr double innerLimit = 0.15;           ///< of the figure's radius: nothing is drawn nearer the centre
 constexpr double nominalCircle = 34.0 / 49.0; ///< of the figure's radius
-constexpr double worthMoving = 3.999; ///< gain of magnification for which the nominal circle gives way
+constexpr double worthMoving = 4.999; ///< gain of magnification for which the nominal circle gives way
 constexpr int highestDecade = 5;
 constexpr int lowestDecade = -6;
 

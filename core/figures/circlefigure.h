@@ -20,7 +20,7 @@ struct CircleScale {
 
 /// The largest magnification 1, 2 or 5·10^k, at most 100 000, with which the deviations from … to (µm) and
 /// the nominal circle lie between 0.15 of the radius of the figure (mm) and that radius. The nominal circle
-/// stands at 34/49 of it; where paths lie so much on one side that another place of it allows four times the
+/// stands at 34/49 of it; where paths lie so much on one side that another place of it allows five times the
 /// magnification or more, it gives way as far as needed. figureRadius > 0.
 [[nodiscard]] CircleScale circleScale(const Interval &deviations, double figureRadius);
 

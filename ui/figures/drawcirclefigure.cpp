@@ -299,24 +299,30 @@ private:
 
     // ---- Marks -------------------------------------------------------------------------------------------
 
-    void drawStar(QPointF at, const QColor &ink, double width) {
-        for (const bool ground : {true, false}) {
-            QPen line(ground ? colour(FigureRole::background) : ink);
-            line.setWidthF(ground ? width + 2 * halo * mm : width);
-            line.setCapStyle(ground ? Qt::RoundCap : Qt::FlatCap);
-            p.setPen(line);
-            for (const double angle : {30.0, 90.0, 150.0}) {
-                const QPointF arm =
-                    QPointF(std::cos(radians(angle)), std::sin(radians(angle))) * (startRadius * mm);
-                p.drawLine(at - arm, at + arm);
-            }
+    void drawStar(QPointF at, const QColor &ink, double width, Qt::PenCapStyle cap = Qt::FlatCap) {
+        QPen line(ink);
+        line.setWidthF(width);
+        line.setCapStyle(cap);
+        p.setPen(line);
+        for (const double angle : {30.0, 90.0, 150.0}) {
+            const QPointF arm =
+                QPointF(std::cos(radians(angle)), std::sin(radians(angle))) * (startRadius * mm);
+            p.drawLine(at - arm, at + arm);
         }
     }
 
+    /// All halos first: starting points often lie beside each other.
     void drawStarts() {
-        for (const TraceMark &start : m_figure.starts) {
-            const QPen line = pen(roleOf(start.sense));
-            drawStar(place(start.at), line.color(), std::max(0.24 * mm, 0.75 * line.widthF()));
+        for (const bool ground : {true, false}) {
+            for (const TraceMark &start : m_figure.starts) {
+                const QPen line = pen(roleOf(start.sense));
+                const double width = std::max(0.24 * mm, 0.75 * line.widthF());
+                if (ground)
+                    drawStar(place(start.at), colour(FigureRole::background), width + 2 * halo * mm,
+                             Qt::RoundCap);
+                else
+                    drawStar(place(start.at), line.color(), width);
+            }
         }
     }
 
@@ -406,10 +412,12 @@ private:
         const QPointF tick = QPointF(std::sin(angle), std::cos(angle)) * (limitTick * mm);
         p.drawLine(from - tick, from + tick);
         p.drawLine(to - tick, to + tick);
-        const double away =
-            (0.5 * textWidth(envelope.limitLabel) * std::abs(std::cos(angle)) + textHeight) / m_scale;
-        drawOnGround(polar(limitAngle, middle - half - away), {{envelope.limitLabel}},
-                     colour(FigureRole::text));
+        // The text reads along the line, above it.
+        p.save();
+        p.translate((from + to) / 2);
+        p.rotate(180 - limitAngle);
+        drawOnGround({0, -0.8 * textHeight}, {{envelope.limitLabel}}, colour(FigureRole::text));
+        p.restore();
     }
 
     /// Distance from the centre that nothing drawn comes nearer than, mm.
