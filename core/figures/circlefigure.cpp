@@ -25,12 +25,11 @@ constexpr double smallestRadius = 8; ///< of a figure, mm: of what is too small 
 
 constexpr double innerLimit = 0.15;           ///< of the figure's radius: nothing is drawn nearer the centre
 constexpr double nominalCircle = 34.0 / 49.0; ///< of the figure's radius
-constexpr double worthMoving = 3.999; ///< gain of magnification for which the nominal circle gives way
+constexpr double worthMoving = 4.999; ///< gain of magnification for which the nominal circle gives way
 constexpr int highestDecade = 5;
 constexpr int lowestDecade = -6;
 
 constexpr double leastDivision = 0.08; ///< of the figure's radius
-constexpr double stepOnPaper = 0.1;    ///< of decimated points, mm
 constexpr std::size_t fewestRings = 4;
 constexpr double mostRings = 60; ///< in a view: far beyond what is ever wanted
 
@@ -304,7 +303,7 @@ void addRings(CircleFigure &figure, const Interval &deviations, const Visible &i
 }
 
 void addTraces(CircleFigure &figure, std::span<const PathProfile> profiles, const Visible &inView) {
-    const double step = stepOnPaper / (figure.figureRadius * figure.view.zoom) * 180 / std::numbers::pi;
+    const double step = figure.pointStep / (figure.figureRadius * figure.view.zoom) * 180 / std::numbers::pi;
     figure.traces.clear();
     for (const PathProfile &profile : profiles) {
         for (CircleTrace &trace : decimated(profile, step, inView.angles))
@@ -523,6 +522,7 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
     figure.firstAxis = QString::fromStdString(source.measurement.plane.first);
     figure.secondAxis = QString::fromStdString(source.measurement.plane.second);
     figure.size = options.size;
+    figure.pointStep = options.pointStep;
     figure.figureRadius = std::max(smallestRadius, std::min(options.size.width() / 2 - sideMargin,
                                                             options.size.height() / 2 - topMargin));
     addEnvelope(figure, source, language);

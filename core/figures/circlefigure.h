@@ -20,7 +20,7 @@ struct CircleScale {
 
 /// The largest magnification 1, 2 or 5·10^k, at most 100 000, with which the deviations from … to (µm) and
 /// the nominal circle lie between 0.15 of the radius of the figure (mm) and that radius. The nominal circle
-/// stands at 34/49 of it; where paths lie so much on one side that another place of it allows four times the
+/// stands at 34/49 of it; where paths lie so much on one side that another place of it allows five times the
 /// magnification or more, it gives way as far as needed. figureRadius > 0.
 [[nodiscard]] CircleScale circleScale(const Interval &deviations, double figureRadius);
 
@@ -31,6 +31,7 @@ struct CircleFigureOptions {
     bool repetitions = false; ///< further arcs of a sense
     bool contacts = false;    ///< the points that rule the result
     bool limits = true;       ///< limit of G or G(b) as a width, limits of F as circles
+    double pointStep = 0.1;   ///< mm of the drawing: of points closer together the extremes alone are kept
 
     bool operator==(const CircleFigureOptions &) const = default;
 };
@@ -47,7 +48,7 @@ struct CircleFigureOptions {
 /// Magnification: see circleScale. Limits of F count with the paths up to four times their deviation; larger
 /// ones are not drawn, nor is a limit of G wider than the figure's radius.
 ///
-/// Points: see `decimated`, with steps of 0.1 mm of the drawing. `test` holds a CircularMeasurement and
+/// Points: see `decimated`. `test` holds a CircularMeasurement and
 /// `evaluation` is its evaluation; else std::bad_variant_access. A test without points gives axes and nominal
 /// circle.
 [[nodiscard]] CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,

@@ -237,6 +237,7 @@ struct CircleFigure {
     double magnification = 1; ///< 1, 2 or 5 times a power of ten
     double division = 0;      ///< between rings, the length of the scale bar, µm
     QString divisionLabel;    ///< "5 µm"
+    double pointStep = 0;     ///< of the traces, mm of the drawing
     CircleView view;
     std::vector<DeviationCircle> rings; ///< ascending; of the whole figure 0 among them
     std::vector<CircleTrace> traces;

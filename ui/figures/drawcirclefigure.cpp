@@ -2,8 +2,9 @@
 
 #include "ui/figures/drawtext.h"
 
-#include <QPainterPath>
+#include <QPaintEngine>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -29,8 +30,9 @@ constexpr double senseRadius = 14;
 constexpr double senseRoom = 3; ///< between the arrows of the sense and what is drawn around them
 constexpr double spokes = 30;   ///< degrees
 constexpr double ringLabels = -60;
-constexpr double dimensionAngle = 135;
-constexpr double limitAngle = 225;
+constexpr std::array dimensionAngles{135.0, 123.0, 147.0, 111.0, 159.0};
+constexpr std::array limitAngles{225.0, 213.0, 237.0, 201.0, 249.0};
+constexpr double freeOfMarks = 9;  ///< degrees
 constexpr double roomForLabel = 9; ///< between the circles of a dimension
 constexpr double limitTick = 1;
 constexpr double scaleLeft = 2.8; ///< from the left edge
@@ -52,6 +54,8 @@ constexpr double screenRow = 11;
 constexpr double screenSample = 20;
 constexpr double screenSampleGap = 5;
 
+/// Points of a chain from which on most lie on one another in a picture.
+constexpr qsizetype denseChain = 2500;
 /// Flatness of a circle drawn as a chain of chords, points.
 constexpr double flatness = 0.02;
 
@@ -170,8 +174,26 @@ private:
     }
     void flush(QPolygonF &piece) {
         if (piece.size() > 1)
-            p.drawPolyline(piece);
+            drawPolyline(piece);
         piece.clear();
+    }
+
+    /// A picture takes a second for the joins of a thousand points a turn that lie on one another; without
+    /// them it looks the same.
+    void drawPolyline(const QPolygonF &chain) {
+        const bool picture = p.paintEngine() && p.paintEngine()->type() == QPaintEngine::Raster;
+        if (!picture || chain.size() < denseChain) {
+            p.drawPolyline(chain);
+            return;
+        }
+        QPen line = p.pen();
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
+        QList<QLineF> lines;
+        lines.reserve(chain.size() - 1);
+        for (qsizetype i = 1; i < chain.size(); ++i)
+            lines.append({chain[i - 1], chain[i]});
+        p.drawLines(lines);
     }
 
     void drawCircle(double deviation, FigureRole role) {
@@ -291,7 +313,7 @@ private:
             if (chain.size() == 1)
                 p.drawPoint(chain.front());
             else if (whole())
-                p.drawPolyline(chain);
+                drawPolyline(chain);
             else
                 drawChain(chain);
         }
@@ -299,24 +321,30 @@ private:
 
     // ---- Marks -------------------------------------------------------------------------------------------
 
-    void drawStar(QPointF at, const QColor &ink, double width) {
-        for (const bool ground : {true, false}) {
-            QPen line(ground ? colour(FigureRole::background) : ink);
-            line.setWidthF(ground ? width + 2 * halo * mm : width);
-            line.setCapStyle(ground ? Qt::RoundCap : Qt::FlatCap);
-            p.setPen(line);
-            for (const double angle : {30.0, 90.0, 150.0}) {
-                const QPointF arm =
-                    QPointF(std::cos(radians(angle)), std::sin(radians(angle))) * (startRadius * mm);
-                p.drawLine(at - arm, at + arm);
-            }
+    void drawStar(QPointF at, const QColor &ink, double width, Qt::PenCapStyle cap = Qt::FlatCap) {
+        QPen line(ink);
+        line.setWidthF(width);
+        line.setCapStyle(cap);
+        p.setPen(line);
+        for (const double angle : {30.0, 90.0, 150.0}) {
+            const QPointF arm =
+                QPointF(std::cos(radians(angle)), std::sin(radians(angle))) * (startRadius * mm);
+            p.drawLine(at - arm, at + arm);
         }
     }
 
+    /// All halos first: starting points often lie beside each other.
     void drawStarts() {
-        for (const TraceMark &start : m_figure.starts) {
-            const QPen line = pen(roleOf(start.sense));
-            drawStar(place(start.at), line.color(), std::max(0.24 * mm, 0.75 * line.widthF()));
+        for (const bool ground : {true, false}) {
+            for (const TraceMark &start : m_figure.starts) {
+                const QPen line = pen(roleOf(start.sense));
+                const double width = std::max(0.24 * mm, 0.75 * line.widthF());
+                if (ground)
+                    drawStar(place(start.at), colour(FigureRole::background), width + 2 * halo * mm,
+                             Qt::RoundCap);
+                else
+                    drawStar(place(start.at), line.color(), width);
+            }
         }
     }
 
@@ -355,10 +383,29 @@ private:
         drawText(p, {centre.x() - width / 2, centre.y()}, line, ink, bold);
     }
 
+    /// The first of the angles at which no marked point stands, else the one farthest from them.
+    [[nodiscard]] double freeAngle(const std::array<double, 5> &angles) const {
+        double best = angles.front();
+        double widest = -1;
+        for (const double angle : angles) {
+            double least = 180;
+            for (const ContactMark &contact : m_figure.contacts)
+                least = std::min(least, std::abs(std::remainder(contact.mark.at.angle - angle, 360.0)));
+            if (least > freeOfMarks)
+                return angle;
+            if (least > widest) {
+                widest = least;
+                best = angle;
+            }
+        }
+        return best;
+    }
+
     void drawDimension() {
         if (!m_figure.envelope || !m_figure.envelope->dimension)
             return;
         const CircleEnvelope &envelope = *m_figure.envelope;
+        const double dimensionAngle = freeAngle(dimensionAngles);
         const double inner = m_figure.radius(envelope.inner);
         const double outer = m_figure.radius(envelope.outer);
         const double width = (outer - inner) * m_figure.view.zoom; // as it is drawn
@@ -393,6 +440,7 @@ private:
         if (!m_figure.envelope || !m_figure.envelope->limit)
             return;
         const CircleEnvelope &envelope = *m_figure.envelope;
+        const double limitAngle = freeAngle(limitAngles);
         const double middle = (m_figure.radius(envelope.inner) + m_figure.radius(envelope.outer)) / 2;
         const double half = *envelope.limit * m_figure.magnification / 1000 / 2;
         const QPointF from = polar(limitAngle, middle - half);
@@ -406,10 +454,12 @@ private:
         const QPointF tick = QPointF(std::sin(angle), std::cos(angle)) * (limitTick * mm);
         p.drawLine(from - tick, from + tick);
         p.drawLine(to - tick, to + tick);
-        const double away =
-            (0.5 * textWidth(envelope.limitLabel) * std::abs(std::cos(angle)) + textHeight) / m_scale;
-        drawOnGround(polar(limitAngle, middle - half - away), {{envelope.limitLabel}},
-                     colour(FigureRole::text));
+        // The text reads along the line, above it.
+        p.save();
+        p.translate((from + to) / 2);
+        p.rotate(180 - limitAngle);
+        drawOnGround({0, -0.8 * textHeight}, {{envelope.limitLabel}}, colour(FigureRole::text));
+        p.restore();
     }
 
     /// Distance from the centre that nothing drawn comes nearer than, mm.
