@@ -2,6 +2,7 @@
 
 #include "kernel/evaluation/testevaluation.h"
 
+#include <functional>
 #include <vector>
 
 namespace palmer::iso230_4 {
@@ -9,5 +10,10 @@ namespace palmer::iso230_4 {
 /// The minimum zone circles and the least squares circle of each path and, of a pair, of both together (each
 /// path with equal weight). Those that do not exist (too few points, collinear) are left out.
 [[nodiscard]] std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths);
+
+/// Those of them alone that `wanted` asks for.
+[[nodiscard]] std::vector<CircleResult>
+circles(const std::vector<EvaluatedPath> &paths,
+        const std::function<bool(CircleOf of, ReferenceCircle kind)> &wanted);
 
 } // namespace palmer::iso230_4
