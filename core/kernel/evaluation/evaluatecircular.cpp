@@ -55,7 +55,8 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
     for (const EvaluatedPath &path : test.results.paths)
         points += path.points.size();
     std::vector<MissingInput> missing;
-    evaluation.uncertainty.complete = true;
+    bool complete = true;
+    bool any = false;
     for (std::size_t k = 0; k < listed.size(); ++k) {
         Parameter &p = evaluation.parameters[k];
         if (!p.value)
@@ -63,9 +64,10 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
         const CircularContributions uses =
             contributionsOf(listed[k].row->quantity, test.measurement.centring);
         p.budgetUncertainty = combined(budget, uses, repeated[k], points);
+        any |= p.budgetUncertainty.has_value();
         if (p.budgetUncertainty || !p.required)
             continue;
-        evaluation.uncertainty.complete = false;
+        complete = false;
         for (const Contribution &contribution : budget.contributions) {
             for (const InputDefect &defect : contribution.defects) {
                 if (!takesUp(uses, contribution.id))
@@ -79,6 +81,7 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
             }
         }
     }
+    evaluation.uncertainty.complete = any && complete;
     decideUncertainty(evaluation, inputs.method, test.surroundings, [&](const Parameter &p) {
         const auto index = static_cast<std::size_t>(&p - evaluation.parameters.data());
         return statedUncertainty(test.measurement, p, *listed[index].row);
