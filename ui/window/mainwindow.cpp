@@ -59,8 +59,8 @@ QString hint(const QAction &action) {
 MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
     , m_stack(new QStackedWidget(this))
-    , m_welcome(new WelcomePage(this))
-    , m_workplace(new Workplace(this)) {
+    , m_welcome(new WelcomePage(m_stack))
+    , m_workplace(new Workplace(m_stack)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
