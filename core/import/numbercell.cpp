@@ -1,0 +1,241 @@
+#include "import/numbercell.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace palmer {
+
+namespace {
+
+// Exact in double: a whole number below 2^53 times or by one of these is rounded once.
+constexpr std::array powersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr std::uint64_t exactWhole = std::uint64_t(1) << 53U;
+constexpr std::size_t mostDigits = 18; // fit 64 bits whatever they are
+constexpr std::size_t longestNumber = 400;
+
+// U+2212 minus, en dash, hyphens, and the small and full-width ones.
+constexpr std::array<std::string_view, 6> minusSigns{"\u2212", "\u2013", "\u2010",
+                                                     "\u2011", "\uFE63", "\uFF0D"};
+
+// No-break space, narrow no-break space, thin space, figure space.
+constexpr std::array<std::string_view, 4> wideBlanks{"\u00A0", "\u202F", "\u2009", "\u2007"};
+
+constexpr std::array<std::string_view, 24> missingWords{
+    "nan",      "na", "n/a", "n.a.", "null",   "none",   "nil",    "missing",
+    "manquant", "-",  "--",  "---",  "\u2013", "\u2014", "\u2212", "\u2026",
+    "...",      "*",  "?",   "x",    "#n/a",   "#nv",    "#na",    "void"};
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::size_t signLength(std::string_view text, bool &negative) {
+    negative = false;
+    if (text.empty())
+        return 0;
+    if (text[0] == '-' || text[0] == '+') {
+        negative = text[0] == '-';
+        return 1;
+    }
+    if (static_cast<unsigned char>(text[0]) < 0x80)
+        return 0;
+    for (const std::string_view sign : minusSigns) {
+        if (text.starts_with(sign)) {
+            negative = true;
+            return sign.size();
+        }
+    }
+    return 0;
+}
+
+// Whether a text without meaning is made of what numbers are made of.
+bool looksLikeNumber(std::string_view text) {
+    bool digit = false;
+    for (std::size_t i = 0; i < text.size();) {
+        const char c = text[i];
+        if (isDigit(c)) {
+            digit = true;
+            ++i;
+        } else if (c == '.' || c == ',' || c == '\'' || c == ' ' || c == '+' || c == '-' ||
+                   ((c == 'e' || c == 'E') && digit)) {
+            ++i;
+        } else {
+            const std::string_view rest = text.substr(i);
+            const auto begins = [&](std::string_view sign) { return rest.starts_with(sign); };
+            const auto *const sign = std::ranges::find_if(minusSigns, begins);
+            const auto *const blank = std::ranges::find_if(wideBlanks, begins);
+            if (sign == minusSigns.end() && blank == wideBlanks.end())
+                return false;
+            i += sign != minusSigns.end() ? sign->size() : blank->size();
+        }
+    }
+    return digit;
+}
+
+// Digits in groups of three, or a number with the other mark: what another convention would read.
+bool isGrouped(std::string_view text, DecimalMark mark) {
+    const DecimalMark other = mark == DecimalMark::point ? DecimalMark::comma : DecimalMark::point;
+    if (leadingNumber(text, other).size == text.size())
+        return true;
+    std::string joined;
+    std::size_t groups = 0;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::string_view rest = text.substr(i);
+        const auto *const blank =
+            std::ranges::find_if(wideBlanks, [&](std::string_view wide) { return rest.starts_with(wide); });
+        const std::size_t separator = blank != wideBlanks.end() ? blank->size()
+                                      : std::string_view(".,' ").find(rest[0]) != std::string_view::npos ? 1
+                                                                                                         : 0;
+        const bool group = separator > 0 && rest.size() >= separator + 3 && !joined.empty() &&
+                           isDigit(joined.back()) &&
+                           std::all_of(rest.begin() + static_cast<std::ptrdiff_t>(separator),
+                                       rest.begin() + static_cast<std::ptrdiff_t>(separator) + 3, isDigit) &&
+                           (rest.size() == separator + 3 || !isDigit(rest[separator + 3]));
+        if (group) {
+            joined.append(rest.substr(separator, 3));
+            i += separator + 3;
+            ++groups;
+        } else {
+            joined += rest[0];
+            ++i;
+        }
+    }
+    if (groups == 0)
+        return false;
+    return leadingNumber(joined, mark).size == joined.size() ||
+           leadingNumber(joined, other).size == joined.size();
+}
+
+} // namespace
+
+bool sameWord(std::string_view a, std::string_view b) {
+    return a.size() == b.size() &&
+           std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::string_view withoutBlanks(std::string_view text) {
+    const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+    for (bool again = true; again;) {
+        again = false;
+        while (!text.empty() && isBlank(text.front()))
+            text.remove_prefix(1);
+        while (!text.empty() && isBlank(text.back()))
+            text.remove_suffix(1);
+        if (text.empty() || (static_cast<unsigned char>(text.front()) < 0x80 &&
+                             static_cast<unsigned char>(text.back()) < 0x80))
+            return text;
+        for (const std::string_view blank : wideBlanks) {
+            if (text.starts_with(blank)) {
+                text.remove_prefix(blank.size());
+                again = true;
+            }
+            if (text.ends_with(blank)) {
+                text.remove_suffix(blank.size());
+                again = true;
+            }
+        }
+    }
+    return text;
+}
+
+LeadingNumber leadingNumber(std::string_view text, DecimalMark mark) {
+    const char point = mark == DecimalMark::point ? '.' : ',';
+    bool negative = false;
+    const std::size_t first = signLength(text, negative);
+    std::size_t at = first;
+    std::uint64_t whole = 0;
+    std::size_t digits = 0; // significant ones
+    std::size_t all = 0;
+    std::size_t decimals = 0;
+    const auto takeDigits = [&](std::size_t &count) {
+        for (; at < text.size() && isDigit(text[at]); ++at, ++all, ++count) {
+            if (digits < mostDigits)
+                whole = whole * 10 + static_cast<std::uint64_t>(text[at] - '0');
+            digits += digits > 0 || text[at] != '0' ? 1 : 0;
+        }
+    };
+    std::size_t wholes = 0;
+    takeDigits(wholes);
+    if (at < text.size() && text[at] == point) {
+        ++at;
+        takeDigits(decimals);
+    }
+    if (all == 0)
+        return {};
+    int exponent = 0;
+    if (at + 1 < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+        bool down = false;
+        const std::size_t sign = signLength(text.substr(at + 1), down);
+        std::size_t end = at + 1 + sign;
+        const std::size_t begin = end;
+        for (; end < text.size() && isDigit(text[end]); ++end)
+            exponent = std::min(exponent * 10 + (text[end] - '0'), 100'000);
+        if (end > begin)
+            at = end;
+        exponent = end > begin ? (down ? -exponent : exponent) : 0;
+    }
+    const int scale = exponent - static_cast<int>(std::min<std::size_t>(decimals, 100'000));
+    double value = 0;
+    if (digits <= mostDigits && whole <= exactWhole &&
+        std::abs(scale) < static_cast<int>(powersOfTen.size())) {
+        const auto power = powersOfTen[static_cast<std::size_t>(std::abs(scale))];
+        value = scale < 0 ? static_cast<double>(whole) / power : static_cast<double>(whole) * power;
+    } else {
+        if (at > longestNumber)
+            return {};
+        std::array<char, longestNumber + 1> plain{};
+        std::size_t size = 0;
+        for (std::size_t i = first; i < at;) {
+            bool minus = false;
+            const std::size_t sign = signLength(text.substr(i, at - i), minus);
+            if (sign > 0) { // of the exponent
+                if (minus)
+                    plain[size++] = '-';
+                i += sign;
+            } else {
+                plain[size++] = text[i] == point ? '.' : text[i];
+                ++i;
+            }
+        }
+        const auto read = std::from_chars(plain.data(), plain.data() + size, value);
+        if (read.ec == std::errc::result_out_of_range) {
+            // Too near to zero is zero, too large is no number.
+            if (exponent >= 0 || static_cast<int>(wholes) + exponent > 0)
+                return {};
+            value = 0;
+        } else if (read.ec != std::errc() || !std::isfinite(value)) {
+            return {};
+        }
+    }
+    return {negative ? -value : value, at};
+}
+
+CellValue readCell(std::string_view cell, DecimalMark mark) {
+    cell = withoutBlanks(cell);
+    if (cell.empty())
+        return {CellKind::empty};
+    const LeadingNumber number = leadingNumber(cell, mark);
+    if (number.size == cell.size())
+        return {CellKind::number, number.value};
+    if (std::ranges::any_of(missingWords, [&](std::string_view word) { return sameWord(cell, word); }))
+        return {CellKind::missing};
+    for (const std::string_view word :
+         {"inf", "-inf", "+inf", "infinity", "-infinity", "\u221E", "-\u221E"}) {
+        if (sameWord(cell, word))
+            return {CellKind::broken};
+    }
+    if (!looksLikeNumber(cell))
+        return {CellKind::text};
+    return {isGrouped(cell, mark) ? CellKind::grouped : CellKind::broken};
+}
+
+} // namespace palmer
