@@ -14,7 +14,7 @@ constexpr auto key = "refusedReadings";
 
 std::optional<int> wholeNumber(const json &entry, const char *name) {
     const auto found = entry.find(name);
-    if (found == entry.end() || !found->is_number_unsigned() || *found < 1 || *found > 10'000'000)
+    if (found == entry.end() || !found->is_number_integer() || *found < 1 || *found > 10'000'000)
         return std::nullopt;
     return found->get<int>();
 }

@@ -232,4 +232,14 @@ void removeRuns(PositioningMeasurement &measurement, std::span<const std::size_t
     }
 }
 
+void editReadings(Document &document, std::size_t index,
+                  const std::function<void(PositioningMeasurement &)> &change) {
+    if (index >= document.tests.size() ||
+        !std::holds_alternative<PositioningMeasurement>(document.tests[index]->measurement))
+        return;
+    auto test = std::make_shared<Test>(*document.tests[index]);
+    change(std::get<PositioningMeasurement>(test->measurement));
+    document.tests[index] = std::move(test);
+}
+
 } // namespace palmer

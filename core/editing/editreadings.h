@@ -3,8 +3,7 @@
 #include "document/document.h"
 #include "kernel/measurement/readingplace.h"
 
-#include <concepts>
-#include <memory>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -73,14 +72,7 @@ void removeRuns(PositioningMeasurement &measurement, std::span<const std::size_t
 
 /// Lets `change` alter a copy of the measurement of a positioning test and puts it in its place: tests are
 /// shared between documents and never changed where they are. Nothing happens where there is no such test.
-template <std::invocable<PositioningMeasurement &> Change>
-void editReadings(Document &document, std::size_t index, const Change &change) {
-    if (index >= document.tests.size() ||
-        !std::holds_alternative<PositioningMeasurement>(document.tests[index]->measurement))
-        return;
-    auto test = std::make_shared<Test>(*document.tests[index]);
-    change(std::get<PositioningMeasurement>(test->measurement));
-    document.tests[index] = std::move(test);
-}
+void editReadings(Document &document, std::size_t index,
+                  const std::function<void(PositioningMeasurement &)> &change);
 
 } // namespace palmer

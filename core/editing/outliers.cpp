@@ -58,7 +58,8 @@ std::vector<OutlierHint> outlierHints(const PositioningMeasurement &measurement)
     if (!(bound > 1e-12))
         return {};
     std::erase_if(distances, [bound](const OutlierHint &hint) { return std::abs(hint.distance) <= bound; });
-    std::ranges::sort(distances, {}, &OutlierHint::place);
+    std::ranges::sort(distances,
+                      [](const OutlierHint &a, const OutlierHint &b) { return a.place < b.place; });
     return distances;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 
 namespace palmer {
@@ -10,7 +9,11 @@ struct ReadingPlace {
     std::size_t run = 0;
     std::size_t target = 0;
 
-    auto operator<=>(const ReadingPlace &) const = default;
+    bool operator==(const ReadingPlace &) const = default;
+    /// By run, then by target.
+    friend bool operator<(const ReadingPlace &a, const ReadingPlace &b) {
+        return a.run != b.run ? a.run < b.run : a.target < b.target;
+    }
 };
 
 } // namespace palmer

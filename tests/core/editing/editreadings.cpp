@@ -80,12 +80,15 @@ private slots:
         setRefused(measurement(test), {5, 8}, "4,,8");
         test.extensions = R"({"colour":"red"})";
         document.tests.push_back(std::make_shared<const Test>(test));
-        QVERIFY(readDocument(writeDocument(document)) == document);
+        QByteArray bytes = writeDocument(document);
+        QCOMPARE(writeDocument(readDocument(bytes)), bytes);
         // Of a place that does not exist: others' data, kept as they are.
         test = example1988("ISO 230-2:1988");
         test.extensions = R"({"refusedReadings":[{"run":99,"target":1,"text":"4,,8"}]})";
         document.tests[0] = std::make_shared<const Test>(test);
-        QVERIFY(readDocument(writeDocument(document)) == document);
+        bytes = writeDocument(document);
+        QVERIFY(bytes.contains("4,,8"));
+        QCOMPARE(writeDocument(readDocument(bytes)), bytes);
     }
 
     void refusesTargetsThatDoNotAscend_data() {
