@@ -15,7 +15,8 @@ namespace {
 constexpr std::array powersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::uint64_t exactWhole = std::uint64_t(1) << 53U;
-constexpr std::size_t mostDigits = 18; // fit 64 bits whatever they are
+constexpr std::ptrdiff_t mostScale = powersOfTen.size() - 1;
+constexpr std::ptrdiff_t mostDigits = 18; // fit 64 bits whatever they are
 constexpr std::size_t longestNumber = 400;
 
 // U+2212 minus, en dash, hyphens, and the small and full-width ones.
@@ -147,76 +148,83 @@ std::string_view withoutBlanks(std::string_view text) {
     return text;
 }
 
+namespace {
+
+// A number of any length, whose digits and signs are known to be in order. NaN beyond the range of double.
+double valueOf(std::string_view number, char point, bool large) {
+    std::array<char, longestNumber> plain{};
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < number.size();) {
+        bool minus = false;
+        const std::size_t sign = signLength(number.substr(i), minus);
+        if (sign > 0) { // of the exponent
+            if (minus)
+                plain[size++] = '-';
+            i += sign;
+        } else {
+            plain[size++] = number[i] == point ? '.' : number[i];
+            ++i;
+        }
+    }
+    double value = 0;
+    const auto read = std::from_chars(plain.data(), plain.data() + size, value);
+    if (read.ec == std::errc() && std::isfinite(value))
+        return value;
+    // Too near to zero is zero.
+    return read.ec == std::errc::result_out_of_range && !large ? 0 : std::nan("");
+}
+
+} // namespace
+
 LeadingNumber leadingNumber(std::string_view text, DecimalMark mark) {
     const char point = mark == DecimalMark::point ? '.' : ',';
+    const char *const begin = text.data();
+    const char *const end = begin + text.size();
+    const char *at = begin;
     bool negative = false;
-    const std::size_t first = signLength(text, negative);
-    std::size_t at = first;
-    std::uint64_t whole = 0;
-    std::size_t digits = 0; // significant ones
-    std::size_t all = 0;
-    std::size_t decimals = 0;
-    const auto takeDigits = [&](std::size_t &count) {
-        for (; at < text.size() && isDigit(text[at]); ++at, ++all, ++count) {
-            if (digits < mostDigits)
-                whole = whole * 10 + static_cast<std::uint64_t>(text[at] - '0');
-            digits += digits > 0 || text[at] != '0' ? 1 : 0;
-        }
-    };
-    std::size_t wholes = 0;
-    takeDigits(wholes);
-    if (at < text.size() && text[at] == point) {
-        ++at;
-        takeDigits(decimals);
+    if (at != end && !isDigit(*at))
+        at += signLength(text, negative);
+    const char *const first = at;
+    std::uint64_t whole = 0; // may overflow, then it is not used
+    for (; at != end && isDigit(*at); ++at)
+        whole = whole * 10 + static_cast<std::uint64_t>(*at - '0');
+    std::ptrdiff_t digits = at - first;
+    const std::ptrdiff_t wholes = digits;
+    std::ptrdiff_t decimals = 0;
+    if (at != end && *at == point) {
+        const char *const firstDecimal = ++at;
+        for (; at != end && isDigit(*at); ++at)
+            whole = whole * 10 + static_cast<std::uint64_t>(*at - '0');
+        decimals = at - firstDecimal;
+        digits += decimals;
     }
-    if (all == 0)
+    if (digits == 0)
         return {};
-    int exponent = 0;
-    if (at + 1 < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    std::ptrdiff_t exponent = 0;
+    if (at != end && (*at == 'e' || *at == 'E')) {
         bool down = false;
-        const std::size_t sign = signLength(text.substr(at + 1), down);
-        std::size_t end = at + 1 + sign;
-        const std::size_t begin = end;
-        for (; end < text.size() && isDigit(text[end]); ++end)
-            exponent = std::min(exponent * 10 + (text[end] - '0'), 100'000);
-        if (end > begin)
-            at = end;
-        exponent = end > begin ? (down ? -exponent : exponent) : 0;
+        const char *digit = at + 1;
+        digit += signLength(text.substr(static_cast<std::size_t>(digit - begin)), down);
+        if (digit != end && isDigit(*digit)) {
+            for (at = digit; at != end && isDigit(*at); ++at)
+                exponent = std::min<std::ptrdiff_t>(exponent * 10 + (*at - '0'), 100'000);
+            exponent = down ? -exponent : exponent;
+        }
     }
-    const int scale = exponent - static_cast<int>(std::min<std::size_t>(decimals, 100'000));
+    const std::ptrdiff_t scale = exponent - decimals;
     double value = 0;
-    if (digits <= mostDigits && whole <= exactWhole &&
-        std::abs(scale) < static_cast<int>(powersOfTen.size())) {
-        const auto power = powersOfTen[static_cast<std::size_t>(std::abs(scale))];
-        value = scale < 0 ? static_cast<double>(whole) / power : static_cast<double>(whole) * power;
+    if (digits <= mostDigits && whole <= exactWhole && scale <= mostScale && scale >= -mostScale) {
+        value = static_cast<double>(whole);
+        value = scale < 0 ? value / powersOfTen[static_cast<std::size_t>(-scale)]
+                          : value * powersOfTen[static_cast<std::size_t>(scale)];
     } else {
-        if (at > longestNumber)
+        if (at - first > static_cast<std::ptrdiff_t>(longestNumber))
             return {};
-        std::array<char, longestNumber + 1> plain{};
-        std::size_t size = 0;
-        for (std::size_t i = first; i < at;) {
-            bool minus = false;
-            const std::size_t sign = signLength(text.substr(i, at - i), minus);
-            if (sign > 0) { // of the exponent
-                if (minus)
-                    plain[size++] = '-';
-                i += sign;
-            } else {
-                plain[size++] = text[i] == point ? '.' : text[i];
-                ++i;
-            }
-        }
-        const auto read = std::from_chars(plain.data(), plain.data() + size, value);
-        if (read.ec == std::errc::result_out_of_range) {
-            // Too near to zero is zero, too large is no number.
-            if (exponent >= 0 || static_cast<int>(wholes) + exponent > 0)
-                return {};
-            value = 0;
-        } else if (read.ec != std::errc() || !std::isfinite(value)) {
+        value = valueOf({first, static_cast<std::size_t>(at - first)}, point, exponent + wholes > 0);
+        if (std::isnan(value))
             return {};
-        }
     }
-    return {negative ? -value : value, at};
+    return {negative ? -value : value, static_cast<std::size_t>(at - begin)};
 }
 
 CellValue readCell(std::string_view cell, DecimalMark mark) {
