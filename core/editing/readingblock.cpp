@@ -19,7 +19,7 @@ constexpr double sameTarget = 1e-6; ///< mm or degrees
 /// A line of the block; null: an empty line, which has a place all the same.
 using Line = std::optional<TableRow>;
 
-bool hasNumber(const Table &table, const TableRow &row) {
+bool hasNumber(const CellTable &table, const TableRow &row) {
     return std::ranges::any_of(table.cells(row), &TableCell::isNumber);
 }
 
@@ -250,7 +250,7 @@ private:
     BlockChoices m_choices;
     Quantity m_position;
     PastedBlock m_result;
-    Table m_table;
+    CellTable m_table;
     std::vector<Line> m_lines;
     std::size_t m_skipped = 0; ///< cells at the beginning of each line that are the targets themselves
     bool m_allZero = true;
