@@ -2,6 +2,7 @@
 
 #include "document/savedocument.h"
 #include "ui/dialogs/reportdialog.h"
+#include "ui/model/editname.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
@@ -39,11 +40,6 @@ constexpr int statusHeight = 27;
 constexpr qint64 readAtOnce = 256 * 1024; ///< bytes; larger files are read on a thread
 constexpr int iconsOnlyBelow = 1180;
 
-/// A name of an edit in the window's language.
-QString editName(const QString &source) {
-    return QCoreApplication::translate("edits", source.toUtf8());
-}
-
 /// The tooltip of an action: its name and its shortcut.
 QString hint(const QAction &action) {
     QString text = action.text();
@@ -60,7 +56,7 @@ MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
     , m_stack(new QStackedWidget(this))
     , m_welcome(new WelcomePage(this))
-    , m_workplace(new Workplace(this)) {
+    , m_workplace(new Workplace(m_model, this)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);

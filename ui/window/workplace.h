@@ -15,6 +15,7 @@ namespace palmer::ui {
 
 class AgreedPointsPage;
 class ConditionsPage;
+class DocumentModel;
 class ExplanationCard;
 class FigureView;
 class FindingsPanel;
@@ -34,7 +35,7 @@ class Workplace : public QWidget {
     Q_OBJECT
 
 public:
-    explicit Workplace(QWidget *parent = nullptr);
+    explicit Workplace(DocumentModel &model, QWidget *parent = nullptr);
 
     [[nodiscard]] Selection &selection() { return m_selection; }
 
@@ -79,6 +80,7 @@ private:
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] bool isReportPage() const;
 
+    DocumentModel &m_model;
     Selection m_selection;
     NavigationModel m_navigationModel;
     EvaluatedDocument m_evaluated;
