@@ -6,6 +6,7 @@
 #include "commands/figure.h"
 #include "commands/report.h"
 #include "commands/selftest.h"
+#include "commands/targets.h"
 #include "report/plaintext.h"
 
 #include <algorithm>
@@ -104,8 +105,8 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(), reportCommand(),
-                                  figureCommand(),   feedCommand(),  selftestCommand()};
+    static const std::array table{evaluateCommand(), checkCommand(), reportCommand(),   figureCommand(),
+                                  targetsCommand(),  feedCommand(),  selftestCommand()};
     return table;
 }
 

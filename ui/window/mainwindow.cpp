@@ -6,6 +6,7 @@
 #include "ui/dialogs/newtestdialog.h"
 #include "ui/dialogs/recoverydialog.h"
 #include "ui/dialogs/reportdialog.h"
+#include "ui/model/editname.h"
 #include "ui/readings/readingspage.h"
 #include "ui/testname.h"
 #include "ui/theme.h"

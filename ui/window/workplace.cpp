@@ -103,10 +103,10 @@ QWidget *Workplace::makeCentre() {
         m_tabs->addTab(QString());
     m_pages = new QStackedWidget(centre);
     m_readings = new ReadingsPage(m_model, m_selection, m_pages);
-    m_conditions = new ConditionsPage(m_selection, m_pages);
-    m_agreedPoints = new AgreedPointsPage(m_selection, m_pages);
-    m_limits = new LimitsPage(m_selection, m_pages);
-    m_reportPages = new ReportPages(m_pages);
+    m_conditions = new ConditionsPage(m_model, m_selection, m_pages);
+    m_agreedPoints = new AgreedPointsPage(m_model, m_selection, m_pages);
+    m_limits = new LimitsPage(m_model, m_selection, m_pages);
+    m_reportPages = new ReportPages(m_model, m_selection, m_pages);
     for (QWidget *page :
          std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits, m_reportPages})
         m_pages->addWidget(page);
@@ -178,6 +178,9 @@ void Workplace::connectParts() {
         showPage(page);
         m_selection.setField(id);
     });
+    for (Form *form : std::initializer_list<Form *>{m_conditions, m_limits})
+        connect(form, &Form::nextWanted, this, [this] { showNextMissing(true); });
+    connect(m_reportPages, &ReportPages::nextWanted, this, [this] { showNextMissing(true); });
     connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
     connect(m_figure, &FigureView::maximiseWanted, this, [this] { setFigureMaximised(!m_maximised); });
     for (QSplitter *splitter : {m_outer, m_inner})
