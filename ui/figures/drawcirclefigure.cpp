@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace palmer::ui {
 
@@ -54,8 +55,8 @@ constexpr double screenRow = 11;
 constexpr double screenSample = 20;
 constexpr double screenSampleGap = 5;
 
-/// Points of a chain from which on most lie on one another in a picture.
-constexpr qsizetype denseChain = 2500;
+/// Points of a path from which on most lie on one another in a picture.
+constexpr std::size_t denseTrace = 2500;
 /// Flatness of a circle drawn as a chain of chords, points.
 constexpr double flatness = 0.02;
 
@@ -114,6 +115,8 @@ public:
         p.setClipRect(m_plot, Qt::IntersectClip);
         drawRings();
         drawAxes();
+        if (whole())
+            drawScale();
         drawCircle(0, FigureRole::nominal);
         drawLimitsOfF();
         drawEnvelope();
@@ -123,15 +126,19 @@ public:
         drawContacts();
         drawCentre();
         drawDimension();
-        drawLimitOfG();
         drawSenses();
+        if (m_medium != Medium::paper && whole())
+            drawCorners();
         drawRingLabels();
+        drawLimitOfG();
         p.restore();
-        drawScale();
+        if (!whole()) { // what is in view lies below
+            drawScale();
+            if (m_medium != Medium::paper)
+                drawCorners();
+        }
         if (m_medium == Medium::paper)
             drawKey();
-        else
-            drawCorners();
         return {m_plot, QTransform(m_scale, 0, 0, -m_scale, m_centre.x(), m_centre.y()), 0};
     }
 
@@ -174,26 +181,8 @@ private:
     }
     void flush(QPolygonF &piece) {
         if (piece.size() > 1)
-            drawPolyline(piece);
+            p.drawPolyline(piece);
         piece.clear();
-    }
-
-    /// A picture takes a second for the joins of a thousand points a turn that lie on one another; without
-    /// them it looks the same.
-    void drawPolyline(const QPolygonF &chain) {
-        const bool picture = p.paintEngine() && p.paintEngine()->type() == QPaintEngine::Raster;
-        if (!picture || chain.size() < denseChain) {
-            p.drawPolyline(chain);
-            return;
-        }
-        QPen line = p.pen();
-        line.setCapStyle(Qt::FlatCap);
-        p.setPen(line);
-        QList<QLineF> lines;
-        lines.reserve(chain.size() - 1);
-        for (qsizetype i = 1; i < chain.size(); ++i)
-            lines.append({chain[i - 1], chain[i]});
-        p.drawLines(lines);
     }
 
     void drawCircle(double deviation, FigureRole role) {
@@ -276,11 +265,16 @@ private:
             drawArrowHead(polar(angle, tip), angle, arrowLength * m_unit, arrowWidth * m_unit,
                           colour(FigureRole::planeAxis));
         }
-        const QColor text = colour(FigureRole::text);
         const double width = textWidth(m_figure.firstAxis);
-        drawText(p, polar(0, tip) + QPointF(-width - 0.2 * mm, letterBeside * mm), m_figure.firstAxis, text);
-        drawText(p, polar(90, tip) + QPointF(-1.6 * mm - textWidth(m_figure.secondAxis), textHeight / 2),
-                 m_figure.secondAxis, text);
+        drawLetter(polar(0, tip) + QPointF(-width / 2 - 0.2 * mm, letterBeside * mm), m_figure.firstAxis);
+        drawLetter(polar(90, tip) + QPointF(-1.6 * mm - textWidth(m_figure.secondAxis) / 2, textHeight / 2),
+                   m_figure.secondAxis);
+    }
+
+    void drawLetter(QPointF centre, const QString &letter) {
+        const double width = textWidth(letter);
+        if (take(boxOf(centre, width)))
+            drawText(p, centre - QPointF(width / 2, 0), letter, colour(FigureRole::text));
     }
 
     void drawLimitsOfF() {
@@ -305,15 +299,33 @@ private:
                 line.setColor(blend(line.color(), colour(FigureRole::background), repetitionStrength));
                 line.setWidthF(line.widthF() / 2);
             }
-            p.setPen(line);
+            drawTrace(trace.points, line);
+        }
+    }
+
+    /// A raster picture takes a second for the joins of thousands of points that lie on one another: a dense
+    /// path is drawn there as lines of a pixel beside each other, which looks the same.
+    void drawTrace(const std::vector<TracePoint> &points, QPen line) {
+        const bool picture = p.paintEngine() && p.paintEngine()->type() == QPaintEngine::Raster;
+        const double pixel = 1 / std::sqrt(std::abs(p.deviceTransform().determinant()));
+        const double width = line.widthF();
+        int lines = 1;
+        if (picture && points.size() >= denseTrace && width > pixel) {
+            lines = static_cast<int>(std::ceil(width / pixel));
+            line.setWidthF(0.99 * pixel); // what the painter draws quickly
+        }
+        p.setPen(line);
+        for (int i = 0; i < lines; ++i) {
+            const double offset =
+                lines == 1 ? 0 : (width - pixel) * (static_cast<double>(i) / (lines - 1) - 0.5);
             QPolygonF chain;
-            chain.reserve(static_cast<qsizetype>(trace.points.size()));
-            for (const TracePoint &point : trace.points)
-                chain << place(point);
+            chain.reserve(static_cast<qsizetype>(points.size()));
+            for (const TracePoint &point : points)
+                chain << polar(point.angle, m_figure.radius(point.deviation) + offset / m_scale);
             if (chain.size() == 1)
                 p.drawPoint(chain.front());
             else if (whole())
-                drawPolyline(chain);
+                p.drawPolyline(chain);
             else
                 drawChain(chain);
         }
@@ -376,10 +388,22 @@ private:
 
     // ---- Dimensions and texts ----------------------------------------------------------------------------
 
+    [[nodiscard]] static QRectF boxOf(QPointF centre, double width) {
+        return {centre.x() - width / 2 - 1, centre.y() - textHeight / 2, width + 2, textHeight};
+    }
+
+    /// Whether a text of this box is in view and on no other; it is not so any more for the next.
+    bool take(const QRectF &box) {
+        if (!m_plot.contains(box) ||
+            std::ranges::any_of(m_taken, [&](const QRectF &other) { return other.intersects(box); }))
+            return false;
+        m_taken.push_back(box);
+        return true;
+    }
+
     void drawOnGround(QPointF centre, const TextLine &line, const QColor &ink, bool bold = false) {
         const double width = textWidth(line, bold);
-        p.fillRect(QRectF(centre.x() - width / 2 - 1, centre.y() - textHeight / 2, width + 2, textHeight),
-                   colour(FigureRole::background));
+        p.fillRect(boxOf(centre, width), colour(FigureRole::background));
         drawText(p, {centre.x() - width / 2, centre.y()}, line, ink, bold);
     }
 
@@ -405,34 +429,41 @@ private:
         if (!m_figure.envelope || !m_figure.envelope->dimension)
             return;
         const CircleEnvelope &envelope = *m_figure.envelope;
-        const double dimensionAngle = freeAngle(dimensionAngles);
+        const double degrees = freeAngle(dimensionAngles);
         const double inner = m_figure.radius(envelope.inner);
         const double outer = m_figure.radius(envelope.outer);
-        const double width = (outer - inner) * m_figure.view.zoom; // as it is drawn
-        const bool inside = width >= 2.4 * dimensionArrowLength;
-        const double beyond = inside ? 0 : 2.5 * dimensionArrowLength / m_figure.view.zoom;
+        const double width = (outer - inner) * m_scale; // as it is drawn, points
+        const bool inside = width >= 2.4 * dimensionArrowLength * mm;
+        const double beyond = inside ? 0 : 2.5 * dimensionArrowLength * mm / m_scale;
         QPen line = pen(FigureRole::dimension);
         line.setCapStyle(Qt::FlatCap);
         p.setPen(line);
         if (inside) {
-            drawChain({polar(dimensionAngle, inner), polar(dimensionAngle, outer)});
+            drawChain({polar(degrees, inner), polar(degrees, outer)});
         } else {
-            drawChain({polar(dimensionAngle, inner - beyond), polar(dimensionAngle, inner)});
-            drawChain({polar(dimensionAngle, outer), polar(dimensionAngle, outer + beyond)});
+            drawChain({polar(degrees, inner - beyond), polar(degrees, inner)});
+            drawChain({polar(degrees, outer), polar(degrees, outer + beyond)});
         }
-        const double away = dimensionAngle + 180;
-        drawArrowHead(polar(dimensionAngle, outer), inside ? dimensionAngle : away, dimensionArrowLength * mm,
+        const double away = degrees + 180;
+        drawArrowHead(polar(degrees, outer), inside ? degrees : away, dimensionArrowLength * mm,
                       dimensionArrowWidth * mm, colour(FigureRole::dimension));
-        drawArrowHead(polar(dimensionAngle, inner), inside ? away : dimensionAngle, dimensionArrowLength * mm,
+        drawArrowHead(polar(degrees, inner), inside ? away : degrees, dimensionArrowLength * mm,
                       dimensionArrowWidth * mm, colour(FigureRole::dimension));
         TextLine label{{envelope.label}};
         if (!envelope.subscript.isEmpty())
             label.push_back({envelope.subscript, true});
-        const double across = textWidth(label, true) / m_unit;
-        const double at = width >= roomForLabel * mm / m_unit
-                              ? outer - 0.25 * (outer - inner)
-                              : inner - beyond - (0.35 * across + 2) / m_figure.view.zoom;
-        drawOnGround(polar(dimensionAngle, at), label, colour(FigureRole::text), true);
+        const double across = textWidth(label, true);
+        // In the line, else beyond the outer circle, else within the inner one.
+        const double clear =
+            (0.5 * across * std::abs(std::cos(radians(degrees))) + 0.75 * textHeight) / m_scale;
+        std::vector<double> radii{outer + beyond + clear, inner - beyond - clear};
+        if (width >= roomForLabel * mm)
+            radii.insert(radii.begin(), outer - 0.25 * (outer - inner));
+        for (const double radius : radii) {
+            const QPointF at = polar(degrees, radius);
+            if (radius > 0 && take(boxOf(at, across)))
+                return drawOnGround(at, label, colour(FigureRole::text), true);
+        }
     }
 
     /// The limit of a width, as long as it is, in the middle of the circles it limits.
@@ -455,10 +486,14 @@ private:
         p.drawLine(from - tick, from + tick);
         p.drawLine(to - tick, to + tick);
         // The text reads along the line, above it.
+        QTransform along = QTransform::fromTranslate((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
+        along.rotate(180 - limitAngle);
+        const QPointF above(0, -0.8 * textHeight);
+        if (!take(along.mapRect(boxOf(above, textWidth(envelope.limitLabel)))))
+            return;
         p.save();
-        p.translate((from + to) / 2);
-        p.rotate(180 - limitAngle);
-        drawOnGround({0, -0.8 * textHeight}, {{envelope.limitLabel}}, colour(FigureRole::text));
+        p.setTransform(along, true);
+        drawOnGround(above, {{envelope.limitLabel}}, colour(FigureRole::text));
         p.restore();
     }
 
@@ -497,8 +532,7 @@ private:
         drawArrowHead(polar(end, radius), heading, arrowLength * m_unit, arrowWidth * 1.15 * m_unit,
                       trace.color());
         const double middle = forwards ? 48 : 132;
-        const QPointF at = polar(middle, labelRadius);
-        drawText(p, at - QPointF(textWidth(arrow.index) / 2, 0), arrow.index, colour(FigureRole::text));
+        drawLetter(polar(middle, labelRadius), arrow.index);
     }
 
     void drawSenses() {
@@ -518,13 +552,10 @@ private:
     }
 
     void drawRingLabels() {
-        double before = -1e9;
         for (const DeviationCircle &ring : m_figure.rings) {
             const QPointF at = polar(ringLabels, m_figure.radius(ring.deviation));
-            if (at.y() - before < textHeight || !m_plot.adjusted(10, 5, -10, -5).contains(at))
-                continue;
-            before = at.y();
-            drawOnGround(at, {{ring.label}}, colour(FigureRole::text));
+            if (take(boxOf(at, textWidth(ring.label))))
+                drawOnGround(at, {{ring.label}}, colour(FigureRole::text));
         }
     }
 
@@ -549,8 +580,14 @@ private:
         for (const double x : {left, left + length})
             p.drawLine(QPointF(x, y - scaleTick * mm), QPointF(x, y + scaleTick * mm));
         drawText(p, {textLeft, y}, m_figure.divisionLabel, colour(FigureRole::text));
-        if (m_medium == Medium::paper && whole())
-            drawText(p, {left, y - ratioAbove * mm}, m_figure.ratio, colour(FigureRole::text));
+        const double width = textWidth(m_figure.divisionLabel);
+        m_taken.push_back(boxOf({textLeft + width / 2, y}, width));
+        if (m_medium == Medium::paper && whole()) {
+            const QPointF above(left, y - ratioAbove * mm);
+            drawText(p, above, m_figure.ratio, colour(FigureRole::text));
+            const double across = textWidth(m_figure.ratio);
+            m_taken.push_back(boxOf(above + QPointF(across / 2, 0), across));
+        }
     }
 
     void drawSample(const QRectF &box, CircleLegendSample sample) {
@@ -642,7 +679,7 @@ private:
         if (whole()) {
             const double dx = std::max({box.left() - m_centre.x(), m_centre.x() - box.right(), 0.0});
             const double dy = std::max({box.top() - m_centre.y(), m_centre.y() - box.bottom(), 0.0});
-            if (std::hypot(dx, dy) < m_figure.figureRadius * m_scale)
+            if (std::hypot(dx, dy) < m_figure.figureRadius * m_scale || !take(box))
                 return; // no room beside the circles
         } else {
             p.fillRect(box, colour(FigureRole::background));
@@ -658,8 +695,9 @@ private:
     QRectF m_plot;
     QRectF m_guard; ///< what the painter is given of long lines
     QPointF m_centre;
-    double m_unit = 1;  ///< points a mm of the whole figure
-    double m_scale = 1; ///< points a mm of the figure in view
+    std::vector<QRectF> m_taken; ///< by texts
+    double m_unit = 1;           ///< points a mm of the whole figure
+    double m_scale = 1;          ///< points a mm of the figure in view
 };
 
 } // namespace
