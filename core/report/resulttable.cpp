@@ -200,8 +200,12 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         if (parameter.verdict)
             line.verdictWord = language.text(verdictText(*parameter.verdict));
         line.scale = decisionScale(parameter);
-        line.main = familyOf(parameter.term.id) != family;
-        family = familyOf(parameter.term.id);
+        const bool circular = !table.circle.isEmpty();
+        const std::string_view id = parameter.term.id;
+        const std::string_view own = circular ? id.substr(0, 1) : familyOf(id);
+        line.isFirst = own != family;
+        line.main = circular ? own != "F" : line.isFirst;
+        family = own;
         table.lines.push_back(std::move(line));
     }
     return table;
