@@ -50,10 +50,10 @@ constexpr std::array shortNames{
     ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), REPORT_TEXT("report", "reversal range, largest")},
     ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), REPORT_TEXT("report", "reversal range, mean")},
     ShortName{REPORT_TEXT("report", "bi-directional circular deviation"), REPORT_TEXT_FOR("report", "bi-directional", "circular deviation")},
-    ShortName{REPORT_TEXT("report", "mean bi-directional radial deviation"), REPORT_TEXT("report", "mean radial deviation")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial deviation"), REPORT_TEXT_FOR("report", "mean radial", "deviation")},
     ShortName{REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
     ShortName{REPORT_TEXT("report", "bi-directional circular error"), REPORT_TEXT_FOR("report", "bi-directional", "circular error")},
-    ShortName{REPORT_TEXT("report", "mean bi-directional radial error"), REPORT_TEXT("report", "mean radial error")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial error"), REPORT_TEXT_FOR("report", "mean radial", "error")},
     ShortName{REPORT_TEXT("report", "bi-directional circular error using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
 };
 // clang-format on
