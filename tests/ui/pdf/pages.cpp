@@ -323,8 +323,8 @@ void PagesTest::extremeDocumentsStayInTheMargins() {
                 const auto *pixels = page.constScanLine(y);
                 for (int x = 0; x < page.width(); ++x) {
                     const bool allowed = (inText || inFooter) && x >= left && x <= right;
-                    QVERIFY2(allowed || pixels[x] > 250,
-                             qPrintable(u"page %1: %2 mm, %3 mm"_s.arg(number).arg(x / 3.0).arg(down)));
+                    if (!allowed && pixels[x] <= 250)
+                        QFAIL(qPrintable(u"page %1: %2 mm, %3 mm"_s.arg(number).arg(x / 3.0).arg(down)));
                     if (inText && x == left)
                         x = right; // nothing to look at between the margins
                 }
