@@ -2,6 +2,7 @@
 
 #include "commands/check.h"
 #include "commands/evaluate.h"
+#include "commands/feed.h"
 #include "commands/figure.h"
 #include "commands/report.h"
 #include "commands/selftest.h"
@@ -103,8 +104,8 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(), reportCommand(), figureCommand(),
-                                  selftestCommand()};
+    static const std::array table{evaluateCommand(), checkCommand(), reportCommand(),
+                                  figureCommand(),   feedCommand(),  selftestCommand()};
     return table;
 }
 
@@ -184,7 +185,8 @@ QString programHelp(const Language &language) {
     options.push_back(
         {QStringLiteral("--version"), language.text(REPORT_TEXT("report", "version of the program"))});
     return language.text(REPORT_TEXT(
-               "report", "palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2).")) +
+               "report", "palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2), "
+                         "circular tests (ISO 230-4).")) +
            QStringLiteral("\n\npalmer-cli ") +
            language.text(REPORT_TEXT("report", "COMMAND [OPTION]… [FILE]…")) + QStringLiteral("\n\n") +
            rows(list) + u'\n' + rows(options) + u'\n' +

@@ -404,7 +404,7 @@ void addContacts(CircleFigure &figure, std::span<const PathProfile> profiles, do
 }
 
 QString senseText(Sense sense, const std::string &index, const Language &language) {
-    return language.sentence({sense == Sense::counterclockwise ? REPORT_TEXT("report", "counterclockwise, %1")
+    return language.sentence({sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise, %1")
                                                                : REPORT_TEXT("report", "clockwise, %1"),
                               {index},
                               {}});

@@ -178,7 +178,7 @@ void addReversal(CurveFigure &figure, const Source &source) {
         return;
     const std::size_t i = Source::index(*shown->ruling[0]);
     const auto [lower, upper] =
-        std::minmax(source.mean(i, Direction::positive), source.mean(i, Direction::negative));
+        std::minmax({source.mean(i, Direction::positive), source.mean(i, Direction::negative)});
     addDimension(
         figure, *shown,
         {{}, {}, lower, upper, source.position(i), source.position(i), DimensionPlace::rightOfTarget});

@@ -139,8 +139,6 @@ private:
             words << figure.envelope->label + figure.envelope->subscript;
         if (figure.envelope && figure.envelope->limit)
             words << figure.envelope->limitLabel;
-        for (const DeviationCircle &limit : figure.limits)
-            words << limit.label;
         cells(words);
         QStringList legend;
         for (const CircleLegendEntry &entry : figure.legend)

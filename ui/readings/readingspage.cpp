@@ -73,6 +73,10 @@ QToolButton *ReadingsPage::addSegment(QButtonGroup *group, const char *name, int
     return button;
 }
 
+ReadingsPage::~ReadingsPage() {
+    delete m_view;
+}
+
 void ReadingsPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
     m_test = test;

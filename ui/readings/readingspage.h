@@ -20,6 +20,7 @@ class ReadingsPage : public QWidget {
 
 public:
     explicit ReadingsPage(Selection &selection, QWidget *parent = nullptr);
+    ~ReadingsPage() override; ///< the table goes before the model it looks at
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);

@@ -150,7 +150,7 @@ void ResultsPanel::refresh() {
     const int row = m_table->currentIndex().row();
     m_model.setTable(resultTable(m_evaluated, m_test, m_language));
     const ResultTable &table = m_model.table();
-    QStringList rule{table.unit};
+    QStringList rule{table.unit, table.circle};
     if (!table.view)
         rule << table.rule;
     if (!table.coverage.isEmpty())

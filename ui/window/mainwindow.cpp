@@ -1,6 +1,7 @@
 #include "ui/window/mainwindow.h"
 
 #include "document/savedocument.h"
+#include "ui/dialogs/feeddialog.h"
 #include "ui/dialogs/reportdialog.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
@@ -59,8 +60,8 @@ QString hint(const QAction &action) {
 MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
     , m_stack(new QStackedWidget(this))
-    , m_welcome(new WelcomePage(this))
-    , m_workplace(new Workplace(this)) {
+    , m_welcome(new WelcomePage(m_stack))
+    , m_workplace(new Workplace(m_stack)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
@@ -142,6 +143,8 @@ void MainWindow::makeActions() {
     m_testMenu->addSeparator();
     m_setEditionAction = addAction(m_testMenu, QStringLiteral("setEditionAction"));
     m_ownEditionAction = addAction(m_testMenu, QStringLiteral("ownEdition"));
+    m_testMenu->addSeparator();
+    m_feedAction = addAction(m_testMenu, QStringLiteral("contouringFeed"));
 
     for (std::size_t i = 0; i < m_pageActions.size(); ++i) {
         m_pageActions[i] = addAction(m_viewMenu, QStringLiteral("page%1").arg(i + 1));
@@ -241,6 +244,7 @@ void MainWindow::connectParts() {
     });
     connect(m_ownEditionAction, &QAction::triggered, this,
             [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
+    connect(m_feedAction, &QAction::triggered, this, &MainWindow::showFeed);
     constexpr std::array pages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
     for (std::size_t i = 0; i < pages.size(); ++i)
         connect(m_pageActions[i], &QAction::triggered, this,
@@ -506,6 +510,22 @@ void MainWindow::showReport() {
     dialog.exec();
 }
 
+void MainWindow::showFeed() {
+    auto *dialog = new FeedDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    const std::size_t test = m_workplace->selection().test();
+    const auto &tests = m_model.document()->tests;
+    if (m_open && test < tests.size()) {
+        // Of the test at hand the diameter is known; its feed may be the specified one.
+        const auto *measurement = std::get_if<CircularMeasurement>(&tests[test]->measurement);
+        if (measurement && measurement->nominalRadius > 0) {
+            const double diameter = 2 * measurement->nominalRadius;
+            dialog->setNumbers({diameter, measurement->feed.value_or(0), diameter});
+        }
+    }
+    dialog->show();
+}
+
 void MainWindow::about() {
     auto *box = new QMessageBox(QMessageBox::NoIcon, tr("About Palmer"),
                                 QStringLiteral("Palmer " PALMER_VERSION), QMessageBox::Ok, this);
@@ -591,6 +611,7 @@ void MainWindow::retranslate() {
     m_nextTestAction->setText(tr("&Next test"));
     m_setEditionAction->setText(tr("&Set as edition of the test"));
     m_ownEditionAction->setText(tr("&Back to the edition of the test"));
+    m_feedAction->setText(tr("Contouring &feed…"));
     m_pageActions[0]->setText(tr("&Readings"));
     m_pageActions[1]->setText(tr("&Conditions"));
     m_pageActions[2]->setText(tr("&Agreed points"));

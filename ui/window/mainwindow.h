@@ -66,6 +66,7 @@ private:
     void remember();
     void setEdition(std::size_t test, const QString &edition);
     void showReport();
+    void showFeed();
     void about();
     void retranslate();
 
@@ -105,6 +106,7 @@ private:
     QAction *m_nextTestAction;
     QAction *m_setEditionAction;
     QAction *m_ownEditionAction;
+    QAction *m_feedAction;
     std::array<QAction *, 4> m_pageActions{};
     QAction *m_nextMissingAction;
     QAction *m_previousMissingAction;

@@ -51,8 +51,8 @@ int tabOf(Page page) {
 Workplace::Workplace(QWidget *parent)
     : QWidget(parent)
     , m_outer(new ThinSplitter(Qt::Horizontal, this))
-    , m_inner(new ThinSplitter(Qt::Horizontal, this))
-    , m_navigation(new NavigationList(m_navigationModel, this)) {
+    , m_inner(new ThinSplitter(Qt::Horizontal, m_outer))
+    , m_navigation(new NavigationList(m_navigationModel, m_outer)) {
     setObjectName(QStringLiteral("workplace"));
     m_centre = makeCentre();
     m_right = static_cast<RightSide *>(makeRight());
@@ -71,8 +71,9 @@ Workplace::Workplace(QWidget *parent)
     retranslate();
 }
 
+// Every part is made with the parent it keeps: to move one later costs the styles of all below it anew.
 QWidget *Workplace::makeCentre() {
-    auto *centre = new QWidget(this);
+    auto *centre = new QWidget(m_inner);
     centre->setObjectName(QStringLiteral("centre"));
     centre->setAttribute(Qt::WA_StyledBackground);
     centre->setProperty("ground", QStringLiteral("base"));
@@ -82,19 +83,19 @@ QWidget *Workplace::makeCentre() {
     m_tabs->setObjectName(QStringLiteral("pageTabs"));
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->addTab(QString());
-    m_readings = new ReadingsPage(m_selection, centre);
-    m_conditions = new ConditionsPage(m_selection, centre);
-    m_agreedPoints = new AgreedPointsPage(m_selection, centre);
-    m_limits = new LimitsPage(m_selection, centre);
-    m_reportPages = new ReportPages(centre);
     m_pages = new QStackedWidget(centre);
+    m_readings = new ReadingsPage(m_selection, m_pages);
+    m_conditions = new ConditionsPage(m_selection, m_pages);
+    m_agreedPoints = new AgreedPointsPage(m_selection, m_pages);
+    m_limits = new LimitsPage(m_selection, m_pages);
+    m_reportPages = new ReportPages(m_pages);
     for (QWidget *page :
          std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits, m_reportPages})
         m_pages->addWidget(page);
-    m_target = new TargetCard(m_selection, centre);
-    m_explanation = new ExplanationCard(m_selection, centre);
     auto *card = new QFrame(centre);
     m_card = card;
+    m_target = new TargetCard(m_selection, card);
+    m_explanation = new ExplanationCard(m_selection, card);
     card->setObjectName(QStringLiteral("detailCard"));
     auto *cardLayout = new QVBoxLayout(card);
     cardLayout->setContentsMargins(0, 0, 0, 0);

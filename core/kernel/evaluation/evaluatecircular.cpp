@@ -26,6 +26,14 @@ std::optional<double> expandedUncertainty(const CircularMeasurement &measurement
     return found->second / 1000; // µm
 }
 
+/// The first rows that are of one quantity: Fmax and Fmin of a path stand together.
+std::span<const CircularRow> rowsOfAQuantity(std::span<const CircularRow> rows) {
+    std::size_t count = 1;
+    while (count < rows.size() && std::string_view(rows[count].quantity) == rows.front().quantity)
+        ++count;
+    return rows.first(count);
+}
+
 void addParameter(TestEvaluation &evaluation, const CircularRow &row, const CircularCase &test,
                   const EvaluatedPath *path, const std::string &index) {
     Parameter result;
@@ -93,14 +101,18 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
     results.notCorrected = iso230_4::awayFrom20(measurement) && !iso230_4::isCorrected(measurement);
 
     CircularCase whole{test, measurement, surroundings, edition, results};
-    for (const CircularRow &row : edition.circles->rows) {
-        if (row.external == whole.feedback())
+    for (auto rows = edition.circles->rows; !rows.empty();) {
+        const auto quantity = rowsOfAQuantity(rows);
+        rows = rows.subspan(quantity.size());
+        if (quantity.front().external == whole.feedback())
             continue;
-        if (row.of == CircularRow::Of::eachArc) {
-            for (const EvaluatedPath &path : results.paths)
-                addParameter(evaluation, row, whole, &path, path.index);
+        if (quantity.front().of == CircularRow::Of::eachArc) {
+            for (const EvaluatedPath &path : results.paths) {
+                for (const CircularRow &row : quantity)
+                    addParameter(evaluation, row, whole, &path, path.index);
+            }
         } else if (whole.bothSenses()) {
-            addParameter(evaluation, row, whole, nullptr, results.paths.front().index);
+            addParameter(evaluation, quantity.front(), whole, nullptr, results.paths.front().index);
         }
     }
     whole.uncertaintyStated = std::ranges::all_of(evaluation.parameters, [](const Parameter &p) {

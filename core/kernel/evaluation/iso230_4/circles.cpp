@@ -3,6 +3,7 @@
 #include "kernel/numerics/leastsquarescircle.h"
 #include "kernel/numerics/minimumzone.h"
 
+#include <algorithm>
 #include <array>
 
 namespace palmer::iso230_4 {
@@ -20,6 +21,10 @@ void addCircles(std::vector<CircleResult> &circles, CircleOf of, PointsView poin
                            fit.outerRadius, fit.range(), std::nullopt});
 }
 
+CircleOf circleOf(Sense sense) {
+    return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
+}
+
 } // namespace
 
 std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths) {
@@ -31,10 +36,15 @@ std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths) {
         addCircles(result, CircleOf::both, both.view(), groups);
     }
     for (const EvaluatedPath &path : paths)
-        addCircles(result,
-                   path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise,
-                   path.points.view(), {});
+        addCircles(result, circleOf(path.sense), path.points.view(), {});
     return result;
+}
+
+std::optional<CircleResult> circleOfPath(const EvaluatedPath &path, ReferenceCircle kind) {
+    std::vector<CircleResult> circles;
+    addCircles(circles, circleOf(path.sense), path.points.view(), {});
+    const auto found = std::ranges::find(circles, kind, &CircleResult::kind);
+    return found == circles.end() ? std::nullopt : std::optional(*found);
 }
 
 } // namespace palmer::iso230_4
