@@ -3,6 +3,7 @@
 #include "figures/circlefigure.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/evaluation/iso230_4/parameters.h"
+#include "language/decimals.h"
 
 #include <algorithm>
 #include <array>
@@ -174,7 +175,9 @@ private:
     [[nodiscard]] Formula correctionStep() const {
         const Conditions &conditions = m_measurement.conditions.common;
         const auto shown = [&](std::optional<double> value, Quantity quantity) {
-            return value ? m_language.number(*value, quantity) : QStringLiteral("–");
+            // A mean may have no short form.
+            return value ? m_language.number(*value, quantity, decimalsOf(*value, quantity))
+                         : QStringLiteral("–");
         };
         const auto part = [&](std::optional<double> alpha, SensorMeasures what) {
             return QStringLiteral("%1·(%2 − 20)")

@@ -431,8 +431,8 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
 
 QString notProven(const TestPart &part, const std::vector<const PrintedResult *> &results) {
     const QString symbols = joinedSymbols(parametersOf(results));
-    const bool withoutValue = std::ranges::all_of(
-        results, [](const PrintedResult *result) { return !result->parameter->value; });
+    const bool withoutValue =
+        std::ranges::all_of(results, [](const PrintedResult *result) { return !result->parameter->value; });
     if (withoutValue)
         return part.write.say(REPORT_TEXT("report", "Without a value nothing is proven for %1."), symbols);
     const bool uncorrected =

@@ -50,10 +50,10 @@ constexpr std::array shortNames{
     ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), REPORT_TEXT("report", "reversal range, largest")},
     ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), REPORT_TEXT("report", "reversal range, mean")},
     ShortName{REPORT_TEXT("report", "bi-directional circular deviation"), REPORT_TEXT_FOR("report", "bi-directional", "circular deviation")},
-    ShortName{REPORT_TEXT("report", "mean bi-directional radial deviation"), REPORT_TEXT("report", "mean radial deviation")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial deviation"), REPORT_TEXT_FOR("report", "mean radial", "deviation")},
     ShortName{REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
     ShortName{REPORT_TEXT("report", "bi-directional circular error"), REPORT_TEXT_FOR("report", "bi-directional", "circular error")},
-    ShortName{REPORT_TEXT("report", "mean bi-directional radial error"), REPORT_TEXT("report", "mean radial error")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial error"), REPORT_TEXT_FOR("report", "mean radial", "error")},
     ShortName{REPORT_TEXT("report", "bi-directional circular error using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
 };
 // clang-format on
@@ -200,8 +200,12 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         if (parameter.verdict)
             line.verdictWord = language.text(verdictText(*parameter.verdict));
         line.scale = decisionScale(parameter);
-        line.main = familyOf(parameter.term.id) != family;
-        family = familyOf(parameter.term.id);
+        const bool circular = !table.circle.isEmpty();
+        const std::string_view id = parameter.term.id;
+        const std::string_view own = circular ? id.substr(0, 1) : familyOf(id);
+        line.isFirst = own != family;
+        line.main = circular ? own != "F" : line.isFirst;
+        family = own;
         table.lines.push_back(std::move(line));
     }
     return table;

@@ -40,7 +40,8 @@ struct ResultLine {
     std::optional<Verdict> verdict;
     QString verdictWord; ///< empty without verdict
     std::optional<DecisionScale> scale;
-    bool main = true; ///< with a rule above; else a detail of the one above it
+    bool main = true;    ///< bidirectional, G or D; else a detail
+    bool isFirst = true; ///< of those that belong together: with a rule above
 
     bool operator==(const ResultLine &) const = default;
 };

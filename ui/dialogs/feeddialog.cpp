@@ -91,6 +91,7 @@ QDoubleSpinBox *FeedDialog::addNumber(const char *name, double largest) {
     box->setRange(smallest, largest);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     box->setGroupSeparatorShown(true);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setAlignment(Qt::AlignRight);
     return box;
 }

@@ -265,6 +265,16 @@ private slots:
         QVERIFY(g.words.join(u' ').contains(u"zone minimale"_s));
     }
 
+    void meansOfTemperaturesAreShort() {
+        Test test = fourLobes();
+        // (20.6 + 20.8)/2 is 20.700000000000003 as a double.
+        auto &sensors = std::get<CircularMeasurement>(test.measurement).conditions.common.sensors;
+        sensors[0].start = 20.6;
+        sensors[0].end = 20.8;
+        const QString shown = steps(explained(test, "D_XY"));
+        QVERIFY2(shown.contains(u"10·(20.7 − 20)]"_s), qPrintable(shown));
+    }
+
     void withoutCorrectionThereIsNone() {
         const Explanation d = explained(fourLobes(CorrectionTo20::notApplied), "D_XY");
         QCOMPARE(steps(d), u"DXY = (RLSC − R) = −0.44\u00a0µm"_s);

@@ -89,11 +89,11 @@ private slots:
         test.measurement = m;
         QStringList names;
         for (const ResultLine &line : table(test).lines)
-            names << line.id + u' ' + line.name + (line.main ? u"*"_s : QString());
-        QCOMPARE(names.join(u'\n'),
-                 u"G(b)_XY bi-directional*\nG_XY anticlockwise*\nG_YX clockwise\n"
-                 "D_XY mean radial deviation*\nFmax_XY anticlockwise*\nFmin_XY anticlockwise\n"
-                 "Fmax_YX clockwise\nFmin_YX clockwise"_s);
+            names << (line.isFirst ? u"— "_s : QString()) + line.id + u' ' + line.name +
+                         (line.main ? u"*"_s : QString());
+        QCOMPARE(names.join(u'\n'), u"— G(b)_XY bi-directional*\nG_XY anticlockwise*\nG_YX clockwise*\n"
+                                    "— D_XY mean radial*\n— Fmax_XY anticlockwise\nFmin_XY "
+                                    "anticlockwise\nFmax_YX clockwise\nFmin_YX clockwise"_s);
         QCOMPARE(table(test).circle, u"MZC"_s);
         m.referenceCircle = ReferenceCircle::leastSquares;
         test.measurement = m;
