@@ -247,7 +247,7 @@ void CircleFigureView::retranslate() {
         button->setToolTip(tip);
         button->setFont(themeFont(TextSize::small));
     };
-    name(m_counterclockwise, tr("counterclockwise"), tr("Show the path counterclockwise"));
+    name(m_counterclockwise, tr("anticlockwise"), tr("Show the path anticlockwise"));
     name(m_clockwise, tr("clockwise"), tr("Show the path clockwise"));
     name(m_repetitions, tr("repetitions"), tr("Show repeated paths"));
     m_choice->setFont(themeFont(TextSize::small));

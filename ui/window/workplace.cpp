@@ -1,5 +1,7 @@
 #include "ui/window/workplace.h"
 
+#include "ui/circles/arctexts.h"
+#include "ui/circles/circlespage.h"
 #include "ui/figures/figureview.h"
 #include "ui/forms/agreedpointspage.h"
 #include "ui/forms/conditionspage.h"
@@ -48,8 +50,9 @@ int tabOf(Page page) {
 
 } // namespace
 
-Workplace::Workplace(QWidget *parent)
+Workplace::Workplace(DocumentModel &model, QWidget *parent)
     : QWidget(parent)
+    , m_model(model)
     , m_outer(new ThinSplitter(Qt::Horizontal, this))
     , m_inner(new ThinSplitter(Qt::Horizontal, m_outer))
     , m_navigation(new NavigationList(m_navigationModel, m_outer)) {
@@ -84,13 +87,17 @@ QWidget *Workplace::makeCentre() {
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->addTab(QString());
     m_pages = new QStackedWidget(centre);
-    m_readings = new ReadingsPage(m_selection, m_pages);
+    m_readingPages = new QStackedWidget(m_pages);
+    m_readings = new ReadingsPage(m_selection, m_readingPages);
+    m_circles = new CirclesPage(m_model, m_selection, m_readingPages);
+    m_readingPages->addWidget(m_readings);
+    m_readingPages->addWidget(m_circles);
     m_conditions = new ConditionsPage(m_selection, m_pages);
     m_agreedPoints = new AgreedPointsPage(m_selection, m_pages);
     m_limits = new LimitsPage(m_selection, m_pages);
     m_reportPages = new ReportPages(m_pages);
-    for (QWidget *page :
-         std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits, m_reportPages})
+    for (QWidget *page : std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints,
+                                                          m_limits, m_reportPages})
         m_pages->addWidget(page);
     auto *card = new QFrame(centre);
     m_card = card;
@@ -215,6 +222,9 @@ void Workplace::presentTest() {
     if (test >= m_evaluated.tests.size())
         return;
     m_readings->show(m_evaluated, test);
+    m_circles->show(m_evaluated, test);
+    const bool circular = isCircular();
+    m_readingPages->setCurrentWidget(circular ? static_cast<QWidget *>(m_circles) : m_readings);
     m_conditions->show(m_evaluated, test);
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
@@ -258,7 +268,7 @@ void Workplace::presentPage() {
 
 void Workplace::presentCard() {
     const bool explains = !m_selection.parameter().isEmpty();
-    const bool wanted = explains || m_selection.page() == Page::readings;
+    const bool wanted = explains || (m_selection.page() == Page::readings && !isCircular());
     m_explanation->setVisible(explains);
     m_target->setVisible(!explains);
     m_card->setVisible(wanted && (explains || height() >= noCardBelow) && !m_maximised);
@@ -269,6 +279,8 @@ void Workplace::presentStatus() {
     if (index >= m_evaluated.tests.size())
         return;
     const Test &test = *m_evaluated.document->tests[index];
+    if (const auto *circles = std::get_if<CircularMeasurement>(&test.measurement))
+        return presentCircularStatus(*circles);
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     if (!measurement) {
         emit contentChanged({});
@@ -296,6 +308,20 @@ void Workplace::presentStatus() {
                          .arg(place->target + 1)
                          .arg(count)
                          .arg(arrow, value ? windowLanguage().quantity(*value, quantity) : tr("no reading")));
+}
+
+void Workplace::presentCircularStatus(const CircularMeasurement &measurement) {
+    std::size_t points = 0;
+    for (const Arc &arc : measurement.arcs)
+        points += arc.angles.size();
+    emit contentChanged(
+        tr("%n arc(s)", nullptr, static_cast<int>(measurement.arcs.size())) + QStringLiteral(" · ") +
+        tr("%1 points").arg(windowLanguage().number(static_cast<double>(points), Quantity::count, 0)));
+    const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
+    const bool exists = place && place->run < measurement.arcs.size() &&
+                        place->target < measurement.arcs[place->run].angles.size();
+    emit hintChanged(exists ? pointText(measurement, place->run, place->target, windowLanguage())
+                            : QString());
 }
 
 bool Workplace::showNextMissing(bool forward) {
@@ -362,11 +388,14 @@ void Workplace::arrange() {
     presentCard();
 }
 
-QString Workplace::sizesKey() const {
+bool Workplace::isCircular() const {
     const std::size_t test = m_selection.test();
-    const bool circular =
-        test < m_evaluated.tests.size() &&
-        std::holds_alternative<CircularMeasurement>(m_evaluated.document->tests[test]->measurement);
+    return test < m_evaluated.tests.size() &&
+           std::holds_alternative<CircularMeasurement>(m_evaluated.document->tests[test]->measurement);
+}
+
+QString Workplace::sizesKey() const {
+    const bool circular = isCircular();
     return QStringLiteral("sizes/%1%2")
         .arg(circular ? QStringLiteral("circular") : QStringLiteral("positioning"),
              m_right->isTabbed() ? QStringLiteral("-stacked") : QString());
@@ -412,6 +441,7 @@ void Workplace::retranslate() {
     m_tabs->setTabText(3, tr("&Limits"));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
+    m_circles->setLanguage(language);
     m_conditions->setLanguage(language);
     m_agreedPoints->setLanguage(language);
     m_limits->setLanguage(language);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
 #include "ui/navigation/navigationmodel.h"
 
@@ -14,6 +15,7 @@ class QStackedWidget;
 namespace palmer::ui {
 
 class AgreedPointsPage;
+class CirclesPage;
 class ConditionsPage;
 class ExplanationCard;
 class FigureView;
@@ -34,7 +36,7 @@ class Workplace : public QWidget {
     Q_OBJECT
 
 public:
-    explicit Workplace(QWidget *parent = nullptr);
+    explicit Workplace(DocumentModel &model, QWidget *parent = nullptr);
 
     [[nodiscard]] Selection &selection() { return m_selection; }
 
@@ -72,13 +74,16 @@ private:
     void presentPage();
     void presentCard();
     void presentStatus();
+    void presentCircularStatus(const CircularMeasurement &measurement);
     void arrange();
     void restoreSizes();
     void keepSizes() const;
     void retranslate();
+    [[nodiscard]] bool isCircular() const; ///< the test in view
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] bool isReportPage() const;
 
+    DocumentModel &m_model;
     Selection m_selection;
     NavigationModel m_navigationModel;
     EvaluatedDocument m_evaluated;
@@ -89,7 +94,9 @@ private:
     TestHead *m_head;
     PageTabs *m_tabs;
     QStackedWidget *m_pages;
+    QStackedWidget *m_readingPages; ///< by the kind of test
     ReadingsPage *m_readings;
+    CirclesPage *m_circles;
     ConditionsPage *m_conditions;
     AgreedPointsPage *m_agreedPoints;
     LimitsPage *m_limits;
