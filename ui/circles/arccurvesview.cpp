@@ -29,11 +29,12 @@ constexpr double ring = 5;
 constexpr double gripWidth = 7;
 constexpr double gripHeight = 16;
 constexpr double margin = 0.08; ///< of the values, above and below
-constexpr double mostAngleParts = 8;
+constexpr double mostAngleParts = 4;
 constexpr double mostValueParts = 5;
 constexpr double quarterTurn = 90;
-constexpr double roundTo = 0.1;  ///< degrees a dragged handle is rounded to
-constexpr double leastRange = 1; ///< degrees
+constexpr double nearTurn = 0.02; ///< of the range
+constexpr double roundTo = 0.1;   ///< degrees a dragged handle is rounded to
+constexpr double leastRange = 1;  ///< degrees
 
 Medium mediumOf(const QWidget &widget) {
     return isDark(widget.palette()) ? Medium::screenDark : Medium::screenLight;
@@ -81,6 +82,13 @@ void ArcCurvesView::show(const EvaluatedDocument &evaluated, std::size_t test, c
     }
     if (!(angles.from < angles.to))
         angles = {0, 360};
+    // A full circle of points begins and ends a step beside its turn.
+    const double near = nearTurn * (angles.to - angles.from);
+    if (const double quarter = std::floor(angles.from / quarterTurn) * quarterTurn;
+        angles.from - quarter < near)
+        angles.from = quarter;
+    if (const double quarter = std::ceil(angles.to / quarterTurn) * quarterTurn; quarter - angles.to < near)
+        angles.to = quarter;
     if (!(values.from < values.to))
         values = {-1, 1};
     const double space = margin * (values.to - values.from);

@@ -76,7 +76,7 @@ QVariant ArcsModel::data(const QModelIndex &index, int role) const {
     case Qt::DisplayRole:
         return row.texts[index.column()];
     case Qt::TextAlignmentRole:
-        return QVariant::fromValue(
+        return static_cast<int>(
             (index.column() == sense || index.column() == use ? Qt::AlignLeft : Qt::AlignRight) |
             Qt::AlignVCenter);
     case Qt::ForegroundRole:
@@ -93,8 +93,8 @@ QVariant ArcsModel::headerData(int section, Qt::Orientation orientation, int rol
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::TextAlignmentRole)
-        return QVariant::fromValue((section == sense || section == use ? Qt::AlignLeft : Qt::AlignRight) |
-                                   Qt::AlignVCenter);
+        return static_cast<int>((section == sense || section == use ? Qt::AlignLeft : Qt::AlignRight) |
+                                Qt::AlignVCenter);
     if (role == Qt::ToolTipRole) {
         switch (section) {
         case cut:

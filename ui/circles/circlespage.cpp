@@ -2,6 +2,7 @@
 
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "ui/circles/arccurvesview.h"
+#include "ui/circles/quiettable.h"
 #include "ui/elidedlabel.h"
 #include "ui/theme.h"
 
@@ -36,6 +37,8 @@ constexpr int rowHeight = 26;
 constexpr int headHeight = 26;
 constexpr int mostArcs = 4; ///< shown without scrolling
 constexpr int cellMargin = 16;
+constexpr int rowsLookedAt = 50; ///< for the width of a column
+constexpr int leastHeightForPoints = 480;
 constexpr int gridColumns = 12;
 constexpr double longestRadius = 1e5; ///< mm
 constexpr double fastestFeed = 1e6;   ///< mm/min
@@ -59,6 +62,8 @@ public:
 
     [[nodiscard]] QString textFromValue(double value) const override {
         QString text = locale().toString(value, 'f', decimals());
+        if (const QString group = locale().groupSeparator(); !group.isEmpty())
+            text.replace(group, QChar(0x202F));
         const QString point = locale().decimalPoint();
         if (text.contains(point)) {
             while (text.endsWith(u'0'))
@@ -69,11 +74,13 @@ public:
         return text.replace(u'-', QChar(0x2212));
     }
     [[nodiscard]] double valueFromText(const QString &text) const override {
-        return QDoubleSpinBox::valueFromText(QString(text).replace(QChar(0x2212), u'-'));
+        return QDoubleSpinBox::valueFromText(
+            QString(text).replace(QChar(0x2212), u'-').remove(QChar(0x202F)));
     }
     [[nodiscard]] QValidator::State validate(QString &text, int &position) const override {
-        text.replace(QChar(0x2212), u'-');
-        return QDoubleSpinBox::validate(text, position);
+        QString plain = text;
+        plain.replace(QChar(0x2212), u'-').remove(QChar(0x202F));
+        return QDoubleSpinBox::validate(plain, position);
     }
 };
 
@@ -105,6 +112,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     m_deviations->setChecked(true);
     connect(units, &QButtonGroup::idClicked, this, [this](int id) {
         m_pointsModel.setUnit(static_cast<PointUnit>(id));
+        fitColumns();
         showCurrent();
     });
     auto *bar = new QHBoxLayout;
@@ -256,7 +264,7 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     for (QDoubleSpinBox *box : {m_from, m_to}) {
         box->setDecimals(angleDecimals);
         box->setRange(-farthestAngle, farthestAngle);
-        box->setFixedWidth(84);
+        box->setFixedWidth(78);
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
             if (m_from->value() < m_to->value())
                 setRange(m_arc, Interval{m_from->value(), m_to->value()});
@@ -273,8 +281,15 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     };
     m_whole = button("wholeArc");
     m_reverse = button("reverseSense");
-    m_earlier = button("moveArcUp");
-    m_later = button("moveArcDown");
+    const auto arrow = [&](const char *name) {
+        auto *made = new QToolButton(this);
+        made->setObjectName(QLatin1StringView(name));
+        made->setFixedSize(fieldHeight, fieldHeight);
+        made->setFocusPolicy(Qt::StrongFocus);
+        return made;
+    };
+    m_earlier = arrow("moveArcUp");
+    m_later = arrow("moveArcDown");
     connect(m_whole, &QPushButton::clicked, this, [this] { setRange(m_arc, std::nullopt); });
     connect(m_reverse, &QPushButton::clicked, this, [this] {
         edit(QT_TRANSLATE_NOOP("edits", "change the sense of an arc"), [this](CircularMeasurement &m) {
@@ -287,24 +302,26 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
         edit(QT_TRANSLATE_NOOP("edits", "change the order of the arcs"),
              [from, to](CircularMeasurement &m) { std::swap(m.arcs[from], m.arcs[to]); });
     };
-    connect(m_earlier, &QPushButton::clicked, this, [this, move] { move(m_arc - 1); });
-    connect(m_later, &QPushButton::clicked, this, [this, move] { move(m_arc + 1); });
+    connect(m_earlier, &QToolButton::clicked, this, [this, move] { move(m_arc - 1); });
+    connect(m_later, &QToolButton::clicked, this, [this, move] { move(m_arc + 1); });
     row.addWidget(m_rangeLabel);
     row.addWidget(m_from);
     row.addWidget(new QLabel(QStringLiteral("…"), this));
     row.addWidget(m_to);
     row.addWidget(m_whole);
     row.addStretch();
-    for (QPushButton *made : {m_reverse, m_earlier, m_later})
-        row.addWidget(made);
+    row.addWidget(m_reverse);
+    row.addWidget(m_earlier);
+    row.addWidget(m_later);
 }
 
 void CirclesPage::makeTables() {
     m_arcs->setObjectName(QStringLiteral("arcs"));
     m_points->setObjectName(QStringLiteral("points"));
-    m_arcs->setModel(&m_arcsModel);
-    m_points->setModel(&m_pointsModel);
     for (QTableView *table : {m_arcs, m_points}) {
+        table->setHorizontalHeader(new QuietHeader(table));
+        table->setItemDelegate(new QuietDelegate(table)); // before the model, which tells of its current cell
+        table->setModel(table == m_arcs ? static_cast<QAbstractItemModel *>(&m_arcsModel) : &m_pointsModel);
         table->setShowGrid(false);
         table->setEditTriggers(QAbstractItemView::NoEditTriggers);
         table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -401,15 +418,7 @@ void CirclesPage::refresh() {
     const int arcs = m_arcsModel.rowCount();
     m_arcs->setFixedHeight(headHeight + std::clamp(arcs, 1, mostArcs) * rowHeight + 2);
     m_arcs->setCurrentIndex(m_arcsModel.index(static_cast<int>(m_arc), 0));
-    const QFontMetrics metrics(font());
-    for (int column = 0; column < m_arcsModel.columnCount(); ++column) {
-        int width = metrics.horizontalAdvance(
-            m_arcsModel.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
-        for (int row = 0; row < arcs; ++row)
-            width =
-                std::max(width, metrics.horizontalAdvance(m_arcsModel.index(row, column).data().toString()));
-        m_arcs->setColumnWidth(column, width + cellMargin);
-    }
+    fitColumns();
     m_filling = false;
     chooseArc(static_cast<int>(m_arc));
     showCurrent();
@@ -457,7 +466,46 @@ void CirclesPage::hover(const QModelIndex &index) {
 }
 
 void CirclesPage::showHovered() {
+    const auto place = m_selection.hovered();
+    const bool exists = place && measurement();
+    static_cast<QuietDelegate *>(m_points->itemDelegate())
+        ->setHovered(exists ? m_pointsModel.indexOf(*place) : QModelIndex());
     m_points->viewport()->update();
+}
+
+/// Every column as wide as its head and numbers; what is left is shared by all.
+void CirclesPage::fitColumns() {
+    const QFontMetrics metrics(font());
+    const auto fit = [&](QTableView *table, int rows) {
+        const QAbstractItemModel *model = table->model();
+        std::vector<int> widths;
+        int sum = 0;
+        for (int column = 0; column < model->columnCount(); ++column) {
+            int width = metrics.horizontalAdvance(
+                model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+            for (int row = 0; row < std::min(rows, model->rowCount()); ++row)
+                width =
+                    std::max(width, metrics.horizontalAdvance(model->index(row, column).data().toString()));
+            if (model->rowCount() > rows)
+                width = std::max(width, metrics.horizontalAdvance(
+                                            model->index(model->rowCount() - 1, column).data().toString()));
+            widths.push_back(width + cellMargin);
+            sum += widths.back();
+        }
+        const int count = std::max(1, static_cast<int>(widths.size()));
+        const int more = std::max(0, table->viewport()->width() - sum) / count;
+        for (int column = 0; column < static_cast<int>(widths.size()); ++column)
+            table->setColumnWidth(column, widths[static_cast<std::size_t>(column)] + more);
+    };
+    fit(m_arcs, m_arcsModel.rowCount());
+    fit(m_points, rowsLookedAt);
+}
+
+/// What has no room goes, the table of the points first.
+void CirclesPage::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    m_points->setVisible(height() >= leastHeightForPoints);
+    fitColumns();
 }
 
 /// The current cell follows the point chosen in figure or curve.
@@ -502,7 +550,7 @@ void CirclesPage::retranslate() {
     m_angle->setToolTip(tr("Whether the angles are those of the measured points or of the programmed path"));
     m_feed->setSpecialValueText(tr("not stated"));
     m_rangeLabel->setFont(themeFont(TextSize::small));
-    m_rangeLabel->setText(tr("Evaluated range"));
+    m_rangeLabel->setText(tr("Evaluated"));
     m_from->setAccessibleName(tr("Evaluated range, from"));
     m_to->setAccessibleName(tr("Evaluated range, to"));
     m_whole->setText(tr("Whole arc"));

@@ -41,6 +41,7 @@ public:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -63,6 +64,7 @@ private:
     void refresh();
     void fillParameters(const CircularMeasurement &measurement);
     void fillRange();
+    void fitColumns();
     void chooseArc(int row);
     void setPlane();
     void hover(const QModelIndex &index);
@@ -98,8 +100,8 @@ private:
     QDoubleSpinBox *m_to;
     QPushButton *m_whole;
     QPushButton *m_reverse;
-    QPushButton *m_earlier;
-    QPushButton *m_later;
+    QToolButton *m_earlier;
+    QToolButton *m_later;
     ArcCurvesView *m_curves;
     QTableView *m_points;
     QToolButton *m_deviations;

@@ -86,7 +86,7 @@ QString PointsModel::text(const Arc &arc, const ArcColumns &columns, std::size_t
 
 QVariant PointsModel::data(const QModelIndex &index, int role) const {
     if (role == Qt::TextAlignmentRole)
-        return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
     if (role != Qt::DisplayRole && role != Qt::ForegroundRole)
         return {};
     if (index.column() == 0)
@@ -109,7 +109,7 @@ QVariant PointsModel::headerData(int section, Qt::Orientation orientation, int r
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::TextAlignmentRole)
-        return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
     if (section == 0)
         return role == Qt::DisplayRole ? QVariant(QStringLiteral("n")) : QVariant();
     const std::size_t arc = arcOf(section);

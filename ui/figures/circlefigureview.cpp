@@ -141,9 +141,9 @@ void CircleFigureView::setContacts(bool shown) {
     refresh();
 }
 
-void CircleFigureView::setMarking(const QString &parameter, const QString &label) {
+void CircleFigureView::setMarking(const QString &label, const std::vector<RulingPoint> &points) {
     for (CircleCanvas *canvas : m_canvases)
-        canvas->setMarking(parameter, label);
+        canvas->setMarking(label, points);
 }
 
 void CircleFigureView::clear() {

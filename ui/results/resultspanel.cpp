@@ -1,6 +1,7 @@
 #include "ui/results/resultspanel.h"
 
 #include "ui/elidedlabel.h"
+#include "ui/formulatext.h"
 #include "ui/results/chip.h"
 #include "ui/results/resultsdelegate.h"
 #include "ui/theme.h"
@@ -19,6 +20,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace palmer::ui {
 
@@ -178,7 +180,10 @@ void ResultsPanel::fitColumns() {
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     const QFontMetrics metrics(bold);
-    m_table->setColumnWidth(ResultsModel::symbol, symbolWidth);
+    double symbols = symbolWidth;
+    for (const ResultLine &line : m_model.table().lines)
+        symbols = std::max(symbols, formulaWidth(line.symbol, bold) + cellMargin + 4); // "Fmax,XY"
+    m_table->setColumnWidth(ResultsModel::symbol, static_cast<int>(std::ceil(symbols)));
     m_table->setColumnWidth(ResultsModel::scale, scaleWidth);
     for (const int column :
          {ResultsModel::value, ResultsModel::uncertainty, ResultsModel::limit, ResultsModel::verdict}) {

@@ -212,11 +212,11 @@ private slots:
         QCOMPARE(shown.cell("arcs", 1, ArcsModel::use), u"repetition"_s); // the second of its sense now
         shown.model.undoStack()->undo();
         QCOMPARE(shown.circles().arcs[0].sense, Sense::counterclockwise);
-        QVERIFY(!shown.find<QPushButton>("moveArcUp")->isEnabled());
-        shown.find<QPushButton>("moveArcDown")->click();
+        QVERIFY(!shown.find<QToolButton>("moveArcUp")->isEnabled());
+        shown.find<QToolButton>("moveArcDown")->click();
         QCOMPARE(shown.circles().arcs[0].sense, Sense::clockwise);
         QCOMPARE(shown.find<QTableView>("arcs")->currentIndex().row(), 1); // the arc stays the current one
-        QVERIFY(!shown.find<QPushButton>("moveArcDown")->isEnabled());
+        QVERIFY(!shown.find<QToolButton>("moveArcDown")->isEnabled());
     }
 
     void parametersCanBeChanged() {
@@ -226,6 +226,7 @@ private slots:
         QCOMPARE(shown.cell("arcs", 0, ArcsModel::sense), u"anticlockwise, YZ"_s);
         shown.type("nominalRadius", u"149.9995"_s);
         QCOMPARE(shown.circles().nominalRadius, 149.9995);
+        QCOMPARE(shown.find<QDoubleSpinBox>("contouringFeed")->text(), u"1\u202f000 mm/min"_s);
         shown.type("contouringFeed", u"500"_s);
         QCOMPARE(shown.circles().feed, std::optional(500.0));
         shown.type("contouringFeed", u"0"_s);
