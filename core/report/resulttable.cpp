@@ -200,7 +200,9 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         if (parameter.verdict)
             line.verdictWord = language.text(verdictText(*parameter.verdict));
         line.scale = decisionScale(parameter);
-        line.main = familyOf(parameter.term.id) != family;
+        // Of a circular test every circle counts by itself; F of a path comes below.
+        line.main = !table.circle.isEmpty() ? parameter.term.symbol.base != std::string_view("F")
+                                            : familyOf(parameter.term.id) != family;
         family = familyOf(parameter.term.id);
         table.lines.push_back(std::move(line));
     }

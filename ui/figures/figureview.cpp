@@ -279,8 +279,10 @@ void FigureView::mark() {
         explanation(m_evaluated, m_test, m_selection.parameter().toStdString(), m_language);
     if (measurement && explained && !explained->result.isEmpty()) {
         marking.label = explained->result;
-        for (const std::size_t target : rulingTargets(m_evaluated, m_test, m_selection.parameter()))
-            marking.positions.push_back(measurement->targets[target]);
+        for (const std::size_t target : rulingTargets(m_evaluated, m_test, m_selection.parameter())) {
+            if (target < m_whole->positions.size())
+                marking.positions.push_back(m_whole->positions[target]);
+        }
         const auto found = std::ranges::find(m_whole->dimensions, m_selection.parameter(), &Dimension::id);
         if (found != m_whole->dimensions.end())
             marking.dimension = *found;

@@ -23,21 +23,23 @@ bool DocumentModel::isModified() const {
     return !m_stack->isClean();
 }
 
-void DocumentModel::setDocument(Document document, const QString &path) {
+void DocumentModel::setDocument(Document document, const QString &path, bool modified) {
     m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath();
     m_document = std::make_shared<const Document>(std::move(document));
     m_stack->clear();
+    if (modified)
+        m_stack->resetClean();
     emit changed();
     emit fileChanged();
 }
 
-void DocumentModel::edit(const char *text, const std::function<void(Document &)> &change,
+void DocumentModel::edit(const EditName &name, const std::function<void(Document &)> &change,
                          const QString &mergeKey) {
     auto after = std::make_shared<Document>(*m_document);
     change(*after);
     if (*after == *m_document)
         return;
-    m_stack->push(new EditCommand(*this, text, std::move(after), mergeKey));
+    m_stack->push(new EditCommand(*this, name, std::move(after), mergeKey));
 }
 
 void DocumentModel::save(const QString &path) {

@@ -1,5 +1,6 @@
 #include "ui/window/workplace.h"
 
+#include "editing/measuringcycle.h"
 #include "ui/circles/arctexts.h"
 #include "ui/circles/circlespage.h"
 #include "ui/figures/figureview.h"
@@ -8,6 +9,7 @@
 #include "ui/forms/limitspage.h"
 #include "ui/forms/reportpages.h"
 #include "ui/navigation/navigationlist.h"
+#include "ui/readings/keyhints.h"
 #include "ui/readings/readingspage.h"
 #include "ui/readings/targetcard.h"
 #include "ui/results/explanationcard.h"
@@ -24,6 +26,7 @@
 #include <QFrame>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -40,6 +43,7 @@ constexpr int stackedBelow = 1000;
 // Heights of the workplace; menu, toolbar and status bar take 99 of the window's.
 constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
+constexpr int noKeysBelow = 740 - 99;
 
 constexpr std::array testPages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
 
@@ -55,7 +59,9 @@ Workplace::Workplace(DocumentModel &model, QWidget *parent)
     , m_model(model)
     , m_outer(new ThinSplitter(Qt::Horizontal, this))
     , m_inner(new ThinSplitter(Qt::Horizontal, m_outer))
-    , m_navigation(new NavigationList(m_navigationModel, m_outer)) {
+    , m_side(new QWidget(m_outer))
+    , m_navigation(new NavigationList(m_navigationModel, m_side))
+    , m_addTest(new QToolButton(m_side)) {
     setObjectName(QStringLiteral("workplace"));
     m_centre = makeCentre();
     m_right = static_cast<RightSide *>(makeRight());
@@ -63,7 +69,18 @@ Workplace::Workplace(DocumentModel &model, QWidget *parent)
     m_inner->addWidget(m_right);
     m_inner->setStretchFactor(0, 1);
     m_inner->setStretchFactor(1, 0);
-    m_outer->addWidget(m_navigation);
+    m_addTest->setObjectName(QStringLiteral("addTestButton"));
+    m_addTest->setIcon(lineIcon(QStringLiteral("plus")));
+    m_addTest->setPopupMode(QToolButton::InstantPopup);
+    m_addTest->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_addTest->setFocusPolicy(Qt::TabFocus);
+    m_addTest->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    auto *sideColumn = new QVBoxLayout(m_side);
+    sideColumn->setContentsMargins(0, 0, 0, 4);
+    sideColumn->setSpacing(4);
+    sideColumn->addWidget(m_navigation, 1);
+    sideColumn->addWidget(m_addTest);
+    m_outer->addWidget(m_side);
     m_outer->addWidget(m_inner);
     m_outer->setStretchFactor(0, 0);
     m_outer->setStretchFactor(1, 1);
@@ -88,7 +105,7 @@ QWidget *Workplace::makeCentre() {
         m_tabs->addTab(QString());
     m_pages = new QStackedWidget(centre);
     m_readingPages = new QStackedWidget(m_pages);
-    m_readings = new ReadingsPage(m_selection, m_readingPages);
+    m_readings = new ReadingsPage(m_model, m_selection, m_readingPages);
     m_circles = new CirclesPage(m_model, m_selection, m_readingPages);
     m_readingPages->addWidget(m_readings);
     m_readingPages->addWidget(m_circles);
@@ -108,6 +125,7 @@ QWidget *Workplace::makeCentre() {
     cardLayout->setContentsMargins(0, 0, 0, 0);
     cardLayout->addWidget(m_target);
     cardLayout->addWidget(m_explanation);
+    m_keys = new KeyHints(centre);
     card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 
     auto *tabRow = new QHBoxLayout;
@@ -124,6 +142,7 @@ QWidget *Workplace::makeCentre() {
     column->addWidget(line);
     column->addWidget(m_pages, 1);
     column->addWidget(m_card);
+    column->addWidget(m_keys);
     return centre;
 }
 
@@ -229,6 +248,7 @@ void Workplace::presentTest() {
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
     m_target->show(m_evaluated, test);
+    m_keys->show(m_evaluated, test);
     m_explanation->show(m_evaluated, test);
     m_figure->show(m_evaluated, test);
     if (m_detachedFigure)
@@ -272,6 +292,8 @@ void Workplace::presentCard() {
     m_explanation->setVisible(explains);
     m_target->setVisible(!explains);
     m_card->setVisible(wanted && (explains || height() >= noCardBelow) && !m_maximised);
+    m_keys->setVisible(m_selection.page() == Page::readings && !isCircular() && height() >= noKeysBelow &&
+                       !m_maximised);
 }
 
 void Workplace::presentStatus() {
@@ -304,10 +326,13 @@ void Workplace::presentStatus() {
     const auto quantity =
         measurement->axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
     const auto &value = run.deviations[place->target];
-    emit hintChanged(tr("target %1, run %2 %3: %4")
-                         .arg(place->target + 1)
-                         .arg(count)
-                         .arg(arrow, value ? windowLanguage().quantity(*value, quantity) : tr("no reading")));
+    QString hint = tr("target %1, run %2 %3: %4")
+                       .arg(place->target + 1)
+                       .arg(count)
+                       .arg(arrow, value ? windowLanguage().quantity(*value, quantity) : tr("no reading"));
+    if (const auto next = nextInCycle(*measurement, *place); next && !m_selection.hovered())
+        hint += QStringLiteral(" · ") + tr("next: target %1").arg(next->target + 1);
+    emit hintChanged(hint);
 }
 
 void Workplace::presentCircularStatus(const CircularMeasurement &measurement) {
@@ -352,11 +377,29 @@ bool Workplace::showNextMissing(bool forward) {
     return true;
 }
 
+void Workplace::setTestActions(const QList<QAction *> &add, const QList<QAction *> &change) {
+    m_addTest->addActions(add);
+    m_navigation->addActions(change);
+    m_navigation->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void Workplace::beginTyping() {
+    const std::size_t test = m_selection.test();
+    if (test >= m_evaluated.tests.size())
+        return;
+    showPage(Page::readings);
+    const auto *measurement =
+        std::get_if<PositioningMeasurement>(&m_evaluated.document->tests[test]->measurement);
+    if (measurement)
+        m_selection.setReading(firstMissing(*measurement));
+    m_readings->setFocus();
+}
+
 void Workplace::setFigureMaximised(bool maximised) {
     if (m_maximised == maximised)
         return;
     m_maximised = maximised;
-    m_navigation->setVisible(!maximised);
+    m_side->setVisible(!maximised);
     m_centre->setVisible(!maximised);
     m_right->setMaximised(maximised);
     presentCard();
@@ -370,10 +413,11 @@ void Workplace::resizeEvent(QResizeEvent *event) {
 void Workplace::arrange() {
     const bool rail = width() < railBelow;
     const bool stacked = width() < stackedBelow;
-    if (rail != m_navigation->isRail() || m_navigation->maximumWidth() > NavigationList::fullWidth * 2) {
+    if (rail != m_navigation->isRail() || m_side->maximumWidth() > NavigationList::fullWidth * 2) {
         m_navigation->setRail(rail);
-        m_navigation->setMinimumWidth(rail ? NavigationList::railWidth : 120);
-        m_navigation->setMaximumWidth(rail ? NavigationList::railWidth : NavigationList::fullWidth * 2);
+        m_addTest->setToolButtonStyle(rail ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+        m_side->setMinimumWidth(rail ? NavigationList::railWidth : 120);
+        m_side->setMaximumWidth(rail ? NavigationList::railWidth : NavigationList::fullWidth * 2);
         m_outer->setSizes({rail ? NavigationList::railWidth : NavigationList::fullWidth, width()});
     }
     m_results->setNarrow(rail);
@@ -434,6 +478,9 @@ void Workplace::changeEvent(QEvent *event) {
 
 void Workplace::retranslate() {
     setAccessibleName(tr("Test report"));
+    m_addTest->setText(tr("Test"));
+    m_addTest->setToolTip(tr("Add a test"));
+    m_addTest->setAccessibleName(tr("Add a test"));
     m_tabs->setAccessibleName(tr("Pages of the test"));
     m_tabs->setTabText(0, tr("&Readings"));
     m_tabs->setTabText(1, tr("&Conditions"));
@@ -446,6 +493,7 @@ void Workplace::retranslate() {
     m_agreedPoints->setLanguage(language);
     m_limits->setLanguage(language);
     m_target->setLanguage(language);
+    m_keys->setLanguage(language);
     m_explanation->setLanguage(language);
     m_figure->setLanguage(language);
     if (m_detachedFigure)

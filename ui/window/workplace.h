@@ -11,6 +11,7 @@
 class QFrame;
 class QSplitter;
 class QStackedWidget;
+class QToolButton;
 
 namespace palmer::ui {
 
@@ -20,6 +21,7 @@ class ConditionsPage;
 class ExplanationCard;
 class FigureView;
 class FindingsPanel;
+class KeyHints;
 class LimitsPage;
 class NavigationList;
 class PageTabs;
@@ -39,6 +41,7 @@ public:
     explicit Workplace(DocumentModel &model, QWidget *parent = nullptr);
 
     [[nodiscard]] Selection &selection() { return m_selection; }
+    [[nodiscard]] ReadingsPage &readings() { return *m_readings; }
 
     /// Shows the document, keeping what is chosen where it still exists.
     void show(const EvaluatedDocument &evaluated);
@@ -46,6 +49,12 @@ public:
     /// Brings a page of the report, or of the current test, into view.
     void showPage(Page page);
     void showTest(std::size_t test);
+
+    /// What the button "+ Test" offers, and the menu of a test in the navigation.
+    void setTestActions(const QList<QAction *> &add, const QList<QAction *> &change);
+
+    /// Puts the keyboard on the first reading that is missing.
+    void beginTyping();
 
     void setFigureMaximised(bool maximised);
     [[nodiscard]] bool isFigureMaximised() const { return m_maximised; }
@@ -90,7 +99,9 @@ private:
 
     QSplitter *m_outer;
     QSplitter *m_inner;
+    QWidget *m_side; ///< navigation with the button below
     NavigationList *m_navigation;
+    QToolButton *m_addTest;
     TestHead *m_head;
     PageTabs *m_tabs;
     QStackedWidget *m_pages;
@@ -103,6 +114,7 @@ private:
     ReportPages *m_reportPages;
     QWidget *m_card;
     TargetCard *m_target;
+    KeyHints *m_keys;
     ExplanationCard *m_explanation;
     QWidget *m_centre;
     RightSide *m_right;
