@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string_view>
 
 namespace palmer {
@@ -507,6 +508,20 @@ CircleScale circleScale(const Interval &deviations, double figureRadius) {
 std::vector<PathProfile> pathProfiles(const Test &test, const TestEvaluation &evaluation,
                                       const CircleFigureOptions &options) {
     return profilesOf(Source(test, evaluation, options));
+}
+
+PathProfile wholeArc(const Test &test, const TestEvaluation &evaluation, std::size_t arc) {
+    const CircleFigureOptions options;
+    const Source source(test, evaluation, options);
+    const Arc &measured = source.measurement.arcs[arc];
+    const CircleResult *circle =
+        source.results.circle(circleOf(measured.sense), ReferenceCircle::leastSquares);
+    std::vector<std::size_t> points(measured.angles.size());
+    std::iota(points.begin(), points.end(), std::size_t{0});
+    PathProfile result = profile(measured, points, pointsOf(measured, points, source).view(),
+                                 circle ? circle->centre : Point{}, source.measurement.nominalRadius);
+    finish(result, source, arc);
+    return result;
 }
 
 CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation, const Language &language,

@@ -70,7 +70,7 @@ private slots:
         QTest::newRow("combined") << QStringList{"--figure", "circle"} << QByteArrayList{"ZX", "XZ"}
                                   << QByteArrayList{};
         QTest::newRow("counterclockwise") << QStringList{"--figure", "counterclockwise"}
-                                          << QByteArrayList{"counterclockwise, ZX"} << QByteArrayList{"XZ"};
+                                          << QByteArrayList{"anticlockwise, ZX"} << QByteArrayList{"XZ"};
         QTest::newRow("clockwise in French")
             << QStringList{"--figure", "clockwise", "--language", "fr"}
             << QByteArrayList{"sens horaire, XZ", "zone minimale, G", "point de départ"}

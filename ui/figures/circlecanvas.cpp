@@ -65,9 +65,9 @@ void CircleCanvas::clear() {
     update();
 }
 
-void CircleCanvas::setMarking(const QString &parameter, const QString &label) {
-    m_parameter = parameter;
+void CircleCanvas::setMarking(const QString &label, const std::vector<RulingPoint> &points) {
     m_markingLabel = label;
+    m_ruling = points;
     update();
 }
 
@@ -223,6 +223,20 @@ std::optional<CircleCanvas::ProfilePoint> CircleCanvas::find(const ReadingPlace 
     return std::nullopt;
 }
 
+/// The point of the path nearest to the angle: about another centre the angle of a point is a little another.
+std::optional<CircleCanvas::ProfilePoint> CircleCanvas::pointOf(const RulingPoint &ruling) const {
+    for (std::size_t k = 0; k < m_profiles.size(); ++k) {
+        const PathProfile &profile = m_profiles[k];
+        if (profile.repetition || profile.index != ruling.path.toStdString() || !shows(profile.sense))
+            continue;
+        const auto away = [&](double angle) { return std::abs(std::remainder(angle - ruling.angle, 360.0)); };
+        const auto found = std::ranges::min_element(profile.angles, {}, away);
+        if (found != profile.angles.end())
+            return ProfilePoint{k, static_cast<std::size_t>(found - profile.angles.begin())};
+    }
+    return std::nullopt;
+}
+
 ReadingPlace CircleCanvas::placeOf(const ProfilePoint &point) const {
     const PathProfile &profile = m_profiles[point.profile];
     return {profile.arc, profile.source[point.point]};
@@ -292,14 +306,13 @@ void CircleCanvas::paintMarking(QPainter &painter) const {
     if (m_markingLabel.isEmpty())
         return;
     const QColor colour = token(Token::explanation, palette());
-    if (m_shown.envelope && m_shown.envelope->id == m_parameter) {
-        painter.setPen(QPen(colour, 2));
-        painter.setBrush(Qt::NoBrush);
-        for (const ContactMark &contact : m_shown.contacts)
-            painter.drawEllipse(shown(contact.mark.at), ring, ring);
+    painter.setPen(QPen(colour, 2));
+    painter.setBrush(Qt::NoBrush);
+    for (const RulingPoint &ruling : m_ruling) {
+        if (const auto point = pointOf(ruling))
+            painter.drawEllipse(shown(m_profiles[point->profile][point->point]), ring, ring);
     }
-    const double width = QFontMetrics(themeFont(TextSize::tiny)).horizontalAdvance(m_markingLabel) + 12;
-    paintCanvasLabel(painter, *this, {(this->width() - width) / 2 - 14, 14}, m_markingLabel, colour);
+    paintCanvasLabel(painter, *this, {-10, 14}, m_markingLabel, colour);
 }
 
 // ---- Pointer and keys ------------------------------------------------------------------------------------

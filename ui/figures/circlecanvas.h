@@ -3,6 +3,7 @@
 #include "document/evaluateddocument.h"
 #include "figures/circlefigure.h"
 #include "language/language.h"
+#include "report/explanation.h"
 #include "ui/figures/drawfigure.h"
 #include "ui/model/selection.h"
 
@@ -34,8 +35,8 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test, const CircleCanvasContent &content,
               const Language &language);
     void clear();
-    /// What the explanation of the chosen parameter says: "G = 20,42 µm"; marks the points that rule it.
-    void setMarking(const QString &parameter, const QString &label);
+    /// What the explanation of the chosen parameter says ("G = 20,42 µm"), and the points that rule it.
+    void setMarking(const QString &label, const std::vector<RulingPoint> &points);
 
     /// The figure for paper: the same content and view in the size of a page; nothing without a test.
     [[nodiscard]] std::optional<CircleFigure> paperFigure() const;
@@ -79,6 +80,7 @@ private:
     [[nodiscard]] bool shows(Sense sense) const;
     [[nodiscard]] QPointF shown(const TracePoint &point) const;
     [[nodiscard]] std::optional<ProfilePoint> nearest(QPointF at) const;
+    [[nodiscard]] std::optional<ProfilePoint> pointOf(const RulingPoint &ruling) const;
     [[nodiscard]] std::optional<ProfilePoint> find(const ReadingPlace &place) const;
     [[nodiscard]] ReadingPlace placeOf(const ProfilePoint &point) const;
     void paintMarking(QPainter &painter) const;
@@ -94,8 +96,8 @@ private:
     std::optional<CircleFigure> m_whole; ///< for the size of the canvas; null: to be made
     CircleFigure m_shown;                ///< in view
     CircleView m_view;
-    QString m_parameter;
     QString m_markingLabel;
+    std::vector<RulingPoint> m_ruling;
     QPixmap m_drawn; ///< null: to be drawn
     FigureTransform m_transform;
     std::optional<QPointF> m_drag; ///< where the pointer was

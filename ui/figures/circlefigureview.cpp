@@ -141,9 +141,9 @@ void CircleFigureView::setContacts(bool shown) {
     refresh();
 }
 
-void CircleFigureView::setMarking(const QString &parameter, const QString &label) {
+void CircleFigureView::setMarking(const QString &label, const std::vector<RulingPoint> &points) {
     for (CircleCanvas *canvas : m_canvases)
-        canvas->setMarking(parameter, label);
+        canvas->setMarking(label, points);
 }
 
 void CircleFigureView::clear() {
@@ -247,7 +247,7 @@ void CircleFigureView::retranslate() {
         button->setToolTip(tip);
         button->setFont(themeFont(TextSize::small));
     };
-    name(m_counterclockwise, tr("counterclockwise"), tr("Show the path counterclockwise"));
+    name(m_counterclockwise, tr("anticlockwise"), tr("Show the path anticlockwise"));
     name(m_clockwise, tr("clockwise"), tr("Show the path clockwise"));
     name(m_repetitions, tr("repetitions"), tr("Show repeated paths"));
     m_choice->setFont(themeFont(TextSize::small));

@@ -3,6 +3,7 @@
 #include "document/evaluateddocument.h"
 #include "figures/circlefigure.h"
 #include "language/language.h"
+#include "report/explanation.h"
 #include "ui/model/selection.h"
 
 #include <QWidget>
@@ -30,7 +31,7 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
     void setContacts(bool shown);
-    void setMarking(const QString &parameter, const QString &label);
+    void setMarking(const QString &label, const std::vector<RulingPoint> &points);
     void clear();
     void fit();
 

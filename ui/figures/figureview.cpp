@@ -288,7 +288,8 @@ void FigureView::mark() {
             marking.dimension = *found;
     }
     m_canvas->setMarking(marking);
-    m_circles->setMarking(m_selection.parameter(), explained ? explained->result : QString());
+    m_circles->setMarking(explained ? explained->result : QString(),
+                          explained ? explained->points : std::vector<RulingPoint>());
 }
 
 void FigureView::showHoverLabel() {

@@ -1,6 +1,8 @@
 #include "ui/window/workplace.h"
 
 #include "editing/measuringcycle.h"
+#include "ui/circles/arctexts.h"
+#include "ui/circles/circlespage.h"
 #include "ui/figures/figureview.h"
 #include "ui/forms/agreedpointspage.h"
 #include "ui/forms/conditionspage.h"
@@ -102,13 +104,17 @@ QWidget *Workplace::makeCentre() {
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->addTab(QString());
     m_pages = new QStackedWidget(centre);
-    m_readings = new ReadingsPage(m_model, m_selection, m_pages);
+    m_readingPages = new QStackedWidget(m_pages);
+    m_readings = new ReadingsPage(m_model, m_selection, m_readingPages);
+    m_circles = new CirclesPage(m_model, m_selection, m_readingPages);
+    m_readingPages->addWidget(m_readings);
+    m_readingPages->addWidget(m_circles);
     m_conditions = new ConditionsPage(m_model, m_selection, m_pages);
     m_agreedPoints = new AgreedPointsPage(m_model, m_selection, m_pages);
     m_limits = new LimitsPage(m_model, m_selection, m_pages);
     m_reportPages = new ReportPages(m_model, m_selection, m_pages);
-    for (QWidget *page :
-         std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits, m_reportPages})
+    for (QWidget *page : std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints,
+                                                          m_limits, m_reportPages})
         m_pages->addWidget(page);
     auto *card = new QFrame(centre);
     m_card = card;
@@ -238,6 +244,9 @@ void Workplace::presentTest() {
     if (test >= m_evaluated.tests.size())
         return;
     m_readings->show(m_evaluated, test);
+    m_circles->show(m_evaluated, test);
+    const bool circular = isCircular();
+    m_readingPages->setCurrentWidget(circular ? static_cast<QWidget *>(m_circles) : m_readings);
     m_conditions->show(m_evaluated, test);
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
@@ -282,11 +291,12 @@ void Workplace::presentPage() {
 
 void Workplace::presentCard() {
     const bool explains = !m_selection.parameter().isEmpty();
-    const bool wanted = explains || m_selection.page() == Page::readings;
+    const bool wanted = explains || (m_selection.page() == Page::readings && !isCircular());
     m_explanation->setVisible(explains);
     m_target->setVisible(!explains);
     m_card->setVisible(wanted && (explains || height() >= noCardBelow) && !m_maximised);
-    m_keys->setVisible(m_selection.page() == Page::readings && height() >= noKeysBelow && !m_maximised);
+    m_keys->setVisible(m_selection.page() == Page::readings && !isCircular() && height() >= noKeysBelow &&
+                       !m_maximised);
 }
 
 void Workplace::presentStatus() {
@@ -294,6 +304,8 @@ void Workplace::presentStatus() {
     if (index >= m_evaluated.tests.size())
         return;
     const Test &test = *m_evaluated.document->tests[index];
+    if (const auto *circles = std::get_if<CircularMeasurement>(&test.measurement))
+        return presentCircularStatus(*circles);
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     if (!measurement) {
         emit contentChanged({});
@@ -324,6 +336,20 @@ void Workplace::presentStatus() {
     if (const auto next = nextInCycle(*measurement, *place); next && !m_selection.hovered())
         hint += QStringLiteral(" · ") + tr("next: target %1").arg(next->target + 1);
     emit hintChanged(hint);
+}
+
+void Workplace::presentCircularStatus(const CircularMeasurement &measurement) {
+    std::size_t points = 0;
+    for (const Arc &arc : measurement.arcs)
+        points += arc.angles.size();
+    emit contentChanged(
+        tr("%n arc(s)", nullptr, static_cast<int>(measurement.arcs.size())) + QStringLiteral(" · ") +
+        tr("%1 points").arg(windowLanguage().number(static_cast<double>(points), Quantity::count, 0)));
+    const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
+    const bool exists = place && place->run < measurement.arcs.size() &&
+                        place->target < measurement.arcs[place->run].angles.size();
+    emit hintChanged(exists ? pointText(measurement, place->run, place->target, windowLanguage())
+                            : QString());
 }
 
 bool Workplace::showNextMissing(bool forward) {
@@ -409,11 +435,14 @@ void Workplace::arrange() {
     presentCard();
 }
 
-QString Workplace::sizesKey() const {
+bool Workplace::isCircular() const {
     const std::size_t test = m_selection.test();
-    const bool circular =
-        test < m_evaluated.tests.size() &&
-        std::holds_alternative<CircularMeasurement>(m_evaluated.document->tests[test]->measurement);
+    return test < m_evaluated.tests.size() &&
+           std::holds_alternative<CircularMeasurement>(m_evaluated.document->tests[test]->measurement);
+}
+
+QString Workplace::sizesKey() const {
+    const bool circular = isCircular();
     return QStringLiteral("sizes/%1%2")
         .arg(circular ? QStringLiteral("circular") : QStringLiteral("positioning"),
              m_right->isTabbed() ? QStringLiteral("-stacked") : QString());
@@ -462,6 +491,7 @@ void Workplace::retranslate() {
     m_tabs->setTabText(3, tr("&Limits"));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
+    m_circles->setLanguage(language);
     m_conditions->setLanguage(language);
     m_agreedPoints->setLanguage(language);
     m_limits->setLanguage(language);

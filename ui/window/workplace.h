@@ -16,6 +16,7 @@ class QToolButton;
 namespace palmer::ui {
 
 class AgreedPointsPage;
+class CirclesPage;
 class ConditionsPage;
 class DocumentModel;
 class ExplanationCard;
@@ -83,10 +84,12 @@ private:
     void presentPage();
     void presentCard();
     void presentStatus();
+    void presentCircularStatus(const CircularMeasurement &measurement);
     void arrange();
     void restoreSizes();
     void keepSizes() const;
     void retranslate();
+    [[nodiscard]] bool isCircular() const; ///< the test in view
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] bool isReportPage() const;
 
@@ -103,7 +106,9 @@ private:
     TestHead *m_head;
     PageTabs *m_tabs;
     QStackedWidget *m_pages;
+    QStackedWidget *m_readingPages; ///< by the kind of test
     ReadingsPage *m_readings;
+    CirclesPage *m_circles;
     ConditionsPage *m_conditions;
     AgreedPointsPage *m_agreedPoints;
     LimitsPage *m_limits;

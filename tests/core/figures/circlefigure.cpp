@@ -78,7 +78,7 @@ private slots:
         for (const DeviationCircle &ring : figure.rings)
             rings << ring.label;
         QCOMPARE(rings, list({"−10", "−5", "0", "+5", "+10"}));
-        QCOMPARE(legendTexts(figure), list({"counterclockwise, XY", "clockwise, YX", "nominal circle",
+        QCOMPARE(legendTexts(figure), list({"anticlockwise, XY", "clockwise, YX", "nominal circle",
                                             "minimum zone, G(b)", "reference centre", "starting point"}));
         QCOMPARE(figure.arrows[0].index, QStringLiteral("XY"));
         QCOMPARE(figure.arrows[1].index, QStringLiteral("YX"));

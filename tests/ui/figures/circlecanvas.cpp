@@ -1,5 +1,6 @@
 #include "ui/figures/circlecanvas.h"
 
+#include "report/explanation.h"
 #include "ui/circles.h"
 #include "ui/figures/circlefigureview.h"
 #include "ui/figures/figureview.h"
@@ -13,6 +14,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
 using namespace palmer;
@@ -210,11 +212,25 @@ private slots:
     void anExplanationMarksItsPoints() {
         Shown shown;
         const QImage before = shown.canvas->grab().toImage();
-        shown.circles->setMarking(u"G(b)_XY"_s, u"G(b) = 25.1 µm"_s);
+        shown.selection.setParameter(u"G_YX"_s); // its own points, also in the figure of both senses
         const QImage marked = shown.canvas->grab().toImage();
-        QVERIFY(marked != before);
-        const auto figure = shown.circles->paperFigure();
-        QCOMPARE(figure->contacts.size(), std::size_t{4});
+        const auto explained =
+            explanation(evaluatedCircles(decidedPair()), 0, "G_YX", Language(Language::Id::english));
+        QCOMPARE(explained->points.size(), std::size_t{4});
+        const Arc arc = std::get<CircularMeasurement>(decidedPair().measurement).arcs[1];
+        for (const RulingPoint &point : explained->points) {
+            QCOMPARE(point.path, u"YX"_s);
+            const auto nearest = std::ranges::min_element(arc.angles, {}, [&](double angle) {
+                return std::abs(std::remainder(angle - point.angle, 360.0));
+            });
+            const auto at = shown.canvas->placeOf(
+                ReadingPlace{1, static_cast<std::size_t>(nearest - arc.angles.begin())});
+            QVERIFY(at);
+            const QRect around(at->toPoint() - QPoint(9, 9), QSize(18, 18));
+            QVERIFY(marked.copy(around) != before.copy(around));
+        }
+        shown.selection.setParameter({});
+        QCOMPARE(shown.canvas->grab().toImage(), before);
     }
 
     void zoomStaysWhileTheTestChanges() {
