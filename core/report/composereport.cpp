@@ -7,6 +7,7 @@
 #include "report/headparts.h"
 #include "report/resultparts.h"
 #include "report/testpart.h"
+#include "report/uncertaintyparts.h"
 
 namespace palmer {
 
@@ -45,6 +46,7 @@ void addPositioning(std::vector<Block> &blocks, const TestPart &test,
     addConditions(blocks, part);
     addAgreedPoints(blocks, part);
     addUncertainty(blocks, part);
+    addBudget(blocks, part);
     addFindings(blocks, part);
     addLimits(blocks, part);
     addTargetTable(blocks, part);
@@ -60,6 +62,7 @@ void addOther(std::vector<Block> &blocks, const TestPart &part) {
     blocks.emplace_back(commonHead(part));
     addResults(blocks, part, part.write.text(REPORT_TEXT("report", "Results")), false);
     addAgreedPoints(blocks, part);
+    addBudget(blocks, part);
     addFindings(blocks, part);
     addLimits(blocks, part);
     addImports(blocks, part);

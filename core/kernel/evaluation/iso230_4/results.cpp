@@ -24,6 +24,14 @@ std::vector<std::size_t> arcsOf(const CircularMeasurement &measurement, Sense se
     return result;
 }
 
+/// The first rows that are of one quantity: Fmax and Fmin of a path stand together.
+std::span<const CircularRow> rowsOfAQuantity(std::span<const CircularRow> rows) {
+    std::size_t count = 1;
+    while (count < rows.size() && std::string_view(rows[count].quantity) == rows.front().quantity)
+        ++count;
+    return rows.first(count);
+}
+
 std::optional<double> standardDeviation(const std::vector<double> &values) {
     if (values.size() < 2)
         return std::nullopt;
@@ -53,14 +61,18 @@ CircularResults circularResults(const CircularMeasurement &measurement) {
 
 std::vector<ListedParameter> listedParameters(const CircularCase &test) {
     std::vector<ListedParameter> result;
-    for (const CircularRow &row : test.edition.circles->rows) {
-        if (row.external == test.feedback())
+    for (auto rows = test.edition.circles->rows; !rows.empty();) {
+        const auto quantity = rowsOfAQuantity(rows);
+        rows = rows.subspan(quantity.size());
+        if (quantity.front().external == test.feedback())
             continue;
-        if (row.of == CircularRow::Of::eachArc) {
-            for (const EvaluatedPath &path : test.results.paths)
-                result.push_back({&row, &path, path.index});
+        if (quantity.front().of == CircularRow::Of::eachArc) {
+            for (const EvaluatedPath &path : test.results.paths) {
+                for (const CircularRow &row : quantity)
+                    result.push_back({&row, &path, path.index});
+            }
         } else if (test.bothSenses()) {
-            result.push_back({&row, nullptr, test.results.paths.front().index});
+            result.push_back({&quantity.front(), nullptr, test.results.paths.front().index});
         }
     }
     return result;
