@@ -59,10 +59,10 @@ public:
         const auto number = [](long long value) {
             return Number{static_cast<double>(value), Quantity::count};
         };
-        write(m_language.sentence(
-            progress.of ? Message{REPORT_TEXT("report", "Monte Carlo: %1 of %2 trials"),
-                                  {number(progress.trials), number(*progress.of)}}
-                        : Message{REPORT_TEXT("report", "Monte Carlo: %1 trials"), {number(progress.trials)}}));
+        write(m_language.sentence(progress.of ? Message{REPORT_TEXT("report", "Monte Carlo: %1 of %2 trials"),
+                                                        {number(progress.trials), number(*progress.of)}}
+                                              : Message{REPORT_TEXT("report", "Monte Carlo: %1 trials"),
+                                                        {number(progress.trials)}}));
     }
 
 private:
@@ -83,8 +83,7 @@ private:
 SimulationChoices simulationChoices(const Invocation &invocation) {
     constexpr long long mostThreads = 256;
     const auto threads = wholeNumber(invocation, "threads", 1);
-    return {methodOf(invocation),
-            wholeNumber(invocation, "seed", std::numeric_limits<long long>::min()),
+    return {methodOf(invocation), wholeNumber(invocation, "seed", std::numeric_limits<long long>::min()),
             wholeNumber(invocation, "trials", 1),
             static_cast<int>(std::min(threads.value_or(0), mostThreads))};
 }

@@ -14,7 +14,7 @@ inline constexpr std::array simulationCommandOptions{
            REPORT_TEXT("report", "how the uncertainty is found that decides, whatever the file says")},
     Option{"seed", "N", REPORT_TEXT("report", "seed of the Monte Carlo simulation")},
     Option{"trials", "N",
-           REPORT_TEXT("report", "trials of the simulation; without it until two digits are stable")},
+           REPORT_TEXT("report", "trials of the simulation; without it until two places are stable")},
     Option{"threads", "N", REPORT_TEXT("report", "threads of the simulation; the figures are the same")},
 };
 

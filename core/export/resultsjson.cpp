@@ -80,7 +80,8 @@ Json monteCarlo(const Parameter &parameter, const UncertaintyEvaluation &uncerta
             {"seed", uncertainty.simulation->seed}};
 }
 
-Json parameter(const Parameter &parameter, const UncertaintyEvaluation &uncertainty, const Language &language) {
+Json parameter(const Parameter &parameter, const UncertaintyEvaluation &uncertainty,
+               const Language &language) {
     return {{"id", parameterId(parameter)},
             {"quantity", parameter.term.id},
             {"symbol", plainSymbol(parameter)},
@@ -171,7 +172,8 @@ Json circles(const CircularResults &results) {
 /// The contributions are those of a budget that is to be used.
 Json uncertainty(const UncertaintyEvaluation &evaluation) {
     Json contributions = Json::array();
-    if (evaluation.method == UncertaintyMethod::budget || evaluation.method == UncertaintyMethod::monteCarlo) {
+    if (evaluation.method == UncertaintyMethod::budget ||
+        evaluation.method == UncertaintyMethod::monteCarlo) {
         for (const Contribution &contribution : evaluation.contributions)
             contributions.push_back({{"id", contribution.id}, {"value", number(contribution.expanded)}});
     }

@@ -8,6 +8,7 @@
 #include "report/headparts.h"
 #include "report/resultparts.h"
 #include "report/testpart.h"
+#include "report/uncertaintyparts.h"
 
 namespace palmer {
 
@@ -42,6 +43,7 @@ void addPositioning(std::vector<Block> &blocks, const TestPart &test,
     addConditions(blocks, part);
     addAgreedPoints(blocks, part);
     addUncertainty(blocks, part, measurement.uncertainty.method);
+    addBudget(blocks, part);
     addFindings(blocks, part);
     addLimits(blocks, part);
     addTargetTable(blocks, part);
@@ -62,6 +64,7 @@ void addCircular(std::vector<Block> &blocks, const TestPart &test, const Circula
     addConditions(blocks, part);
     addAgreedPoints(blocks, part);
     addUncertainty(blocks, part, measurement.uncertainty.method);
+    addBudget(blocks, part);
     addFindings(blocks, part);
     addLimits(blocks, part);
     addPaths(blocks, part);

@@ -1,5 +1,6 @@
 #include "report/conditionparts.h"
 
+#include "report/uncertaintyparts.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -427,7 +428,7 @@ void addUncertainty(std::vector<Block> &blocks, const TestPart &part, Uncertaint
     const bool asked = std::ranges::find(findings, "uncertainty", &Finding::id) != findings.end();
     const bool any = std::ranges::any_of(
         part.evaluation.parameters, [](const Parameter &p) { return p.expandedUncertainty.has_value(); });
-    if (!asked && !any)
+    if (!asked && (!any || usesBudget(part.evaluation)))
         return;
     addHeading(blocks, write.text(REPORT_TEXT("report", "Measurement uncertainty")), QStringLiteral("k = 2"));
     QStringList words;

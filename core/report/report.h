@@ -72,6 +72,7 @@ struct Cell {
     bool blank = false;     ///< nothing is to stand here, not even a dash
     Mark mark = Mark::none; ///< before the text
     std::optional<Guard> guard = {};
+    std::optional<double> bar = {}; ///< a bar from the left, part of the width of its column, 0 … 1
 
     Cell() = default;
     Cell(Phrase phrase) // NOLINT(google-explicit-constructor): most cells are a phrase

@@ -152,7 +152,7 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
     const TestEvaluation &evaluation = *evaluated.tests[test];
     table.edition = QString::fromUtf8(evaluation.edition->word);
     table.view = evaluation.view;
-    table.provisional = isUnfinished(source);
+    table.provisional = isUnfinished(source) || evaluation.provisional;
     if (table.view)
         table.viewNote = language.sentence(
             {REPORT_TEXT("report", "Seen under another edition than that of the test (%1): no verdict."),

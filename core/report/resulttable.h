@@ -57,7 +57,7 @@ struct ResultTable {
     QString verdictWord;
     bool view = false;        ///< under another edition: no verdicts
     QString viewNote;         ///< says so
-    bool provisional = false; ///< readings are still to come
+    bool provisional = false; ///< readings are still to come, or an outdated simulation decides
     QString edition;
 };
 

@@ -121,6 +121,7 @@ struct Row {
         Mark mark = Mark::none;
         std::optional<Guard> guard;
         double x = 0;
+        std::optional<double> bar = {}; ///< length of a bar, points
     };
     std::vector<PlacedText> texts;
     std::vector<Sign> signs;
@@ -168,6 +169,10 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
         row.signs.push_back({Mark::none, cell.guard, place.left});
         return;
     }
+    if (cell.bar) {
+        row.signs.push_back({Mark::none, {}, place.left, std::clamp(*cell.bar, 0.0, 1.0) * place.width});
+        return;
+    }
     const bool missing = cell.isMissing();
     const TextStyle style = missing ? styled(false, dashGrey) : styled(false);
     const RichText text = missing ? RichText{{thinDash}} : richText(cell.text, cell.bold);
@@ -188,7 +193,9 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
 void drawRow(QPainter &painter, QPointF at, const Row &row) {
     const double middle = at.y() + textSize * cellStyle.leading / 2; // of the first line
     for (const Row::Sign &sign : row.signs) {
-        if (sign.guard)
+        if (sign.bar)
+            drawBar(painter, {at.x() + sign.x, middle}, *sign.bar);
+        else if (sign.guard)
             drawGuardPicture(painter, {at.x() + sign.x, middle - guardPictureHeight * mm / 2}, *sign.guard);
         else
             drawMark(painter, sign.mark, {at.x() + sign.x + markBox * mm / 2, middle}, markBox * mm);

@@ -130,7 +130,7 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
     if (!uncertainty.simulation->stable)
         note(evaluation, "monteCarlo",
              {REPORT_TEXT("report",
-                          "The Monte Carlo simulation ended before two digits of the uncertainty were "
+                          "The Monte Carlo simulation ended before two places of the uncertainty were "
                           "stable.")});
     const std::string symbols = symbolsOf(evaluation.parameters, shifted);
     if (!symbols.empty())

@@ -47,13 +47,13 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
         repeated = iso230_4::repeatabilities(test);
     const auto largest =
         std::ranges::max_element(repeated, {}, [](const std::optional<double> &s) { return s.value_or(-1); });
-    const CircularBudget budget = circularBudget(test.measurement, test.surroundings.environmentalVariation,
-                                                 largest == repeated.end() ? std::nullopt : *largest);
-    evaluation.uncertainty.contributions = budget.contributions;
-
     std::size_t points = 0;
     for (const EvaluatedPath &path : test.results.paths)
         points += path.points.size();
+    const CircularBudget budget = circularBudget(test.measurement, test.surroundings.environmentalVariation,
+                                                 largest == repeated.end() ? std::nullopt : *largest, points);
+    CircularContributions anyUses;
+
     std::vector<MissingInput> missing;
     bool complete = true;
     bool any = false;
@@ -63,7 +63,10 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
             continue;
         const CircularContributions uses =
             contributionsOf(listed[k].row->quantity, test.measurement.centring);
-        p.budgetUncertainty = combined(budget, uses, repeated[k], points);
+        p.budgetUncertainty = combined(budget, uses, repeated[k]);
+        anyUses.length |= uses.length;
+        anyUses.centring |= uses.centring;
+        anyUses.noise |= uses.noise;
         any |= p.budgetUncertainty.has_value();
         if (p.budgetUncertainty || !p.required)
             continue;
@@ -80,6 +83,10 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
                 known->results += (known->results.empty() ? "" : ", ") + plainSymbol(p);
             }
         }
+    }
+    for (const Contribution &contribution : budget.contributions) {
+        if (takesUp(anyUses, contribution.id))
+            evaluation.uncertainty.contributions.push_back(contribution);
     }
     evaluation.uncertainty.complete = any && complete;
     decideUncertainty(evaluation, inputs.method, test.surroundings, [&](const Parameter &p) {

@@ -53,7 +53,8 @@ CircularTrials::CircularTrials(const Test &test, const CircularMeasurement &meas
     m_zero = deviation(contributions, displacementId);
     m_length = deviation(contributions, referenceLengthId);
     m_correction = deviation(contributions, correctionId);
-    m_noise = deviation(contributions, pointNoiseId);
+    constexpr double micrometresPerMm = 1000;
+    m_noise = std::max(0.0, measurement.uncertainty.pointNoise.value_or(0)) / micrometresPerMm;
     m_resolution = deviation(contributions, resolutionId) * rootOfTwelve;
     m_drift = deviation(contributions, driftId) * rootOfTwelve;
     if (measurement.centring == Centring::instrument)

@@ -17,11 +17,12 @@ constexpr double rootOfTwelve = 3.4641016151377546; ///< a uniform width w has t
 class Maker {
 public:
     Maker(const CircularMeasurement &measurement, std::optional<double> environmentalVariation,
-          std::optional<double> repeatability)
+          std::optional<double> repeatability, std::size_t points)
         : m_measurement(measurement)
         , m_inputs(measurement.uncertainty)
         , m_environmentalVariation(m_inputs.environmentalVariation)
-        , m_repeated(repeatability) {
+        , m_repeated(repeatability)
+        , m_points(points) {
         if (!m_environmentalVariation && environmentalVariation)
             m_environmentalVariation = *environmentalVariation * micrometresPerMm;
     }
@@ -40,9 +41,7 @@ public:
         addSize(centringId, REPORT_TEXT("report", "centring of the set-up"), m_inputs.centring,
                 REPORT_TEXT("report", "standard uncertainty of the centring"), 1,
                 REPORT_TEXT("report", "2 · %1"));
-        addSize(pointNoiseId, REPORT_TEXT("report", "noise of one point"), m_inputs.pointNoise,
-                REPORT_TEXT("report", "standard uncertainty of one point"), 1,
-                REPORT_TEXT("report", "2 · %1"));
+        addPointNoise();
         return std::move(m_budget);
     }
 
@@ -89,6 +88,17 @@ private:
         const ReferenceLength &length = m_measurement.referenceLength;
         addCertified(referenceLengthId, REPORT_TEXT("report", "reference length"), length.expandedUncertainty,
                      length.coverageFactor, REPORT_TEXT("report", "uncertainty of the reference length"));
+    }
+
+    void addPointNoise() {
+        const double n = static_cast<double>(std::max<std::size_t>(m_points, 1));
+        Contribution result{pointNoiseId, REPORT_TEXT("report", "noise of the points"), {}, {}, true, {}};
+        InputReader read(result);
+        const double noise = read.size(m_inputs.pointNoise, pointNoiseId,
+                                       REPORT_TEXT("report", "standard uncertainty of one point"));
+        result.inputs = {REPORT_TEXT("report", "2 · %1 / √%2"),
+                         {micrometres(noise), Number{n, Quantity::count}}};
+        store(std::move(result), noise / std::sqrt(n));
     }
 
     void addRepeatability() {
@@ -183,6 +193,7 @@ private:
     const CircularUncertaintyInputs &m_inputs;
     std::optional<double> m_environmentalVariation;
     std::optional<double> m_repeated;
+    std::size_t m_points;
     CircularBudget m_budget;
 };
 
@@ -213,12 +224,12 @@ bool takesUp(const CircularContributions &uses, std::string_view contribution) {
 
 CircularBudget circularBudget(const CircularMeasurement &measurement,
                               std::optional<double> environmentalVariation,
-                              std::optional<double> repeatability) {
-    return Maker(measurement, environmentalVariation, repeatability).make();
+                              std::optional<double> repeatability, std::size_t points) {
+    return Maker(measurement, environmentalVariation, repeatability, points).make();
 }
 
 std::optional<double> combined(const CircularBudget &budget, const CircularContributions &uses,
-                               std::optional<double> repeatability, std::size_t points) {
+                               std::optional<double> repeatability) {
     double squares = 0;
     for (const Contribution &contribution : budget.contributions) {
         const std::string_view id = contribution.id;
@@ -227,10 +238,9 @@ std::optional<double> combined(const CircularBudget &budget, const CircularContr
         std::optional<double> expanded = contribution.expanded;
         if (id == repeatabilityId && repeatability)
             expanded = coverage * *repeatability;
-        if (!expanded || (id == pointNoiseId && points == 0))
+        if (!expanded)
             return std::nullopt;
-        const double square = *expanded * *expanded;
-        squares += id == pointNoiseId ? square / static_cast<double>(points) : square;
+        squares += *expanded * *expanded;
     }
     return std::sqrt(squares);
 }

@@ -12,7 +12,7 @@ namespace palmer {
 
 /// The contributions to the uncertainty of a circular test (ISO 230-4:2005, 4.6; combination by the GUM).
 struct CircularBudget {
-    std::vector<Contribution> contributions; ///< mm; that of the point noise: of one point
+    std::vector<Contribution> contributions; ///< mm
 
     [[nodiscard]] const Contribution *find(std::string_view id) const;
 
@@ -23,7 +23,7 @@ struct CircularBudget {
 struct CircularContributions {
     bool length = false;   ///< reference length and correction to 20 °C
     bool centring = false; ///< position of the set-up
-    bool noise = false;    ///< point noise, over √N
+    bool noise = false;    ///< point noise of the mean of all points
 };
 
 /// Of a quantity as `limits` write it ("G(b)", "F", "D"); F about the set-up centre has its centring too.
@@ -33,20 +33,19 @@ struct CircularContributions {
 [[nodiscard]] bool takesUp(const CircularContributions &uses, std::string_view contribution);
 
 /// The budget of a measurement. `environmentalVariation`: E_VE from a drift test, mm, where none is typed in;
-/// `repeatability`: the largest standard deviation of a result over repeated circles, mm, likewise. The
-/// standard uncertainty of the correction is
+/// `repeatability`: the largest standard deviation of a result over repeated circles, mm, likewise;
+/// `points`: N that are evaluated of all paths. The standard uncertainty of the correction is
 ///     u²(C) = R²·[α_i²u²(T_i) + (T_i − 20)²u²(α_i) + α_m²u²(T_m) + (T_m − 20)²u²(α_m)];
 /// with one sensor for both temperatures their errors are one: (α_i − α_m)²u²(T) in place of two terms. A
 /// null is unknown, a 0 a statement; negative and infinite inputs: no number, a defect.
 [[nodiscard]] CircularBudget circularBudget(const CircularMeasurement &measurement,
                                             std::optional<double> environmentalVariation,
-                                            std::optional<double> repeatability);
+                                            std::optional<double> repeatability, std::size_t points);
 
 /// U (k = 2) of a result in mm: √(Σ U²) of what it takes up. `repeatability`: of this result, standard
-/// deviation over repeated circles, mm; null: as the budget says. `points`: N that it is evaluated from. Null
-/// where a contribution is unknown.
+/// deviation over repeated circles, mm; null: as the budget says. Null where a contribution is unknown.
 [[nodiscard]] std::optional<double> combined(const CircularBudget &budget, const CircularContributions &uses,
-                                             std::optional<double> repeatability, std::size_t points);
+                                             std::optional<double> repeatability);
 
 inline constexpr const char *displacementId = "displacement";
 inline constexpr const char *resolutionId = "resolution";

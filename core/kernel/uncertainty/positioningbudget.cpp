@@ -74,6 +74,12 @@ constexpr std::array bodies{
          REPORT_TEXT("report", "range R(α) of the coefficient of expansion of the instrument")},
 };
 
+/// A difference of temperatures without the rounding errors of its computation.
+double readable(double value) {
+    constexpr double places = 1e6;
+    return std::isfinite(value) ? std::round(value * places) / places : 0;
+}
+
 constexpr Text lengthName = REPORT_TEXT("report", "length L above 0");
 
 /// The budget while it is made. Sizes in µm (rotary: arc seconds) until they are stored.
@@ -246,7 +252,7 @@ private:
         if (width > 0 && away > 0)
             expanded = rectangularFactor * away * lengthFor(read) / mmPerMetre * width;
         result.inputs = {REPORT_TEXT("report", "%1 · %2 · %3 · %4"),
-                         {factor(rectangularFactor), Number{away, Quantity::temperature}, length(),
+                         {factor(rectangularFactor), Number{readable(away), Quantity::temperature}, length(),
                           Number{width, Quantity::expansion}}};
         store(std::move(result), expanded);
     }

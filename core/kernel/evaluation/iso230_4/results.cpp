@@ -24,6 +24,14 @@ std::vector<std::size_t> arcsOf(const CircularMeasurement &measurement, Sense se
     return result;
 }
 
+/// The first rows that are of one quantity: Fmax and Fmin of a path stand together.
+std::span<const CircularRow> rowsOfAQuantity(std::span<const CircularRow> rows) {
+    std::size_t count = 1;
+    while (count < rows.size() && std::string_view(rows[count].quantity) == rows.front().quantity)
+        ++count;
+    return rows.first(count);
+}
+
 std::optional<double> standardDeviation(const std::vector<double> &values) {
     if (values.size() < 2)
         return std::nullopt;

@@ -66,7 +66,7 @@ void CircularBudgetTest::correction() {
     Test test = circularTest(36);
     stateTemperatures(circle(test));
     circle(test).uncertainty.sameSensor = sameSensor;
-    const CircularBudget budget = circularBudget(circle(test), {}, {});
+    const CircularBudget budget = circularBudget(circle(test), {}, {}, 72);
     const double u = *budget.find("correction")->expanded / 2 * 1000;
     COMPARE_NEAR(u, expected, 0.0005); // printed to three decimals
 }
@@ -84,7 +84,7 @@ void CircularBudgetTest::combination() {
     inputs.pointNoise = 0.3;
     inputs.centring = 5; // set-up centring only
     const double common = 0.09 + 0.01 / 12 + 0.04 + 0.25 / 12;
-    const double c = std::pow(*circularBudget(m, {}, {}).find("correction")->expanded * 500, 2);
+    const double c = std::pow(*circularBudget(m, {}, {}, 72).find("correction")->expanded * 500, 2);
     const TestEvaluation evaluation = evaluated(test);
     for (const char *id : {"G_XY", "G_YX", "G(b)_XY"})
         COMPARE_NEAR(uncertainty(evaluation, id), 2 * std::sqrt(common), 1e-12);
