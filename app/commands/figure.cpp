@@ -55,7 +55,7 @@ int run(const Invocation &invocation) {
     const QString file = invocation.arguments.front();
     try {
         const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(documentFrom(file)), nullptr, {});
+            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)), nullptr, {});
         const std::size_t index = testIndex(invocation, evaluated.tests.size());
         const Test &test = *evaluated.document->tests[index];
         if (!std::holds_alternative<PositioningMeasurement>(test.measurement))

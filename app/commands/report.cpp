@@ -65,7 +65,7 @@ int run(const Invocation &invocation) {
     const QString file = invocation.arguments.front();
     try {
         const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(documentFrom(file)), nullptr, {});
+            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)), nullptr, {});
         const QStringList languages = languagesOf(invocation, *evaluated.document);
         const bool toStandardOutput = *output == QLatin1StringView("-");
         if (toStandardOutput && languages.size() > 1)
