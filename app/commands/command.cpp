@@ -2,8 +2,10 @@
 
 #include "commands/check.h"
 #include "commands/evaluate.h"
+#include "commands/export.h"
 #include "commands/feed.h"
 #include "commands/figure.h"
+#include "commands/import.h"
 #include "commands/report.h"
 #include "commands/selftest.h"
 #include "commands/targets.h"
@@ -86,7 +88,9 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
     if (!wantsValue && given)
         throw UsageError(
             {REPORT_TEXT("report", "the option --%1 takes no value"), {std::string(option.name)}});
-    invocation.options[QString::fromUtf8(option.name)] = given.value_or(QString());
+    QString &value = invocation.options[QString::fromUtf8(option.name)];
+    value = option.repeats && !value.isEmpty() ? value + u'\n' + given.value_or(QString())
+                                               : given.value_or(QString());
 }
 
 } // namespace
@@ -105,8 +109,9 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(), reportCommand(),   figureCommand(),
-                                  targetsCommand(),  feedCommand(),  selftestCommand()};
+    static const std::array table{evaluateCommand(), checkCommand(),  reportCommand(),
+                                  figureCommand(),   importCommand(), exportCommand(),
+                                  targetsCommand(),  feedCommand(),   selftestCommand()};
     return table;
 }
 
@@ -191,7 +196,8 @@ QString programHelp(const Language &language) {
            QStringLiteral("\n\npalmer-cli ") +
            language.text(REPORT_TEXT("report", "COMMAND [OPTION]… [FILE]…")) + QStringLiteral("\n\n") +
            rows(list) + u'\n' + rows(options) + u'\n' +
-           language.text(REPORT_TEXT("report", "FILE is a test file (.palmer); - is standard input.")) +
+           language.text(REPORT_TEXT("report", "FILE is a test file (.palmer) or a measurement file that can "
+                                               "be imported; - is standard input.")) +
            u'\n';
 }
 

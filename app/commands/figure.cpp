@@ -113,7 +113,7 @@ int run(const Invocation &invocation) {
     const QString file = invocation.arguments.front();
     try {
         const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(documentFrom(file)), nullptr, {});
+            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)), nullptr, {});
         const std::size_t index = testIndex(invocation, evaluated.tests.size());
         const Test &test = *evaluated.document->tests[index];
         const NamedFigure named = figureOf(test, *evaluated.tests[index], index, wanted, invocation.language);

@@ -68,7 +68,7 @@ void saveDocument(const Document &document, const QString &path) {
     saveBytes(writeDocument(document), path);
 }
 
-Document openDocument(const QString &path) {
+QByteArray readBytes(const QString &path) {
     const QFileInfo info(path);
     if (info.isDir())
         refuse(Error::Kind::unreadable, REPORT_TEXT("report", "this is a folder; expected a test file"));
@@ -92,7 +92,11 @@ Document openDocument(const QString &path) {
     }
     if (file.error() != QFileDevice::NoError)
         refuseReading();
-    return readDocument(bytes);
+    return bytes;
+}
+
+Document openDocument(const QString &path) {
+    return readDocument(readBytes(path));
 }
 
 } // namespace palmer

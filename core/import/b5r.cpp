@@ -397,7 +397,7 @@ private:
             points += n;
             measurement.arcs.push_back(std::move(path));
         }
-        remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: %1 paths, %2 points."),
+        remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
                                    {Number{static_cast<double>(m_runs.size()), Quantity::count},
                                     Number{static_cast<double>(points), Quantity::count}}});
     }

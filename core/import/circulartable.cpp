@@ -15,7 +15,9 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 double rounded(double value, double step) {
-    return std::round(value / step) * step;
+    // Divided by whole parts, so that 13.3 is the number people write.
+    return step < 1 ? std::round(value * std::round(1 / step)) / std::round(1 / step)
+                    : std::round(value / step) * step;
 }
 
 /// The nearest round number that a programmed radius may be.
@@ -25,6 +27,12 @@ double nominalOf(double radius) {
             return rounded(radius, step);
     }
     return rounded(radius, 0.01);
+}
+
+std::string upper(std::string text) {
+    for (char &c : text)
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    return text;
 }
 
 /// A path as the file gives it: two numbers a point.
@@ -59,7 +67,7 @@ public:
         std::size_t points = 0;
         for (const Arc &arc : measurement.arcs)
             points += arc.angles.size();
-        m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: %1 paths, %2 points."),
+        m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
                                      {Number{static_cast<double>(measurement.arcs.size()), Quantity::count},
                                       Number{static_cast<double>(points), Quantity::count}}});
         if (m_missing > 0)
@@ -185,7 +193,7 @@ private:
     [[nodiscard]] std::string planeOfHeadings() const {
         const std::string a = withoutUnit(m.body.columns[m_first].heading);
         const std::string b = withoutUnit(m.body.columns[m_seconds.front()].heading);
-        return a.size() == 1 && b.size() == 1 ? a + b : std::string();
+        return a.size() == 1 && b.size() == 1 ? upper(a + b) : std::string();
     }
 
     const Unit *settleUnit(std::string_view key, const Unit *stated, UnitKind kind, const char *guess,

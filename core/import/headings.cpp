@@ -113,19 +113,16 @@ std::optional<Direction> directionOf(std::string_view word) {
 
 std::optional<Direction> directionInHeading(std::string_view heading, bool shortSigns) {
     const std::string low = lowered(heading);
-    std::optional<Direction> found;
-    for (const std::string_view arrow : {"↑", "↓"}) {
-        if (low.find(arrow) != std::string::npos)
-            return arrow == "↑" ? Direction::positive : Direction::negative;
-    }
+    bool positive = low.find("↑") != std::string::npos;
+    bool negative = low.find("↓") != std::string::npos;
     for (const std::string_view word : wordsOf(low)) {
-        if (word.size() > 1 && isDirection(word, Direction::positive))
-            found = Direction::positive;
-        else if (word.size() > 1 && isDirection(word, Direction::negative))
-            found = Direction::negative;
+        positive |= word.size() > 1 && isDirection(word, Direction::positive);
+        negative |= word.size() > 1 && isDirection(word, Direction::negative);
     }
-    if (found)
-        return found;
+    if (positive && negative)
+        return {}; // about both
+    if (positive || negative)
+        return positive ? Direction::positive : Direction::negative;
     // What is left of "1+", "Run 2 -", "A1" without digits and marks.
     std::string rest;
     for (const char c : low) {

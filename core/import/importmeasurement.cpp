@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 
 namespace palmer {
 
@@ -58,6 +60,37 @@ void settleCorrection(Imported &imported, Choices &choices) {
         positioning->conditions.common.correctionTo20 = correctionOf(choice.value);
     else if (auto *circular = std::get_if<CircularMeasurement>(&imported.test->measurement))
         circular->conditions.common.correctionTo20 = correctionOf(choice.value);
+}
+
+/// Files may hold any number; what is beyond sense is no measurement. Targets have to differ in mm, too.
+void demandSense(const Test &test) {
+    constexpr double largest = 1e9; // mm, degrees, s
+    const auto sensible = [](const std::vector<double> &values) {
+        return std::ranges::all_of(values, [](double value) { return std::abs(value) <= largest; });
+    };
+    bool sense = true;
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
+        sense = sensible(positioning->targets) &&
+                std::ranges::adjacent_find(positioning->targets, std::ranges::greater_equal()) ==
+                    positioning->targets.end();
+        for (const Run &run : positioning->runs)
+            sense = sense && std::ranges::all_of(run.deviations, [](const auto &value) {
+                        return !value || std::abs(*value) <= largest;
+                    });
+    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
+        sense = circular->nominalRadius > 0 && circular->nominalRadius <= largest &&
+                circular->feed.value_or(0) <= largest;
+        for (const Arc &arc : circular->arcs)
+            sense = sense && sensible(arc.angles) && sensible(arc.radialDeviations);
+    } else {
+        const auto &drift = std::get<DriftMeasurement>(test.measurement);
+        sense = sensible(drift.times) && sensible(drift.deviations);
+    }
+    if (!sense)
+        throw Error(
+            Error::Kind::content,
+            {REPORT_TEXT("report",
+                         "there are numbers in it that no machine has; check units and decimal mark")});
 }
 
 Conditions *conditionsOf(Test &test) {
@@ -144,6 +177,8 @@ Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const 
     Choices choices(options);
     choices.settle("format", format.word, Origin::recognised);
     format.read({bytes, options}, choices, imported);
+    if (imported.test)
+        demandSense(*imported.test);
     settleCorrection(imported, choices);
     imported.choices = choices.take();
     std::ranges::stable_sort(imported.remarks, {}, &Remark::grade);

@@ -64,7 +64,7 @@ void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &
              {REPORT_TEXT("report", "The directions have unequal numbers of runs: %1 ↑ and %2 ↓."),
               {count(upward), count(downward)}}});
     remarks.push_back({RemarkGrade::note,
-                       {REPORT_TEXT("report", "Understood: %1 targets, %2 runs ↑, %3 runs ↓."),
+                       {REPORT_TEXT("report", "Understood: targets: %1; runs ↑: %2; runs ↓: %3."),
                         {count(measurement.targets.size()), count(upward), count(downward)}}});
 }
 

@@ -18,7 +18,7 @@ struct Remark {
     RemarkGrade grade = RemarkGrade::note;
     Message message;
     std::size_t line = 0;    ///< of the file or sheet, from 1; 0: the whole
-    std::size_t column = 0;  ///< character of the line, from 1; 0: the whole line
+    std::size_t column = 0;  ///< cell of the line, from 1; 0: the whole line
     std::string choice = {}; ///< key of the choice it is about, or empty
 
     bool operator==(const Remark &) const = default;

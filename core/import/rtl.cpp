@@ -277,7 +277,11 @@ private:
         conditions.airPressure = within("Air press", 500, 1200); // mbar; other units have other sizes
         conditions.airHumidity = within("Air humid", 0, 100);
         const auto addSensor = [&](std::string_view key, SensorMeasures what) {
-            if (const auto value = within(key, -20, 60)) {
+            const auto value = within(key, -20, 60);
+            if (value && *value == 0) {
+                remark(RemarkGrade::note,
+                       {REPORT_TEXT("report", "“%1” is 0 °C: taken as not connected."), {std::string(key)}});
+            } else if (value) {
                 Sensor sensor;
                 sensor.measures = what;
                 sensor.position = key;
@@ -345,6 +349,7 @@ bool isRtl(QByteArrayView bytes) {
 void readRtl(const ImportSource &source, Choices &choices, Imported &imported) {
     imported.text = decodeText(source.bytes).text;
     RtlReader(choices, imported).read();
+    choices.settle("kind", "positioning", Origin::recognised);
 }
 
 } // namespace palmer

@@ -71,7 +71,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
                       Number{static_cast<double>((all.size() - at) / sizeof(double)), Quantity::count}}});
     const std::string type = text("File Type");
     const bool angular = choices.isChosen("unit") ? unitOf(choices.chosen("unit"))->kind == UnitKind::angle
-                                                  : type.find("ng") != std::string::npos; // Angular
+                                                  : sameWord(std::string_view(type).substr(0, 3), "ang");
     const Unit *unit = unitOf(choices.settle("unit", angular ? "mrad" : "mm", Origin::recognised).value);
     DriftMeasurement drift;
     drift.axis.name = choices.settle("axis", text("Axis"), Origin::recognised).value;
@@ -93,7 +93,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     if (all.find("EOF::", at + n * sizeof(double)) == std::string_view::npos)
         remark(RemarkGrade::problem, {REPORT_TEXT("report", "The file has no end mark behind its samples.")});
     remark(RemarkGrade::note,
-           {REPORT_TEXT("report", "Understood: a drift test of %1 points over %2."),
+           {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
             {Number{static_cast<double>(n), Quantity::count}, Number{drift.times.back(), Quantity::time}}});
     Test test;
     if (const std::string date = text("Date"); !date.empty()) {

@@ -202,9 +202,10 @@ private:
             drift.deviations.push_back(unit->toBase(value));
         drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
         drift.axis.name = m.choices.settle("axis", m.notes.axis, Origin::recognised).value;
-        m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: a drift test of %1 points over %2."),
-                                     {Number{static_cast<double>(drift.times.size()), Quantity::count},
-                                      Number{drift.times.back() - drift.times.front(), Quantity::time}}});
+        m.remark(RemarkGrade::note,
+                 {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
+                  {Number{static_cast<double>(drift.times.size()), Quantity::count},
+                   Number{drift.times.back() - drift.times.front(), Quantity::time}}});
         Test test;
         test.measurement = std::move(drift);
         m.result.test = std::move(test);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <map>
 
 namespace palmer {
 
@@ -223,7 +224,7 @@ struct Reading {
     double rival = 0;            ///< the score before the reading was put behind others
     bool hasMark = false;        ///< a number with decimals
     std::size_t columns = 0;     ///< of most rows
-    std::vector<double> numbers; ///< of the sample
+    std::vector<double> numbers; ///< of the rows that are alike
 };
 
 // Whole numbers written as "05" are the decimals of something.
@@ -242,7 +243,12 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
     Scanner scanner(sample, delimiter, mark, comments);
     scanner.scan(sampleRows);
     Reading result{delimiter, mark, 0, 0, false, 0, {}};
-    std::vector<std::size_t> counts;
+    struct Row {
+        std::size_t count;
+        std::vector<double> numbers;
+    };
+    std::vector<Row> rows;
+    std::map<std::size_t, std::size_t> numbersUnder; // a number of columns
     double broken = 0;
     double torn = 0;
     bool words = false;
@@ -250,13 +256,12 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
     for (const TableRow &row : scanner.rows) {
         if (row.comment)
             continue;
-        std::size_t numbers = 0;
+        Row read{row.count, {}};
         for (std::size_t i = 0; i < row.count; ++i) {
             const TableCell &cell = scanner.cells[row.first + i];
             const std::string_view text = sample.substr(cell.begin, cell.size);
             if (cell.isNumber()) {
-                ++numbers;
-                result.numbers.push_back(cell.value);
+                read.numbers.push_back(cell.value);
                 result.hasMark |= text.find(mark == DecimalMark::point ? '.' : ',') != std::string_view::npos;
                 torn += isTorn(text) ? 1 : 0;
                 spaced |= i > 0 && cell.begin > 0 && sample[cell.begin - 1] == ' ';
@@ -264,25 +269,33 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
                 ++broken;
             }
         }
-        if (numbers > 0)
-            counts.push_back(row.count);
-        else
-            words |= row.count > 1;
+        numbersUnder[row.count] += read.numbers.size();
+        words |= read.numbers.empty() && row.count > 1;
+        if (!read.numbers.empty())
+            rows.push_back(std::move(read));
     }
-    if (counts.empty()) {
+    if (rows.empty()) {
         result.score = -std::numeric_limits<double>::infinity();
         return result;
     }
     std::size_t most = 0;
-    for (const std::size_t count : counts) {
-        const auto same = static_cast<std::size_t>(std::ranges::count(counts, count));
-        if (same > most) {
-            most = same;
+    for (const auto &[count, numbers] : numbersUnder) {
+        if (numbers > most) {
+            most = numbers;
             result.columns = count;
         }
     }
-    const double alike = static_cast<double>(most) / static_cast<double>(counts.size());
-    result.score = alike * (static_cast<double>(result.numbers.size()) - 2 * broken);
+    std::size_t alike = 0;
+    std::size_t all = 0;
+    for (const Row &row : rows) {
+        all += row.numbers.size();
+        if (row.count != result.columns)
+            continue;
+        ++alike;
+        result.numbers.insert(result.numbers.end(), row.numbers.begin(), row.numbers.end());
+    }
+    result.score = static_cast<double>(alike) / static_cast<double>(rows.size()) *
+                   (static_cast<double>(all) - 2 * broken);
     result.rival = torn > 0 ? 0 : result.score;
     // A comma between whole numbers, and nothing that says it is no decimal mark.
     const bool decimals = result.columns < 3 && !words && !spaced;
@@ -380,8 +393,9 @@ void TableBuilder::beginRow(std::size_t line) {
 
 TableCell &TableBuilder::append(std::string_view cell) {
     TableRow &row = m_table.m_rows.back();
-    constexpr std::size_t textLimit = std::size_t(1) << 30U;
-    if (m_table.m_cells.size() >= cellLimit || m_table.m_text.size() > textLimit)
+    constexpr std::size_t textLimit = std::size_t(1) << 28U;
+    constexpr std::size_t builtLimit = 10'000'000; // cells of a sheet that is nearly empty, too
+    if (m_table.m_cells.size() >= builtLimit || m_table.m_text.size() > textLimit)
         refuseSize(row.line);
     if (row.count++ > 0)
         m_table.m_text += '\t';

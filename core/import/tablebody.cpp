@@ -279,12 +279,15 @@ void composeHeadings(const CellTable &table, TableBody &body) {
     std::vector<std::uint32_t> rows;
     const std::vector<std::uint32_t> &heads = body.blocks.front().heads;
     for (auto at = heads.rbegin(); at != heads.rend() && rows.size() < headingRows; ++at) {
-        if (!isHeading(table, table.rows()[*at], width))
+        if (rows.empty() && table.rows()[*at].comment)
+            continue; // the title of the block
+        // Numbers of runs stand below what they number: "Forward;;Reverse;" over "1;2;1;2".
+        if (*at != body.blocks.front().numericHead && !isHeading(table, table.rows()[*at], width))
             break;
         rows.push_back(*at);
     }
     std::ranges::reverse(rows);
-    if (rows.empty() && !heads.empty() && table.rows()[heads.back()].comment)
+    if (rows.empty() && !heads.empty() && table.rows()[heads.back()].comment) // the headings themselves
         takeFromComment(table, table.rows()[heads.back()], body);
     for (const std::uint32_t index : heads) {
         if (std::ranges::find(rows, index) == rows.end())

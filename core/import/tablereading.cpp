@@ -60,7 +60,7 @@ std::optional<double> TableReading::number(std::uint32_t index, std::size_t colu
                   : REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
               {excerpt(table().text(*found))}},
              row(index).line,
-             table().column(*found),
+             column + 1,
              {}});
     } else if (m_unreadable == mostRemarks + 1) {
         remark(RemarkGrade::problem, {REPORT_TEXT("report", "Further readings are not numbers, too.")},

@@ -31,6 +31,12 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
     origin = Origin::recognised;
     const std::vector<std::size_t> columns = body.numberColumns();
     const auto angle = body.columnOf(Meaning::angle);
+    // Arrows and words for the directions of an axis: angles are those of its targets.
+    const bool approached = std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return directionInHeading(column.heading, false).has_value() && !senseIn(column.heading);
+    });
+    if (approached || body.columnOf(ColumnKind::directions))
+        return "positioning";
     if (angle ||
         (body.columnOf(Meaning::x) && body.columnOf(Meaning::y) && !body.columnOf(Meaning::deviation)))
         return "circular";

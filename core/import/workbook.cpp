@@ -16,6 +16,7 @@ namespace {
 constexpr int deepest = 64;
 constexpr int mostColumns = 16'384;
 constexpr qsizetype longestCell = 65'535;
+constexpr std::size_t mostRepeated = 1'000'000; ///< cells that are written once and repeated
 
 [[noreturn]] void refuseXml(const QXmlStreamReader &xml) {
     throw Error(
@@ -301,6 +302,15 @@ void readOdsSheet(const QByteArray &bytes, int wanted, std::vector<SheetName> &n
                     line += rowRepeats;
                     return;
                 }
+                // What is repeated is counted before it is written out.
+                std::size_t repeated = 0;
+                for (const OdsCell &each : cells)
+                    repeated += static_cast<std::size_t>(each.repeats);
+                if (repeated > mostRepeated / rowRepeats)
+                    throw Error(
+                        Error::Kind::tooLarge,
+                        {REPORT_TEXT("report", "more rows or cells than a table of readings can have")},
+                        std::to_string(line + 1) + ":1");
                 for (std::size_t i = 0; i < rowRepeats; ++i) {
                     sheet.beginRow(++line);
                     for (const OdsCell &each : cells) {
