@@ -536,7 +536,7 @@ void CirclesPage::retranslate() {
         box->addItems(texts);
         box->setCurrentIndex(index);
     };
-    words(m_source, {tr("external instrument"), tr("feedback signal")});
+    words(m_source, {tr("external"), tr("feedback signal")});
     words(m_circle, {tr("minimum zone (MZC)"), tr("least squares (LSC)")});
     words(m_centring, {tr("least squares (LSC)"), tr("set-up of the instrument")});
     words(m_angle, {tr("of the point (polar)"), tr("commanded")});
