@@ -138,6 +138,7 @@ QToolButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 6px;
 QToolButton[iconOnly="true"]:focus { padding: 0 4px; }
 QToolButton[segment="first"], QToolButton[segment="middle"], QToolButton[segment="last"] {
     background: @base; border: 1px solid @field; border-radius: 0; padding: 0 9px; min-height: 24px; }
+QToolButton[segment="only"] { background: @base; border: 1px solid @field; padding: 0 18px 0 9px; min-height: 26px; }
 QToolButton[segment="first"] { border-top-left-radius: 4px; border-bottom-left-radius: 4px; }
 QToolButton[segment="middle"], QToolButton[segment="last"] { margin-left: -1px; }
 QToolButton[segment="last"] { border-top-right-radius: 4px; border-bottom-right-radius: 4px; }
@@ -149,6 +150,7 @@ QLineEdit, QAbstractSpinBox, QComboBox { min-height: 26px; padding: 0 8px; }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border: 2px solid @accent; min-height: 24px; padding: 0 7px; }
 QLineEdit[cell="true"], QLineEdit[cell="true"]:focus { border: 2px solid @accent; min-height: 0; padding: 0 4px 0 2px; }
 QPlainTextEdit:focus { border: 2px solid @accent; }
+QLineEdit[refused="true"], QPlainTextEdit[refused="true"] { color: @bad; border-color: @bad; }
 QLineEdit:disabled, QComboBox:disabled { color: @disabled; }
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/icons/down-@kind.svg); width: 14px; height: 14px; }

@@ -5,6 +5,7 @@
 #include "commands/figure.h"
 #include "commands/report.h"
 #include "commands/selftest.h"
+#include "commands/targets.h"
 #include "report/plaintext.h"
 
 #include <algorithm>
@@ -103,8 +104,8 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(), reportCommand(), figureCommand(),
-                                  selftestCommand()};
+    static const std::array table{evaluateCommand(), checkCommand(),    reportCommand(),
+                                  figureCommand(),   selftestCommand(), targetsCommand()};
     return table;
 }
 

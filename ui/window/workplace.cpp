@@ -101,10 +101,10 @@ QWidget *Workplace::makeCentre() {
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->addTab(QString());
     m_readings = new ReadingsPage(m_model, m_selection, centre);
-    m_conditions = new ConditionsPage(m_selection, centre);
-    m_agreedPoints = new AgreedPointsPage(m_selection, centre);
-    m_limits = new LimitsPage(m_selection, centre);
-    m_reportPages = new ReportPages(centre);
+    m_conditions = new ConditionsPage(m_model, m_selection, centre);
+    m_agreedPoints = new AgreedPointsPage(m_model, m_selection, centre);
+    m_limits = new LimitsPage(m_model, m_selection, centre);
+    m_reportPages = new ReportPages(m_model, m_selection, centre);
     m_pages = new QStackedWidget(centre);
     for (QWidget *page :
          std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits, m_reportPages})
@@ -177,6 +177,9 @@ void Workplace::connectParts() {
         showPage(page);
         m_selection.setField(id);
     });
+    for (Form *form : std::initializer_list<Form *>{m_conditions, m_limits})
+        connect(form, &Form::nextWanted, this, [this] { showNextMissing(true); });
+    connect(m_reportPages, &ReportPages::nextWanted, this, [this] { showNextMissing(true); });
     connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
     connect(m_figure, &FigureView::maximiseWanted, this, [this] { setFigureMaximised(!m_maximised); });
     for (QSplitter *splitter : {m_outer, m_inner})

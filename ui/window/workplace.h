@@ -17,6 +17,7 @@ namespace palmer::ui {
 
 class AgreedPointsPage;
 class ConditionsPage;
+class DocumentModel;
 class ExplanationCard;
 class FigureView;
 class FindingsPanel;
