@@ -41,10 +41,12 @@ public:
         TableOptions options;
         options.comments = false;
         options.decimalMark = choices.decimalMark;
+        options.delimiter = choices.delimiter;
         if (text.find('\t') != std::string::npos)
             options.delimiter = Delimiter::tab;
         m_table = readTable(std::move(text), options);
         m_result.decimalMark = m_table.decimalMark;
+        m_result.delimiter = m_table.delimiter.value;
         takeLines();
         leaveOutKnownColumns();
     }

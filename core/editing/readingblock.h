@@ -1,7 +1,7 @@
 #pragma once
 
 #include "import/choice.h"
-#include "import/numbercell.h"
+#include "import/table.h"
 #include "kernel/measurement/positioning.h"
 #include "kernel/measurement/readingplace.h"
 #include "kernel/words/message.h"
@@ -31,6 +31,7 @@ enum class BlockContent {
 struct BlockChoices {
     BlockContent content = BlockContent::deviations;
     std::optional<DecimalMark> decimalMark; ///< null: as the block says
+    std::optional<Delimiter> delimiter;     ///< null: as the block says
     DisplayUnits units;
 };
 
@@ -49,6 +50,7 @@ struct PastedBlock {
     std::size_t refused = 0;  ///< cells that are no numbers: kept as they are, shown red, missing
     std::size_t left = 0;     ///< cells outside the table, not taken
     Choice<DecimalMark> decimalMark;
+    Delimiter delimiter = Delimiter::tab;
     bool hasMarks = false; ///< whether there is a decimal mark in the block at all
     std::vector<Message> remarks;
 };

@@ -11,14 +11,16 @@ double deviationFrom(double target, double position) {
     return std::round((position - target) * grid) / grid;
 }
 
-TypedReading typedReading(QStringView text, const Axis &axis, const DisplayUnits &units,
-                          std::optional<double> target) {
-    const TypedNumber number = typedNumber(text);
-    if (number.decimal.empty())
-        return {std::nullopt, number.problem};
-    const Quantity quantity = target ? positionQuantity(axis) : deviationQuantity(axis);
-    const double value = fromShown(number.decimal, quantity, units);
-    return {target ? deviationFrom(*target, value) : value, {}};
+NumberEntry typedReading(QStringView text, const Axis &axis, const DisplayUnits &units,
+                         std::optional<double> target) {
+    const QStringView typed = text.trimmed();
+    if (typed == u"-" || typed == u"–" || typed == u"−")
+        return {};
+    NumberEntry entry =
+        enteredNumber(typed, target ? positionQuantity(axis) : deviationQuantity(axis), units);
+    if (target && entry.value)
+        entry.value = deviationFrom(*target, *entry.value);
+    return entry;
 }
 
 } // namespace palmer

@@ -40,8 +40,8 @@ struct ShownUnit {
 /// Shown units in one base unit.
 [[nodiscard]] double unitScale(Quantity quantity, const DisplayUnits &units = {});
 
-/// The value in the base unit of a decimal number in the unit shown: "5.4" µm is the double of 0.0054. The
-/// number as typedNumber writes it; NaN for anything else.
+/// The value in the base unit of a decimal number ("-4.8": point, hyphen, no grouping) in the unit shown:
+/// "5.4" µm is the double of 0.0054. NaN for anything else, and beyond all doubles.
 [[nodiscard]] double fromShown(std::string_view decimal, Quantity quantity, const DisplayUnits &units = {});
 
 } // namespace palmer

@@ -1,8 +1,8 @@
 #include "ui/dialogs/newtestdialog.h"
 
-#include "editing/typednumber.h"
 #include "kernel/evaluation/edition.h"
 #include "language/decimals.h"
+#include "language/entry.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -149,11 +149,9 @@ Axis NewTestDialog::axis() const {
 }
 
 std::optional<double> NewTestDialog::number(const QLineEdit *field) const {
-    const TypedNumber typed = typedNumber(field->text());
-    if (typed.decimal.empty())
-        return std::nullopt;
     const bool linear = static_cast<Motion>(m_motion->currentData().toInt()) == Motion::linear;
-    return fromShown(typed.decimal, linear ? Quantity::position : Quantity::angle, m_language.units());
+    return enteredNumber(field->text(), linear ? Quantity::position : Quantity::angle, m_language.units())
+        .value;
 }
 
 void NewTestDialog::propose() {
@@ -185,10 +183,10 @@ std::optional<std::vector<double>> NewTestDialog::targets() const {
     static const QRegularExpression between(QStringLiteral("[;\\s]*[;\\n\\t][;\\s]*|[ ]+"));
     std::vector<double> result;
     for (const QString &word : m_list->toPlainText().split(between, Qt::SkipEmptyParts)) {
-        const TypedNumber typed = typedNumber(word);
-        if (typed.decimal.empty())
+        const NumberEntry typed = enteredNumber(word, positionQuantity(axis()), m_language.units());
+        if (!typed.value)
             return std::nullopt;
-        result.push_back(fromShown(typed.decimal, positionQuantity(axis()), m_language.units()));
+        result.push_back(*typed.value);
     }
     return result;
 }

@@ -131,7 +131,7 @@ Field *Form::add(Field::Kind kind, const char *key, const char *label, const QSt
     addWidget(field, weight);
     connect(field, &Field::begun, this, [this] { ++m_visit; });
     connect(field, &Field::entered, this, [this, field] { commit(field); });
-    m_entries.push_back({field, key, label, {}, false, {}, {}, {}});
+    m_entries.push_back({field, key, label, {}, {}, false, {}, {}, {}});
     return field;
 }
 
@@ -160,13 +160,14 @@ Field *Form::addLongText(const char *key, const char *label, Member<std::string>
 Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Member<Amount> member,
                        int weight, Allowed allowed) {
     Field *field = add(Field::Kind::number, key, label, m_language.unit(quantity), weight);
+    last().quantity = quantity;
     const auto shown = [this, quantity, allowed](const Amount &value) {
         // Years and seeds are names more than numbers: no groups.
         return value && allowed == Allowed::whole ? QString::number(*value, 'f', 0)
                                                   : stated(value, quantity, m_language);
     };
     field->setReader([this, quantity, allowed, shown](const QString &typed) -> Field::Reading {
-        const NumberEntry entry = enteredNumber(typed, quantity);
+        const NumberEntry entry = enteredNumber(typed, quantity, m_language.units());
         if (entry.refusal)
             return {{}, m_language.text(*entry.refusal)};
         if (entry.value && allowed == Allowed::positive && !(*entry.value > 0))
@@ -180,7 +181,8 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
     });
     last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };
     last().change = [this, field, quantity, write = std::move(member.write)]() -> Change {
-        return [write, test = m_test, value = enteredNumber(field->valueText(), quantity).value](
+        return [write, test = m_test,
+                value = enteredNumber(field->valueText(), quantity, m_language.units()).value](
                    Document &document) { write(document, test, value); };
     };
     return field;
@@ -189,19 +191,21 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
 Field *Form::addInterval(const char *key, const char *label, Quantity quantity,
                          Member<std::optional<Interval>> member, int weight) {
     Field *field = add(Field::Kind::number, key, label, m_language.unit(quantity), weight);
+    last().quantity = quantity;
     const auto shown = [this, quantity](const std::optional<Interval> &interval) {
         return interval ? QStringLiteral("%1 … %2").arg(m_language.number(interval->from, quantity),
                                                         m_language.number(interval->to, quantity))
                         : QString();
     };
     field->setReader([this, quantity, shown](const QString &typed) -> Field::Reading {
-        const IntervalEntry entry = enteredInterval(typed, quantity);
+        const IntervalEntry entry = enteredInterval(typed, quantity, m_language.units());
         return entry.refusal ? Field::Reading{{}, m_language.text(*entry.refusal)}
                              : Field::Reading{shown(entry.value), {}};
     });
     last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };
     last().change = [this, field, quantity, write = std::move(member.write)]() -> Change {
-        return [write, test = m_test, value = enteredInterval(field->valueText(), quantity).value](
+        return [write, test = m_test,
+                value = enteredInterval(field->valueText(), quantity, m_language.units()).value](
                    Document &document) { write(document, test, value); };
     };
     return field;
@@ -313,6 +317,10 @@ void Form::showEvent(QShowEvent *event) {
 
 void Form::setLanguage(const Language &language) {
     m_language = language;
+    for (const Entry &entry : m_entries) {
+        if (entry.quantity)
+            entry.field->setUnit(m_language.unit(*entry.quantity));
+    }
     refresh();
 }
 

@@ -35,6 +35,8 @@ Autosave::Autosave(DocumentModel &model, QObject *parent)
 
 Autosave::~Autosave() {
     discard();
+    m_writer.waitForDone();
+    m_lock.reset(); // takes its file along
 }
 
 void Autosave::follow() {
@@ -84,11 +86,8 @@ void Autosave::flush() {
 void Autosave::discard() {
     m_timer.stop();
     ++m_job;
-    m_writer.waitForDone();
-    if (!m_lock)
-        return;
-    QFile::remove(m_file);
-    m_lock.reset(); // takes its file along
+    if (m_lock) // behind what is being written: one thread does both, and nobody waits for it
+        m_writer.start([file = m_file] { QFile::remove(file); });
 }
 
 } // namespace palmer::ui

@@ -33,13 +33,13 @@ void DocumentModel::setDocument(Document document, const QString &path, bool mod
     emit fileChanged();
 }
 
-void DocumentModel::edit(const EditName &name, const std::function<void(Document &)> &change,
+void DocumentModel::edit(const char *text, const std::function<void(Document &)> &change,
                          const QString &mergeKey) {
     auto after = std::make_shared<Document>(*m_document);
     change(*after);
     if (*after == *m_document)
         return;
-    m_stack->push(new EditCommand(*this, name, std::move(after), mergeKey));
+    m_stack->push(new EditCommand(*this, text, std::move(after), mergeKey));
 }
 
 void DocumentModel::save(const QString &path) {

@@ -1,29 +1,15 @@
 #include "ui/model/editcommand.h"
 
-#include <QCoreApplication>
-
 namespace palmer::ui {
 
 namespace {
 
 constexpr int mergeable = 1;
-constexpr QChar countMark(u'\u001F'); ///< before the count: the stack keeps texts only
-
-QString keptText(const EditName &name) {
-    const QString text = QString::fromUtf8(name.text);
-    return name.count < 0 ? text : text + countMark + QString::number(name.count);
-}
 
 } // namespace
 
-QString editWords(const QString &undoText) {
-    const QString count = undoText.section(countMark, 1);
-    return QCoreApplication::translate("edits", undoText.section(countMark, 0, 0).toUtf8(), nullptr,
-                                       count.isEmpty() ? -1 : count.toInt());
-}
-
-EditCommand::EditCommand(DocumentModel &model, const EditName &name, DocumentPointer after, QString mergeKey)
-    : QUndoCommand(keptText(name))
+EditCommand::EditCommand(DocumentModel &model, const char *text, DocumentPointer after, QString mergeKey)
+    : QUndoCommand(QString::fromUtf8(text))
     , m_model(model)
     , m_before(model.document())
     , m_after(std::move(after))

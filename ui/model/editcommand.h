@@ -10,7 +10,7 @@ namespace palmer::ui {
 /// cheap.
 class EditCommand : public QUndoCommand {
 public:
-    EditCommand(DocumentModel &model, const EditName &name, DocumentPointer after, QString mergeKey);
+    EditCommand(DocumentModel &model, const char *text, DocumentPointer after, QString mergeKey);
 
     void undo() override;
     void redo() override;

@@ -2,6 +2,7 @@
 
 #include "editing/typedreading.h"
 #include "language/decimals.h"
+#include "ui/model/editname.h"
 
 #include <QCoreApplication>
 #include <QUndoStack>
@@ -17,7 +18,7 @@ const PositioningMeasurement *ReadingsEditor::measurement() const {
     return m_test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[m_test]->measurement) : nullptr;
 }
 
-void ReadingsEditor::edit(const EditName &name, const std::function<void(PositioningMeasurement &)> &change) {
+void ReadingsEditor::edit(const char *name, const std::function<void(PositioningMeasurement &)> &change) {
     m_model.edit(name, [&](Document &document) { editReadings(document, m_test, change); });
 }
 
@@ -27,12 +28,12 @@ void ReadingsEditor::type(const ReadingPlace &place, const QString &text, Readin
     if (!now || place.target >= now->targets.size())
         return;
     const bool positions = unit == ReadingUnit::positions;
-    const TypedReading typed =
+    const NumberEntry typed =
         typedReading(text, now->axis, language.units(),
                      positions ? std::optional(now->targets[place.target]) : std::nullopt);
     edit(QT_TRANSLATE_NOOP("edits", "type a reading"), [&](PositioningMeasurement &m) {
-        if (typed.problem.empty())
-            setReading(m, place, typed.deviation);
+        if (!typed.refusal)
+            setReading(m, place, typed.value);
         else
             setRefused(m, place, text.trimmed().toStdString());
     });
@@ -43,13 +44,13 @@ std::optional<Message> ReadingsEditor::typeTarget(std::size_t target, const QStr
     const PositioningMeasurement *now = measurement();
     if (!now || target >= now->targets.size())
         return std::nullopt;
-    const TypedNumber typed = typedNumber(text);
-    if (!typed.problem.empty())
-        return Message{typed.problem};
-    if (typed.decimal.empty())
-        return Message{REPORT_TEXT("report", "a target needs a position")};
     const Quantity quantity = positionQuantity(now->axis);
-    const double position = fromShown(typed.decimal, quantity, language.units());
+    const NumberEntry typed = enteredNumber(text, quantity, language.units());
+    if (typed.refusal)
+        return Message{*typed.refusal};
+    if (!typed.value)
+        return Message{REPORT_TEXT("report", "a target needs a position")};
+    const double position = *typed.value;
     switch (problemOfTarget(*now, target, position)) {
     case TargetProblem::notFinite:
         return Message{REPORT_TEXT("report", "not a number")};
@@ -68,7 +69,7 @@ std::optional<Message> ReadingsEditor::typeTarget(std::size_t target, const QStr
 }
 
 void ReadingsEditor::clear(const std::vector<ReadingPlace> &places) {
-    edit({QT_TRANSLATE_N_NOOP("edits", "clear %n reading(s)"), static_cast<int>(places.size())},
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "clear %n reading(s)"), static_cast<int>(places.size())),
          [&](PositioningMeasurement &m) {
              for (const ReadingPlace &place : places)
                  setReading(m, place, std::nullopt);
@@ -76,13 +77,15 @@ void ReadingsEditor::clear(const std::vector<ReadingPlace> &places) {
 }
 
 void ReadingsEditor::setAside(const std::vector<ReadingPlace> &places, const QString &reason) {
-    edit({QT_TRANSLATE_N_NOOP("edits", "set %n reading(s) aside"), static_cast<int>(places.size())},
-         [&](PositioningMeasurement &m) { palmer::setAside(m, places, reason.trimmed().toStdString()); });
+    edit(
+        countedEdit(QT_TRANSLATE_N_NOOP("edits", "set %n reading(s) aside"), static_cast<int>(places.size())),
+        [&](PositioningMeasurement &m) { palmer::setAside(m, places, reason.trimmed().toStdString()); });
 }
 
 void ReadingsEditor::bringBack(const std::vector<ReadingPlace> &places) {
-    edit({QT_TRANSLATE_N_NOOP("edits", "take %n reading(s) back"), static_cast<int>(places.size())},
-         [&](PositioningMeasurement &m) { palmer::bringBack(m, places); });
+    edit(
+        countedEdit(QT_TRANSLATE_N_NOOP("edits", "take %n reading(s) back"), static_cast<int>(places.size())),
+        [&](PositioningMeasurement &m) { palmer::bringBack(m, places); });
 }
 
 void ReadingsEditor::fill(const std::vector<std::vector<ReadingPlace>> &lists) {
@@ -91,12 +94,13 @@ void ReadingsEditor::fill(const std::vector<std::vector<ReadingPlace>> &lists) {
         count += static_cast<int>(places.empty() ? 0 : places.size() - 1);
     if (count == 0)
         return;
-    edit({QT_TRANSLATE_N_NOOP("edits", "fill %n reading(s)"), count}, [&](PositioningMeasurement &m) {
-        for (const auto &places : lists) {
-            for (std::size_t i = 1; i < places.size(); ++i)
-                setReading(m, places[i], readingAt(m, places.front()));
-        }
-    });
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "fill %n reading(s)"), count),
+         [&](PositioningMeasurement &m) {
+             for (const auto &places : lists) {
+                 for (std::size_t i = 1; i < places.size(); ++i)
+                     setReading(m, places[i], readingAt(m, places.front()));
+             }
+         });
 }
 
 std::optional<PastedBlock> ReadingsEditor::paste(const QString &text, const BlockPlace &place,
@@ -109,7 +113,8 @@ std::optional<PastedBlock> ReadingsEditor::paste(const QString &text, const Bloc
         return std::nullopt;
     PastedBlock pasted = pasteBlock(*measurement(), text.toStdString(), place, choices);
     const int before = stack.index();
-    edit({QT_TRANSLATE_N_NOOP("edits", "paste of %n reading(s)"), static_cast<int>(pasted.readings)},
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "paste of %n reading(s)"),
+                     static_cast<int>(pasted.readings)),
          [&](PositioningMeasurement &m) { m = pasted.measurement; });
     if (stack.index() != before)
         m_pasteIndex = stack.index();
@@ -122,7 +127,7 @@ void ReadingsEditor::insertTarget(std::size_t before) {
 }
 
 void ReadingsEditor::removeTargets(const std::vector<std::size_t> &targets) {
-    edit({QT_TRANSLATE_N_NOOP("edits", "delete %n target(s)"), static_cast<int>(targets.size())},
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "delete %n target(s)"), static_cast<int>(targets.size())),
          [&](PositioningMeasurement &m) { palmer::removeTargets(m, targets); });
 }
 
@@ -136,7 +141,7 @@ void ReadingsEditor::insertRun(std::size_t before, Direction approach) {
 }
 
 void ReadingsEditor::removeRuns(const std::vector<std::size_t> &runs) {
-    edit({QT_TRANSLATE_N_NOOP("edits", "delete %n run(s)"), static_cast<int>(runs.size())},
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "delete %n run(s)"), static_cast<int>(runs.size())),
          [&](PositioningMeasurement &m) { palmer::removeRuns(m, runs); });
 }
 

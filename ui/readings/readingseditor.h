@@ -51,7 +51,7 @@ public:
     void removeRuns(const std::vector<std::size_t> &runs);
 
 private:
-    void edit(const EditName &name, const std::function<void(PositioningMeasurement &)> &change);
+    void edit(const char *name, const std::function<void(PositioningMeasurement &)> &change);
 
     DocumentModel &m_model;
     std::size_t m_test = 0;

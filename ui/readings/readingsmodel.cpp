@@ -10,6 +10,12 @@
 
 namespace palmer::ui {
 
+namespace {
+
+constexpr std::size_t mostHinted = 20'000; ///< readings; more would be felt at every edit
+
+} // namespace
+
 bool ReadingsModel::hasSameCells(const PositioningMeasurement *measurement,
                                  const TestEvaluation *evaluation) const {
     if (!measurement || !m_measurement || measurement->targets.size() != m_measurement->targets.size() ||
@@ -90,8 +96,10 @@ void ReadingsModel::rebuild() {
     m_outliers.clear();
     if (!m_measurement)
         return;
-    for (const OutlierHint &hint : outlierHints(*m_measurement))
-        m_outliers.insert(hint.place);
+    if (m_measurement->targets.size() * m_measurement->runs.size() <= mostHinted) {
+        for (const OutlierHint &hint : outlierHints(*m_measurement))
+            m_outliers.insert(hint.place);
+    }
     m_texts.emplace(*m_measurement, m_language, m_unit);
     m_readings = readingColumns(*m_measurement, m_grouping);
     m_statistics = statisticColumns(*m_evaluation, m_language);
@@ -202,8 +210,8 @@ QString ReadingsModel::refusal(const QModelIndex &index) const {
     if (!refused)
         return {};
     // Of what a pasted block calls no number, a typed text may be one: with the other decimal mark.
-    const Text problem = typedNumber(QString::fromStdString(refused->text)).problem;
-    return problem.empty() ? tr("other decimal mark") : m_language.text(problem);
+    const auto problem = enteredNumber(QString::fromStdString(refused->text), Quantity::number).refusal;
+    return problem ? m_language.text(*problem) : tr("other decimal mark");
 }
 
 QVariant ReadingsModel::data(const QModelIndex &index, int role) const {

@@ -243,10 +243,12 @@ void ReadingsPage::paste() {
     }
     m_blockChoices = {m_model.unit() == ReadingUnit::positions ? BlockContent::positions
                                                                : BlockContent::deviations,
-                      std::nullopt, m_model.language().units()};
+                      std::nullopt, std::nullopt, m_model.language().units()};
     try {
-        if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices))
+        if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices)) {
+            m_blockChoices.delimiter = pasted->delimiter; // another decimal mark does not part the cells anew
             showPasted(*pasted);
+        }
     } catch (const Error &error) {
         PastedBlock nothing;
         nothing.remarks.push_back(error.message);
@@ -343,13 +345,13 @@ void ReadingsPage::retranslate() {
     m_view->setAccessibleName(tr("Readings"));
     m_copy->setText(tr("&Copy"));
     m_paste->setText(tr("&Paste"));
-    m_clear->setText(tr("C&lear"));
-    m_fillDown->setText(tr("Fill &down"));
-    m_fillRight->setText(tr("Fill &right"));
+    m_clear->setText(tr("Cl&ear"));
+    m_fillDown->setText(tr("Fill do&wn"));
+    m_fillRight->setText(tr("Fill ri&ght"));
     m_setAside->setText(tr("&Set aside…"));
     m_bringBack->setText(tr("&Take back"));
-    m_insertAbove->setText(tr("Insert target &above"));
-    m_insertBelow->setText(tr("Insert target &below"));
+    m_insertAbove->setText(tr("Insert target abo&ve"));
+    m_insertBelow->setText(tr("Insert target be&low"));
     m_removeTargets->setText(tr("&Delete targets"));
     m_addRuns->setText(tr("Add a &run each way"));
     m_insertRun->setText(tr("&Insert a run before"));

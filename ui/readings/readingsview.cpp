@@ -76,6 +76,8 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     m_reason->setTextFormat(Qt::PlainText);
     m_reason->setProperty("reason", true);
     m_reason->hide();
+    // The frozen columns take no focus: after typing there it comes back here.
+    connect(delegateOf(m_frozen), &ReadingsDelegate::closeEditor, this, [this] { setFocus(); });
     m_frozen->setSelectionModel(selectionModel());
     m_frozen->viewport()->installEventFilter(this);
     m_frozen->setFocusProxy(this);

@@ -666,8 +666,8 @@ void MainWindow::showState() {
     const QUndoStack *stack = m_model.undoStack();
     m_undoAction->setEnabled(m_open && stack->canUndo());
     m_redoAction->setEnabled(m_open && stack->canRedo());
-    m_undoAction->setText(stack->canUndo() ? tr("&Undo: %1").arg(editWords(stack->undoText())) : tr("&Undo"));
-    m_redoAction->setText(stack->canRedo() ? tr("&Redo: %1").arg(editWords(stack->redoText())) : tr("&Redo"));
+    m_undoAction->setText(stack->canUndo() ? tr("&Undo: %1").arg(editName(stack->undoText())) : tr("&Undo"));
+    m_redoAction->setText(stack->canRedo() ? tr("&Redo: %1").arg(editName(stack->redoText())) : tr("&Redo"));
     m_undoAction->setIconText(tr("Undo"));
     m_redoAction->setIconText(tr("Redo"));
     m_undoAction->setToolTip(hint(*m_undoAction));
@@ -812,7 +812,7 @@ void MainWindow::retranslate() {
     m_newAction->setText(tr("&New…"));
     m_newAction->setIconText(tr("New"));
     m_addTestAction->setText(tr("&Add a positioning test…"));
-    m_renameTestAction->setText(tr("Re&name the test…"));
+    m_renameTestAction->setText(tr("Rena&me the test…"));
     m_duplicateTestAction->setText(tr("Dupli&cate the test"));
     m_repeatTestAction->setText(tr("Repeat the test, &without readings"));
     m_deleteTestAction->setText(tr("Delete the t&est"));

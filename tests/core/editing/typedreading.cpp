@@ -28,25 +28,28 @@ class TypedReadingTest : public QObject {
 
 private slots:
     void isTheDecimalThatWasTyped() {
-        QCOMPARE(*typedReading(u"5,4", axis(Motion::linear), usual).deviation, 0.0054);
-        QCOMPARE(*typedReading(u"-0.3", axis(Motion::linear), usual).deviation, -0.0003);
-        QCOMPARE(*typedReading(u"0.0054", axis(Motion::linear), millimetres).deviation, 0.0054);
-        QCOMPARE(*typedReading(u"100", axis(Motion::linear), inches).deviation, 0.00254);
-        QCOMPARE(*typedReading(u"36", axis(Motion::rotary), usual).deviation, 0.01);
-        QCOMPARE(*typedReading(u"0.01", axis(Motion::rotary), millimetres).deviation, 0.01);
+        QCOMPARE(*typedReading(u"5,4", axis(Motion::linear), usual).value, 0.0054);
+        QCOMPARE(*typedReading(u"-0.3", axis(Motion::linear), usual).value, -0.0003);
+        QCOMPARE(*typedReading(u"0.0054", axis(Motion::linear), millimetres).value, 0.0054);
+        QCOMPARE(*typedReading(u"100", axis(Motion::linear), inches).value, 0.00254);
+        QCOMPARE(*typedReading(u"36", axis(Motion::rotary), usual).value, 0.01);
+        QCOMPARE(*typedReading(u"0.01", axis(Motion::rotary), millimetres).value, 0.01);
     }
 
     void positionsBecomeDeviations() {
-        QCOMPARE(*typedReading(u"150.7154", axis(Motion::linear), usual, 150.71).deviation, 0.0054);
-        QCOMPARE(*typedReading(u"1050,0152", axis(Motion::linear), usual, 1050.02).deviation, -0.0048);
-        QCOMPARE(*typedReading(u"1", axis(Motion::linear), inches, 25.4).deviation, 0.0);
-        QCOMPARE(*typedReading(u"90.0011", axis(Motion::rotary), usual, 90).deviation, 0.0011);
+        QCOMPARE(*typedReading(u"150.7154", axis(Motion::linear), usual, 150.71).value, 0.0054);
+        QCOMPARE(*typedReading(u"1050,0152", axis(Motion::linear), usual, 1050.02).value, -0.0048);
+        QCOMPARE(*typedReading(u"1", axis(Motion::linear), inches, 25.4).value, 0.0);
+        QCOMPARE(*typedReading(u"90.0011", axis(Motion::rotary), usual, 90).value, 0.0011);
     }
 
     void refusesAndKeepsEmpty() {
-        QVERIFY(typedReading(u"", axis(Motion::linear), usual).isEmpty());
-        QCOMPARE(typedReading(u"4,,8", axis(Motion::linear), usual).problem,
-                 REPORT_TEXT("report", "two commas"));
+        for (const char16_t *nothing : {u"", u"  ", u"–", u"-"}) {
+            const NumberEntry entry = typedReading(nothing, axis(Motion::linear), usual);
+            QVERIFY(!entry.value && !entry.refusal);
+        }
+        QCOMPARE(typedReading(u"4,,8", axis(Motion::linear), usual).refusal,
+                 std::optional(REPORT_TEXT("report", "two commas")));
     }
 
     /// What is shown with all its digits and typed again is the same number.
@@ -58,7 +61,7 @@ private slots:
             for (int i = 0; i < 500; ++i) {
                 const double deviation = tenths(random) / 1e4;
                 const QString shown = language.number(deviation, Quantity::deviation);
-                const auto again = typedReading(shown, axis(Motion::linear), units).deviation;
+                const auto again = typedReading(shown, axis(Motion::linear), units).value;
                 QVERIFY(again);
                 // In microinches to two digits: 0.01 µin are 0.25 nm.
                 QVERIFY(std::abs(*again - deviation) <= (units == inches ? 2.6e-7 : 0.0));

@@ -310,7 +310,7 @@ private slots:
         QCOMPARE(typing.find<QAction>("undo")->text(), QString("&Undo: paste of 55 readings"));
         QVERIFY(typing.measurement().runs[8] == published().runs[8]);
         setWindowLanguage(Language::Id::french);
-        QTRY_COMPARE(typing.find<QAction>("undo")->text(), QString("&Annuler : collage de 55 relevés"));
+        QTRY_COMPARE(typing.find<QAction>("undo")->text(), QString("&Annuler\u00A0: collage de 55 relevés"));
         typing.find<QAction>("undo")->trigger();
         QVERIFY(!firstMissing(typing.measurement())->run && !firstMissing(typing.measurement())->target);
     }
@@ -505,7 +505,7 @@ private slots:
         QCOMPARE(m.axis.travel, std::optional(1800.0));
         QCOMPARE(m.runs.size(), std::size_t{10});
         QCOMPARE(shown.window->workplace().selection().reading(), (ReadingPlace{0, 0}));
-        QCOMPARE(QApplication::focusWidget()->objectName(), QString("readings"));
+        QCOMPARE(shown.window->focusWidget()->objectName(), QString("readings"));
     }
 
     void testsAreRenamedRepeatedAndDeleted() {
