@@ -91,8 +91,8 @@ private slots:
         for (const ResultLine &line : table(test).lines)
             names << line.id + u' ' + line.name + (line.main ? u"*"_s : QString());
         QCOMPARE(names.join(u'\n'),
-                 u"G(b)_XY bi-directional*\nG_XY anticlockwise*\nG_YX clockwise\n"
-                 "D_XY mean radial deviation*\nFmax_XY anticlockwise*\nFmin_XY anticlockwise\n"
+                 u"G(b)_XY bi-directional*\nG_XY anticlockwise*\nG_YX clockwise*\n"
+                 "D_XY mean radial deviation*\nFmax_XY anticlockwise\nFmin_XY anticlockwise\n"
                  "Fmax_YX clockwise\nFmin_YX clockwise"_s);
         QCOMPARE(table(test).circle, u"MZC"_s);
         m.referenceCircle = ReferenceCircle::leastSquares;
