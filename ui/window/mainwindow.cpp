@@ -500,6 +500,9 @@ void MainWindow::deleteTest() {
 }
 
 void MainWindow::openRecovery(const Recovery &recovery) {
+    // The same file, opened as it was saved, gives way.
+    if (m_open && !m_model.isModified() && m_model.path() == recovery.origin.path)
+        m_open = false;
     MainWindow *window = take(*recovery.document, recovery.origin.path, true);
     window->m_autosave.flush(); // a copy of its own before that one goes
     discardRecovery(recovery.file);
