@@ -5,6 +5,7 @@
 #include "ui/model/evaluator.h"
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QThreadPool>
 
 class QLabel;
@@ -14,6 +15,7 @@ class QToolBar;
 
 namespace palmer::ui {
 
+class HelpWindow;
 class WelcomePage;
 class Workplace;
 
@@ -66,6 +68,9 @@ private:
     void remember();
     void setEdition(std::size_t test, const QString &edition);
     void showReport();
+    void showPlan();
+    void showComparison();
+    void showHelp();
     void about();
     void retranslate();
 
@@ -76,6 +81,7 @@ private:
     bool m_open = false;
     bool m_rememberNext = false;
     QString m_savedAt;
+    QPointer<HelpWindow> m_help;
 
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;
@@ -96,6 +102,8 @@ private:
     QAction *m_saveAction;
     QAction *m_saveAsAction;
     QAction *m_reportAction;
+    QAction *m_planAction;
+    QAction *m_compareAction;
     QAction *m_newWindowAction;
     QAction *m_closeAction;
     QAction *m_quitAction;
@@ -111,6 +119,7 @@ private:
     QAction *m_maximiseAction;
     QAction *m_frenchAction;
     QAction *m_englishAction;
+    QAction *m_helpAction;
     QAction *m_aboutAction;
     QAction *m_aboutQtAction;
 };
