@@ -148,6 +148,7 @@ QLineEdit, QAbstractSpinBox, QComboBox, QPlainTextEdit { background: @base; colo
     border-radius: 3px; selection-background-color: @accent; selection-color: @onAccent; }
 QLineEdit, QAbstractSpinBox, QComboBox { min-height: 26px; padding: 0 8px; }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border: 2px solid @accent; min-height: 24px; padding: 0 7px; }
+QLineEdit[cell="true"], QLineEdit[cell="true"]:focus { border: 2px solid @accent; min-height: 0; padding: 0 4px 0 2px; }
 QPlainTextEdit:focus { border: 2px solid @accent; }
 QLineEdit[refused="true"], QPlainTextEdit[refused="true"] { color: @bad; border-color: @bad; }
 QLineEdit:disabled, QComboBox:disabled { color: @disabled; }
@@ -158,6 +159,10 @@ QComboBox QAbstractItemView { background: @base; border: 1px solid @field; selec
 QFrame[card="true"] { background: @base; border: 1px solid @line; border-radius: 6px; }
 .QWidget[ground="base"], palmer--ui--RightSide { background: @base; }
 QFrame[rule="true"] { background: @line; border: none; }
+QLabel[reason="true"] { background: @badGround; color: @bad; border: 1px solid @bad; border-radius: 3px; padding: 0 8px; }
+QLabel[keycap="true"] { background: @window; border: 1px solid @field; border-radius: 3px; padding: 0 5px; }
+QFrame[notice="true"] { background: @unsureGround; border: none; border-bottom: 1px solid @line; }
+QFrame[bar="true"] { background: @selected; border: 1px solid @accent; border-radius: 4px; }
 QLabel[secondary="true"] { color: @secondary; }
 )";
 
@@ -166,16 +171,18 @@ QString filledStyleSheet(const QPalette &palette) {
     const QColor base = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::WindowText);
     const QColor accent = token(Token::accent, palette);
-    const std::array<std::pair<const char *, QString>, 14> values{{
+    const std::array<std::pair<const char *, QString>, 16> values{{
         // longer names first: one is the beginning of another
         {"@accentHover", mixed(accent, text, 0.85).name()},
         {"@accent", accent.name()},
         {"@onAccent", isDark(palette) ? QStringLiteral("#101316") : QStringLiteral("#ffffff")},
         {"@selected", mixed(accent, base, isDark(palette) ? 0.3 : 0.13).name()},
         {"@secondary", token(Token::secondaryText, palette).name()},
+        {"@unsureGround", token(Token::unsureGround, palette).name()},
+        {"@badGround", token(Token::badGround, palette).name()},
+        {"@bad", token(Token::bad, palette).name()},
         {"@window", window.name()},
         {"@base", base.name()},
-        {"@bad", token(Token::bad, palette).name()},
         {"@text", text.name()},
         {"@field", mixed(text, base, 0.3).name()},
         {"@disabled", palette.color(QPalette::Disabled, QPalette::WindowText).name()},

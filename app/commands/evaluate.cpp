@@ -2,6 +2,7 @@
 
 #include "commands/eachfile.h"
 #include "commands/rejection.h"
+#include "commands/simulations.h"
 #include "export/resultsjson.h"
 #include "report/plaintext.h"
 #include "report/results.h"
@@ -18,6 +19,10 @@ constexpr std::array options{
         "edition", "E",
         REPORT_TEXT("report", "evaluate the tests of its kind under another edition (a view: no verdicts)")},
     Option{"json", "", REPORT_TEXT("report", "results as JSON; of several files one object a line")},
+    simulationCommandOptions[0],
+    simulationCommandOptions[1],
+    simulationCommandOptions[2],
+    simulationCommandOptions[3],
 };
 
 /// Throws UsageError for a word that is no edition.
@@ -36,12 +41,15 @@ std::string editionOf(const Invocation &invocation) {
 int run(const Invocation &invocation) {
     const std::string edition = editionOf(invocation);
     const bool json = invocation.has(QLatin1StringView("json"));
+    const SimulationChoices choices = simulationChoices(invocation);
     const bool several = invocation.arguments.size() > 1;
     // Scripts read the same names everywhere, unless they ask for others.
     const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
     return eachFile(invocation, [&, first = true](const QString &file, Document document) mutable {
+        choose(document, choices);
         const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(std::move(document)), nullptr, edition);
+            simulated(evaluate(std::make_shared<const Document>(std::move(document)), nullptr, edition),
+                      SimulateWhich::monteCarloOnly, choices.threads, invocation.language);
         if (json) {
             printOut(resultsJson(evaluated, file, names, several ? JsonForm::oneLine : JsonForm::pretty));
         } else {

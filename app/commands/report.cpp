@@ -2,6 +2,7 @@
 
 #include "commands/outputfile.h"
 #include "commands/rejection.h"
+#include "commands/simulations.h"
 #include "commands/streams.h"
 #include "report/composereport.h"
 #include "ui/pdf/writepdf.h"
@@ -64,8 +65,9 @@ int run(const Invocation &invocation) {
     refuseUnknownLanguage(invocation);
     const QString file = invocation.arguments.front();
     try {
-        const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(documentFrom(file)), nullptr, {});
+        const EvaluatedDocument evaluated = simulated(
+            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)), nullptr, {}),
+            SimulateWhich::allWithBudget, 0, invocation.language);
         const QStringList languages = languagesOf(invocation, *evaluated.document);
         const bool toStandardOutput = *output == QLatin1StringView("-");
         if (toStandardOutput && languages.size() > 1)

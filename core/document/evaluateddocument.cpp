@@ -56,9 +56,56 @@ Surroundings surroundings(const Document &document, const Test &test) {
 
 bool sameContent(const Surroundings &a, const Surroundings &b) {
     return *a.machine == *b.machine && a.otherTestOfLongAxis == b.otherTestOfLongAxis &&
-           a.environmentalVariation == b.environmentalVariation &&
+           a.environmentalVariation == b.environmentalVariation && a.simulation == b.simulation &&
+           a.simulationOutdated == b.simulationOutdated &&
            std::ranges::equal(a.instruments, b.instruments,
                               [](const Instrument *x, const Instrument *y) { return *x == *y; });
+}
+
+/// What a simulation depends on is the same; which method decides, and what was stated directly, is not part
+/// of it.
+bool sameForSimulation(const Test &a, const Test &b) {
+    if (a.measurement.index() != b.measurement.index())
+        return false;
+    const auto same = [](auto x, const auto &y) {
+        x.uncertainty.method = y.uncertainty.method;
+        x.uncertainty.expanded = y.uncertainty.expanded;
+        return x == y;
+    };
+    if (const auto *m = std::get_if<PositioningMeasurement>(&a.measurement))
+        return same(*m, std::get<PositioningMeasurement>(b.measurement));
+    if (const auto *c = std::get_if<CircularMeasurement>(&a.measurement))
+        return same(*c, std::get<CircularMeasurement>(b.measurement));
+    return false;
+}
+
+/// Surroundings with a simulation of the test.
+Surroundings surroundings(const Document &document, const TestPointer &test,
+                          const TestSimulation &simulation) {
+    Surroundings result = surroundings(document, *test);
+    result.simulation = simulation.simulation;
+    result.simulationOutdated = simulation.simulation && simulation.of != test &&
+                                (!simulation.of || !sameForSimulation(*simulation.of, *test));
+    result.simulationOutdated |=
+        simulation.simulation && simulation.environmentalVariation != result.environmentalVariation;
+    return result;
+}
+
+/// The place in `previous` of the test that this one is, perhaps edited; null for a new one.
+std::optional<std::size_t> placeIn(const EvaluatedDocument &previous, const Document &document,
+                                   std::size_t index) {
+    const auto &tests = previous.document->tests;
+    const TestPointer &test = document.tests[index];
+    auto found = std::ranges::find(tests, test);
+    if (found == tests.end() && !test->id.empty())
+        found = std::ranges::find(tests, test->id, [](const TestPointer &t) { return t->id; });
+    else if (found == tests.end() && tests.size() == document.tests.size())
+        found = tests.begin() + static_cast<std::ptrdiff_t>(index);
+    return found == tests.end() ? std::nullopt : std::optional<std::size_t>(found - tests.begin());
+}
+
+TestSimulation simulationOf(const EvaluatedDocument &evaluated, std::size_t test) {
+    return test < evaluated.simulations.size() ? evaluated.simulations[test] : TestSimulation{};
 }
 
 /// The evaluation `previous` has of this very test, if nothing it depends on has changed.
@@ -68,9 +115,10 @@ TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPoi
     const auto found = std::ranges::find(tests, test);
     if (found == tests.end())
         return nullptr;
-    const auto &evaluation = previous.tests[static_cast<std::size_t>(found - tests.begin())];
-    const bool same =
-        evaluation->edition == edition && sameContent(surroundings(*previous.document, *test), now);
+    const auto index = static_cast<std::size_t>(found - tests.begin());
+    const auto &evaluation = previous.tests[index];
+    const bool same = evaluation->edition == edition &&
+                      sameContent(surroundings(*previous.document, test, simulationOf(previous, index)), now);
     return same ? evaluation : nullptr;
 }
 
@@ -96,16 +144,72 @@ EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
         const TestPointer &test = document->tests[i];
         const Edition *other =
             i < editions.size() && !editions[i].empty() ? findEdition(editions[i]) : nullptr;
-        const Surroundings around = surroundings(*document, *test);
+        TestSimulation simulation;
+        if (previous && previous->document) {
+            if (const auto place = placeIn(*previous, *document, i))
+                simulation = simulationOf(*previous, *place);
+        }
+        const Surroundings around = surroundings(*document, test, simulation);
         const Edition *used = editionFor(*test, other);
         TestEvaluationPointer evaluation =
             previous && previous->document ? unchanged(*previous, test, around, used) : nullptr;
         if (!evaluation)
             evaluation = std::make_shared<const TestEvaluation>(evaluateTest(*test, around, other));
         result.tests.push_back(std::move(evaluation));
+        result.simulations.push_back(std::move(simulation));
     }
     result.document = std::move(document);
     return result;
+}
+
+std::optional<TestSimulation> simulateTest(const EvaluatedDocument &evaluated, std::size_t test,
+                                           const SimulationOptions &options, const std::stop_token &stop,
+                                           const std::function<void(const SimulationProgress &)> &progress) {
+    const Edition *edition = evaluated.tests[test]->edition;
+    if (!edition)
+        return std::nullopt;
+    const TestPointer &source = evaluated.document->tests[test];
+    const Surroundings around = surroundings(*evaluated.document, *source);
+    auto simulation = simulate(*source, around, *edition, options, stop, progress);
+    if (!simulation)
+        return std::nullopt;
+    return TestSimulation{std::make_shared<const Simulation>(std::move(*simulation)), source,
+                          around.environmentalVariation};
+}
+
+EvaluatedDocument withSimulation(const EvaluatedDocument &evaluated, std::size_t test,
+                                 TestSimulation simulation) {
+    EvaluatedDocument result = evaluated;
+    const TestPointer &source = evaluated.document->tests[test];
+    result.simulations.resize(result.tests.size());
+    result.simulations[test] = std::move(simulation);
+    const Surroundings around = surroundings(*evaluated.document, source, result.simulations[test]);
+    result.tests[test] =
+        std::make_shared<const TestEvaluation>(evaluateTest(*source, around, evaluated.tests[test]->edition));
+    return result;
+}
+
+std::optional<EvaluatedDocument>
+withSimulations(EvaluatedDocument evaluated, SimulateWhich which, int threads, const std::stop_token &stop,
+                const std::function<void(std::size_t, const SimulationProgress &)> &progress) {
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        const UncertaintyEvaluation &uncertainty = evaluated.tests[i]->uncertainty;
+        const bool asked =
+            which == SimulateWhich::allWithBudget || uncertainty.method == UncertaintyMethod::monteCarlo;
+        if (!asked || !uncertainty.wantsSimulation() || (uncertainty.simulation && !uncertainty.outdated))
+            continue;
+        SimulationOptions options = simulationOptions(*evaluated.document->tests[i]);
+        options.threads = threads;
+        auto simulation = simulateTest(evaluated, i, options, stop, [&](const SimulationProgress &done) {
+            if (progress)
+                progress(i, done);
+        });
+        if (stop.stop_requested())
+            return std::nullopt;
+        if (simulation)
+            evaluated = withSimulation(evaluated, i, std::move(*simulation));
+    }
+    return evaluated;
 }
 
 } // namespace palmer

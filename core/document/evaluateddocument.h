@@ -2,9 +2,13 @@
 
 #include "document/document.h"
 #include "kernel/evaluation/testevaluation.h"
+#include "kernel/simulation/simulate.h"
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,11 +17,19 @@ namespace palmer {
 
 using TestEvaluationPointer = std::shared_ptr<const TestEvaluation>;
 
+/// A simulation and what it was computed from: that says whether it is outdated.
+struct TestSimulation {
+    std::shared_ptr<const Simulation> simulation; ///< null: none
+    TestPointer of;
+    std::optional<double> environmentalVariation; ///< of the drift test it took, mm or degrees
+};
+
 /// A document together with its evaluation: a result can never be shown beside data it was not computed from.
 /// Immutable once made; copies are cheap.
 struct EvaluatedDocument {
     std::shared_ptr<const Document> document;
     std::vector<TestEvaluationPointer> tests; ///< one a test of the document
+    std::vector<TestSimulation> simulations;  ///< likewise; those of `previous` are kept
 
     /// The worst verdict of the tests; null where none has a limit.
     [[nodiscard]] std::optional<Verdict> verdict() const;
@@ -35,5 +47,28 @@ struct EvaluatedDocument {
 [[nodiscard]] EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
                                               std::span<const std::string> editions,
                                               const EvaluatedDocument *previous = nullptr);
+
+/// Runs the Monte Carlo simulation of a test under the edition it is evaluated under. Null where its inputs
+/// are incomplete, for drift tests, and when stopped. May run on any thread: nothing is shared but values.
+[[nodiscard]] std::optional<TestSimulation>
+simulateTest(const EvaluatedDocument &evaluated, std::size_t test, const SimulationOptions &options,
+             const std::stop_token &stop = {},
+             const std::function<void(const SimulationProgress &)> &progress = {});
+
+/// The same evaluation with a simulation of one of its tests, which decides where it is to decide. If the
+/// test was edited since the simulation began it is marked as outdated.
+[[nodiscard]] EvaluatedDocument withSimulation(const EvaluatedDocument &evaluated, std::size_t test,
+                                               TestSimulation simulation);
+
+/// Which tests get a simulation: those whose method is Monte Carlo, or all whose budget is complete and whose
+/// method is budget or Monte Carlo.
+enum class SimulateWhich { monteCarloOnly, allWithBudget };
+
+/// Runs the simulations that are missing or outdated, with the trials and the seed of each test. Null when
+/// stopped. `progress`: the test, counted from 0.
+[[nodiscard]] std::optional<EvaluatedDocument>
+withSimulations(EvaluatedDocument evaluated, SimulateWhich which, int threads = 0,
+                const std::stop_token &stop = {},
+                const std::function<void(std::size_t test, const SimulationProgress &)> &progress = {});
 
 } // namespace palmer

@@ -68,7 +68,20 @@ bool isAngle(Quantity quantity) {
     return quantity == Quantity::angle || quantity == Quantity::angularDeviation;
 }
 
-Json parameter(const Parameter &parameter, const Language &language) {
+Json monteCarlo(const Parameter &parameter, const UncertaintyEvaluation &uncertainty) {
+    if (!parameter.simulated || !uncertainty.simulation)
+        return nullptr;
+    const SimulatedParameter &simulated = *parameter.simulated;
+    return {{"u", simulated.u},
+            {"low", simulated.low},
+            {"high", simulated.high},
+            {"shift", simulated.shift()},
+            {"trials", uncertainty.simulation->trials},
+            {"seed", uncertainty.simulation->seed}};
+}
+
+Json parameter(const Parameter &parameter, const UncertaintyEvaluation &uncertainty,
+               const Language &language) {
     return {{"id", parameterId(parameter)},
             {"quantity", parameter.term.id},
             {"symbol", plainSymbol(parameter)},
@@ -81,7 +94,7 @@ Json parameter(const Parameter &parameter, const Language &language) {
             {"limit", parameter.limit ? number(parameter.limit->value) : Json(nullptr)},
             {"guardBand", number(parameter.guardBand)},
             {"verdict", verdictWord(parameter.verdict)},
-            {"monteCarlo", nullptr}};
+            {"monteCarlo", monteCarlo(parameter, uncertainty)}};
 }
 
 Json target(double position, const TargetStatistics &statistics, double c) {
@@ -126,7 +139,7 @@ Json findings(const TestEvaluation &evaluation, const Language &language) {
 Json parameters(const TestEvaluation &evaluation, const Language &language) {
     Json list = Json::array();
     for (const Parameter &row : evaluation.parameters)
-        list.push_back(parameter(row, language));
+        list.push_back(parameter(row, evaluation.uncertainty, language));
     return list;
 }
 
@@ -156,8 +169,15 @@ Json circles(const CircularResults &results) {
     return list;
 }
 
-Json uncertainty(UncertaintyMethod method) {
-    return {{"method", fileWord(method)}, {"contributions", Json::array()}};
+/// The contributions are those of a budget that is to be used.
+Json uncertainty(const UncertaintyEvaluation &evaluation) {
+    Json contributions = Json::array();
+    if (evaluation.method == UncertaintyMethod::budget ||
+        evaluation.method == UncertaintyMethod::monteCarlo) {
+        for (const Contribution &contribution : evaluation.contributions)
+            contributions.push_back({{"id", contribution.id}, {"value", number(contribution.expanded)}});
+    }
+    return {{"method", fileWord(evaluation.method)}, {"contributions", std::move(contributions)}};
 }
 
 /// What positioning and circular tests have alike, before their own.
@@ -180,12 +200,12 @@ Json testResults(const Test &source, const TestEvaluation &evaluation, const Lan
         for (std::size_t i = 0; i < results.targets.size(); ++i)
             targets.push_back(target(m->targets[i], results.targets[i], evaluation.edition->c));
         test["targets"] = std::move(targets);
-        test["uncertainty"] = uncertainty(m->uncertainty.method);
+        test["uncertainty"] = uncertainty(evaluation.uncertainty);
     } else if (const auto *circle = std::get_if<CircularMeasurement>(&source.measurement)) {
         addHead(test, source, evaluation, circle->conditions.common.correctionTo20, language);
         const auto &results = std::get<CircularResults>(evaluation.results);
         test["circles"] = circles(results);
-        test["uncertainty"] = uncertainty(circle->uncertainty.method);
+        test["uncertainty"] = uncertainty(evaluation.uncertainty);
         test["correction"] = number(results.correction);
     } else if (const auto *results = std::get_if<DriftResults>(&evaluation.results)) {
         const auto &drift = std::get<DriftMeasurement>(source.measurement);

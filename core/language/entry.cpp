@@ -7,20 +7,17 @@
 #include <QTime>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace palmer {
 namespace {
 
 constexpr Text notANumber = REPORT_TEXT("report", "not a number");
-constexpr Text twoMarks = REPORT_TEXT("report", "two decimal marks");
 constexpr Text beyondNumbers = REPORT_TEXT("report", "larger than any number");
 constexpr Text notTwoNumbers = REPORT_TEXT("report", "not two numbers, from … to");
 constexpr Text notAscending = REPORT_TEXT("report", "the first number is not the smaller one");
 constexpr Text notADate = REPORT_TEXT("report", "not a date");
 constexpr Text notATime = REPORT_TEXT("report", "not a time");
-constexpr double secondsPerDegree = 3600;
 
 bool isDigit(QChar c) {
     return c >= u'0' && c <= u'9';
@@ -83,41 +80,39 @@ int monthOf(const QString &name) {
 
 } // namespace
 
-NumberEntry enteredNumber(QStringView typed, Quantity quantity) {
+NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUnits &units) {
     const QStringView trimmed = typed.trimmed();
     if (trimmed.isEmpty())
         return {};
     std::string plain;
-    int marks = 0;
+    int commas = 0;
+    int points = 0;
     for (const QChar c : trimmed) {
         if (isDigit(c))
             plain += c.toLatin1();
         else if (c == u'.' || c == u',')
-            plain += '.', ++marks;
-        else if ((c == u'-' || c == u'\u2212') && plain.empty())
+            plain += '.', ++(c == u',' ? commas : points);
+        else if ((c == u'-' || c == u'\u2212' || c == u'\u2013') && plain.empty())
             plain += '-';
         else if (c == u'+' && plain.empty())
             continue;
         else if (!c.isSpace())
             return refused(notANumber);
     }
-    if (marks > 1)
-        return refused(twoMarks);
+    if (commas > 0 && points > 0)
+        return refused(REPORT_TEXT("report", "comma and point in one number"));
+    if (commas > 1)
+        return refused(REPORT_TEXT("report", "two commas"));
+    if (points > 1)
+        return refused(REPORT_TEXT("report", "two points"));
     if (std::none_of(plain.begin(), plain.end(), [](char c) { return c >= '0' && c <= '9'; }) ||
         !isGroupedWell(trimmed))
         return refused(notANumber);
-    if (quantity == Quantity::deviation)
-        plain += "e-3"; // shifted as digits, so that no bit is lost
-    double value = 0;
-    const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-    if (error == std::errc::result_out_of_range)
-        return refused(beyondNumbers);
-    if (error != std::errc() || end != plain.data() + plain.size())
-        return refused(notANumber);
-    return {quantity == Quantity::angularDeviation ? value / secondsPerDegree : value, {}};
+    const double value = fromShown(plain, quantity, units);
+    return std::isfinite(value) ? NumberEntry{value, {}} : refused(beyondNumbers);
 }
 
-IntervalEntry enteredInterval(QStringView typed, Quantity quantity) {
+IntervalEntry enteredInterval(QStringView typed, Quantity quantity, const DisplayUnits &units) {
     const QString text = typed.trimmed().toString();
     if (text.isEmpty())
         return {};
@@ -126,8 +121,8 @@ IntervalEntry enteredInterval(QStringView typed, Quantity quantity) {
     const QStringList parts = text.split(between);
     if (parts.size() != 2)
         return {{}, notTwoNumbers};
-    const NumberEntry from = enteredNumber(parts[0], quantity);
-    const NumberEntry to = enteredNumber(parts[1], quantity);
+    const NumberEntry from = enteredNumber(parts[0], quantity, units);
+    const NumberEntry to = enteredNumber(parts[1], quantity, units);
     if (!from.value || !to.value)
         return {{}, notTwoNumbers};
     if (!(*from.value < *to.value))

@@ -3,6 +3,7 @@
 #include "kernel/measurement/axis.h"
 #include "kernel/words/quantity.h"
 #include "kernel/words/text.h"
+#include "language/units.h"
 
 #include <QStringView>
 #include <optional>
@@ -19,17 +20,18 @@ struct NumberEntry {
     std::optional<Text> refusal; ///< "not a number", as part of a sentence
 };
 
-/// A number typed in the unit its quantity is shown in. The decimal mark is a point or a comma; groups are
-/// parted by spaces only, so "1,234" is 1.234 in every language. "−" is a minus. µm become mm exactly: 5.4 is
-/// the double of 0.0054.
-[[nodiscard]] NumberEntry enteredNumber(QStringView typed, Quantity quantity);
+/// A number typed in the unit its quantity is shown in (of `units`). The decimal mark is a point or a comma;
+/// groups are parted by spaces only, so "1,234" is 1.234 in every language. "−" is a minus. µm become mm
+/// exactly: 5.4 is the double of 0.0054.
+[[nodiscard]] NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUnits &units = {});
 
 /// From … to, typed as two numbers with "…", "..", ";", "to" or "à" between them; from < to.
 struct IntervalEntry {
     std::optional<Interval> value;
     std::optional<Text> refusal;
 };
-[[nodiscard]] IntervalEntry enteredInterval(QStringView typed, Quantity quantity);
+[[nodiscard]] IntervalEntry enteredInterval(QStringView typed, Quantity quantity,
+                                            const DisplayUnits &units = {});
 
 /// As in the file, YYYY-MM-DD or HH:MM; empty text: no value and no refusal.
 struct MomentEntry {

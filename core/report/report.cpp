@@ -26,7 +26,7 @@ Mark markOf(Grade grade) {
 }
 
 bool Cell::isMissing() const {
-    return !blank && mark == Mark::none && !guard && text.plain().isEmpty();
+    return !blank && mark == Mark::none && !guard && !bar && text.plain().isEmpty();
 }
 
 Cell blankCell() {

@@ -273,7 +273,7 @@ Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
         return whole ? QString::number(*value, 'f', 0) : windowLanguage().number(*value, quantity());
     };
     field->setReader([quantity, set, shown, whole](const QString &typed) -> Field::Reading {
-        const NumberEntry entry = enteredNumber(typed, quantity());
+        const NumberEntry entry = enteredNumber(typed, quantity(), windowLanguage().units());
         if (entry.refusal)
             return {{}, windowLanguage().text(*entry.refusal)};
         if ((entry.value && whole && std::trunc(*entry.value) != *entry.value) || !set(entry.value))
@@ -282,7 +282,7 @@ Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
     });
     connect(field, &Field::entered, this, [this, field, quantity, set] {
         if (field->isRefused()) // what was there before the typing holds
-            set(enteredNumber(field->valueText(), quantity()).value);
+            set(enteredNumber(field->valueText(), quantity(), windowLanguage().units()).value);
         replan();
     });
     m_entries.push_back({field, label, whole, std::move(quantity), std::move(get)});

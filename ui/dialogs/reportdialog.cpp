@@ -16,16 +16,19 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPainter>
 #include <QPrintDialog>
 #include <QPrinter>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QtMath>
 #include <algorithm>
 #include <array>
 
@@ -75,7 +78,8 @@ QToolButton *iconButton(QWidget *parent, const char *name, const QString &icon) 
 ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *parent)
     : QDialog(parent)
     , m_model(model)
-    , m_evaluator(evaluator) {
+    , m_evaluator(evaluator)
+    , m_simulator(evaluator) {
     setObjectName(QStringLiteral("reportDialog"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
     resize(1280, 800);
@@ -113,6 +117,8 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
     connect(m_small, &PageColumn::clicked, this, &ReportDialog::goTo);
     connect(m_area->verticalScrollBar(), &QScrollBar::valueChanged, this, &ReportDialog::followScroll);
     connect(&m_evaluator, &Evaluator::evaluated, this, &ReportDialog::showDocument);
+    connect(&m_simulator, &Simulator::progressed, this, &ReportDialog::showProgress);
+    connect(&m_simulator, &Simulator::finished, this, &ReportDialog::showProgress);
     retranslate();
     showDocument();
 }
@@ -220,6 +226,23 @@ QWidget *ReportDialog::makeSide() {
     addChoices(column);
 
     column->addStretch();
+    m_simulation = new QWidget(side);
+    auto *simulation = new QVBoxLayout(m_simulation);
+    simulation->setContentsMargins(0, 0, 0, 0);
+    m_simulationText = new QLabel(m_simulation);
+    m_simulationText->setObjectName(QStringLiteral("simulationText"));
+    m_simulationText->setWordWrap(true);
+    m_simulationBar = new QProgressBar(m_simulation);
+    m_simulationBar->setTextVisible(false);
+    m_simulationCancel = new QPushButton(m_simulation);
+    m_simulationCancel->setObjectName(QStringLiteral("cancelSimulation"));
+    m_simulationCancel->setAutoDefault(false);
+    for (QWidget *widget :
+         std::initializer_list<QWidget *>{m_simulationText, m_simulationBar, m_simulationCancel})
+        simulation->addWidget(widget);
+    m_simulation->hide();
+    connect(m_simulationCancel, &QPushButton::clicked, this, [this] { m_simulator.cancel(); });
+    column->addWidget(m_simulation);
     m_missing = new QLabel(side);
     m_missing->setObjectName(QStringLiteral("missingNote"));
     m_missing->setWordWrap(true);
@@ -299,6 +322,11 @@ void ReportDialog::change(const std::function<void(ReportHead &)> &change) {
 void ReportDialog::showDocument() {
     // What is printed is the file's: views under another edition stay in the window.
     m_evaluated = evaluate(m_model.document(), &m_evaluator.current());
+    // The budget is printed beside a simulation, which runs while the pages can be looked at.
+    if (m_simulated != m_model.document() && !m_simulator.isRunning()) {
+        m_simulated = m_model.document();
+        m_simulator.startMissing(m_evaluated);
+    }
     const ReportHead &head = m_model.document()->report;
     m_reports.clear();
     m_pages.clear();
@@ -334,6 +362,21 @@ void ReportDialog::showDocument() {
     if (m_fit)
         fitWidth();
     followScroll();
+}
+
+void ReportDialog::showProgress() {
+    m_simulation->setVisible(m_simulator.isRunning());
+    m_save->setEnabled(!m_simulator.isRunning());
+    m_print->setEnabled(!m_simulator.isRunning());
+    const SimulationProgress &progress = m_simulator.progress();
+    const QLocale locale;
+    QString text = tr("Monte Carlo: %1 trials").arg(locale.toString(progress.trials));
+    if (const auto left = m_simulator.secondsLeft())
+        text += QStringLiteral(" · ") + tr("%n s left", nullptr, qCeil(*left));
+    m_simulationText->setText(text);
+    m_simulationBar->setRange(0, progress.of ? 100 : 0);
+    if (progress.of)
+        m_simulationBar->setValue(static_cast<int>(100 * progress.trials / *progress.of));
 }
 
 int ReportDialog::pageCount() const {
@@ -508,6 +551,7 @@ void ReportDialog::retranslate() {
     m_signaturesTitle->setText(tr("Signatures"));
     for (const Choice &choice : m_choices)
         choice.box->setText(tr(choice.text));
+    m_simulationCancel->setText(tr("Cancel"));
     m_save->setText(tr("&Save PDF…"));
     m_print->setText(tr("&Print…"));
     m_close->setText(tr("&Close"));

@@ -4,6 +4,7 @@
 #include "report/report.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
+#include "ui/model/simulator.h"
 #include "ui/pdf/pages.h"
 
 #include <QDialog>
@@ -15,6 +16,7 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPrinter;
+class QProgressBar;
 class QPushButton;
 class QScrollArea;
 class QToolButton;
@@ -59,6 +61,7 @@ private:
     QWidget *makeSide();
     void addChoices(QVBoxLayout *column);
     void showDocument();
+    void showProgress();
     void change(const std::function<void(ReportHead &)> &change);
     void goTo(int page);
     void followScroll();
@@ -70,6 +73,8 @@ private:
 
     DocumentModel &m_model;
     Evaluator &m_evaluator;
+    Simulator m_simulator;
+    std::shared_ptr<const Document> m_simulated; ///< cancelled or not: not begun again
     EvaluatedDocument m_evaluated;
     std::vector<Report> m_reports;
     Pages m_pages;
@@ -96,6 +101,10 @@ private:
     QLabel *m_sectionsTitle;
     QLabel *m_signaturesTitle;
     std::vector<Choice> m_choices;
+    QWidget *m_simulation;
+    QLabel *m_simulationText;
+    QProgressBar *m_simulationBar;
+    QPushButton *m_simulationCancel;
     QLabel *m_missing;
     QPushButton *m_save;
     QPushButton *m_print;

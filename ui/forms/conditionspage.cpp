@@ -248,8 +248,8 @@ void ConditionsPage::addTemperatures(const Test &test) {
            QStringLiteral("addAirSensor"));
     addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another machine sensor"), SensorMeasures::machine,
            QStringLiteral("addMachineSensor"));
-    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another instrument sensor"), SensorMeasures::instrument,
-           QStringLiteral("addInstrumentSensor"));
+    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another instrument sensor"),
+           SensorMeasures::instrument, QStringLiteral("addInstrumentSensor"));
     addWidget(new QWidget(body()));
     if (!std::holds_alternative<PositioningMeasurement>(test.measurement))
         return;

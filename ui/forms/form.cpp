@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -112,6 +113,8 @@ QPushButton *Form::addButton(const char *text, std::function<void()> pressed) {
 
 void Form::addWidget(QWidget *widget, int weight) {
     m_row->addWidget(widget, 0, m_column);
+    if (body()->isVisible())
+        widget->show(); // the layout would do so later, after the focus was to come here
     m_row->setColumnStretch(m_column++, weight);
 }
 
@@ -131,7 +134,7 @@ Field *Form::add(Field::Kind kind, const char *key, const char *label, const QSt
     addWidget(field, weight);
     connect(field, &Field::begun, this, [this] { ++m_visit; });
     connect(field, &Field::entered, this, [this, field] { commit(field); });
-    m_entries.push_back({field, key, label, {}, false, {}, {}, {}});
+    m_entries.push_back({field, key, label, {}, {}, false, {}, {}, {}});
     return field;
 }
 
@@ -160,13 +163,14 @@ Field *Form::addLongText(const char *key, const char *label, Member<std::string>
 Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Member<Amount> member,
                        int weight, Allowed allowed) {
     Field *field = add(Field::Kind::number, key, label, m_language.unit(quantity), weight);
+    last().quantity = quantity;
     const auto shown = [this, quantity, allowed](const Amount &value) {
         // Years and seeds are names more than numbers: no groups.
         return value && allowed == Allowed::whole ? QString::number(*value, 'f', 0)
                                                   : stated(value, quantity, m_language);
     };
     field->setReader([this, quantity, allowed, shown](const QString &typed) -> Field::Reading {
-        const NumberEntry entry = enteredNumber(typed, quantity);
+        const NumberEntry entry = enteredNumber(typed, quantity, m_language.units());
         if (entry.refusal)
             return {{}, m_language.text(*entry.refusal)};
         if (entry.value && allowed == Allowed::positive && !(*entry.value > 0))
@@ -180,7 +184,8 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
     });
     last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };
     last().change = [this, field, quantity, write = std::move(member.write)]() -> Change {
-        return [write, test = m_test, value = enteredNumber(field->valueText(), quantity).value](
+        return [write, test = m_test,
+                value = enteredNumber(field->valueText(), quantity, m_language.units()).value](
                    Document &document) { write(document, test, value); };
     };
     return field;
@@ -189,19 +194,21 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
 Field *Form::addInterval(const char *key, const char *label, Quantity quantity,
                          Member<std::optional<Interval>> member, int weight) {
     Field *field = add(Field::Kind::number, key, label, m_language.unit(quantity), weight);
+    last().quantity = quantity;
     const auto shown = [this, quantity](const std::optional<Interval> &interval) {
         return interval ? QStringLiteral("%1 … %2").arg(m_language.number(interval->from, quantity),
                                                         m_language.number(interval->to, quantity))
                         : QString();
     };
     field->setReader([this, quantity, shown](const QString &typed) -> Field::Reading {
-        const IntervalEntry entry = enteredInterval(typed, quantity);
+        const IntervalEntry entry = enteredInterval(typed, quantity, m_language.units());
         return entry.refusal ? Field::Reading{{}, m_language.text(*entry.refusal)}
                              : Field::Reading{shown(entry.value), {}};
     });
     last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };
     last().change = [this, field, quantity, write = std::move(member.write)]() -> Change {
-        return [write, test = m_test, value = enteredInterval(field->valueText(), quantity).value](
+        return [write, test = m_test,
+                value = enteredInterval(field->valueText(), quantity, m_language.units()).value](
                    Document &document) { write(document, test, value); };
     };
     return field;
@@ -313,6 +320,10 @@ void Form::showEvent(QShowEvent *event) {
 
 void Form::setLanguage(const Language &language) {
     m_language = language;
+    for (const Entry &entry : m_entries) {
+        if (entry.quantity)
+            entry.field->setUnit(m_language.unit(*entry.quantity));
+    }
     refresh();
 }
 
@@ -436,6 +447,9 @@ bool Form::focusField(const QString &id) {
     if (found == m_entries.end())
         return false;
     m_scroll->ensureWidgetVisible(found->field);
+    // Again when a page that was built just now has its places.
+    QTimer::singleShot(0, found->field,
+                       [this, field = found->field] { m_scroll->ensureWidgetVisible(field); });
     found->field->edit()->setFocus(Qt::OtherFocusReason);
     return true;
 }

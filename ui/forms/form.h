@@ -114,6 +114,7 @@ private:
         Field *field;
         const char *key;
         const char *label;
+        std::optional<Quantity> quantity;                 ///< of a number: its unit may change
         std::vector<const char *> words;                  ///< of a choice
         bool none;                                        ///< the first of them states nothing
         std::function<QString(const FormSource &)> value; ///< of all but choices

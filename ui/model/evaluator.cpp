@@ -76,6 +76,19 @@ void Evaluator::setView(std::size_t test, const std::string &edition) {
     evaluate();
 }
 
+void Evaluator::setSimulation(std::size_t test, const TestSimulation &simulation) {
+    if (!m_current.document || !simulation.of)
+        return;
+    const auto &tests = m_current.document->tests;
+    auto found = std::ranges::find(tests, simulation.of);
+    if (found == tests.end() && test < tests.size() && tests[test]->id == simulation.of->id)
+        found = tests.begin() + static_cast<std::ptrdiff_t>(test);
+    if (found == tests.end())
+        return;
+    m_current = withSimulation(m_current, static_cast<std::size_t>(found - tests.begin()), simulation);
+    emit evaluated(m_current);
+}
+
 std::vector<std::string> Evaluator::editions() const {
     std::vector<std::string> result;
     for (const TestPointer &test : m_document->tests) {
@@ -108,6 +121,13 @@ void Evaluator::take(EvaluatedDocument evaluated, int job) {
     if (job != m_started)
         return;
     m_done = job;
+    // Simulations that ended while this was computed.
+    for (std::size_t i = 0; i < m_current.simulations.size() && i < evaluated.simulations.size(); ++i) {
+        const TestSimulation &latest = m_current.simulations[i];
+        if (latest.simulation && latest.simulation != evaluated.simulations[i].simulation && latest.of &&
+            latest.of->id == evaluated.document->tests[i]->id)
+            evaluated = withSimulation(evaluated, i, latest);
+    }
     m_current = std::move(evaluated);
     emit busyChanged(false);
     emit this->evaluated(m_current);

@@ -28,6 +28,10 @@ public:
     /// test's own edition, or an empty word, ends the view.
     void setView(std::size_t test, const std::string &edition);
 
+    /// Puts a simulation beside the results of a test; it is marked as outdated when the test was edited
+    /// since the simulation began. A test that is gone is forgotten.
+    void setSimulation(std::size_t test, const TestSimulation &simulation);
+
     /// The latest results; of no document at first.
     [[nodiscard]] const EvaluatedDocument &current() const { return m_current; }
     /// Newer results are being computed.

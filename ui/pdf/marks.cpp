@@ -16,6 +16,9 @@ constexpr double bandHeight = 1.56 * mm;
 constexpr double diamondHalf = 0.88 * mm;
 constexpr double haloWidth = 0.2 * mm;
 constexpr double zeroTick = 1.2 * mm;
+constexpr double barHeight = 1.9 * mm;
+constexpr double barAxis = 2.9 * mm;
+constexpr QColor barColour(0x00, 0x44, 0x88);
 
 QPen line(double width, const QColor &colour = Qt::black) {
     return {QBrush(colour), width * mm, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin};
@@ -99,6 +102,16 @@ void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard) {
     }
     drawLimit(painter, {x(guard.limit), middle});
     drawDiamond(painter, {x(guard.value), middle});
+}
+
+void drawBar(QPainter &painter, QPointF left, double length) {
+    if (length > 0) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(barColour);
+        painter.drawRect(QRectF(left.x(), left.y() - barHeight / 2, length, barHeight));
+    }
+    painter.setPen(line(0.2));
+    painter.drawLine(left - QPointF(0, barAxis / 2), left + QPointF(0, barAxis / 2));
 }
 
 double legendSignWidth(LegendSign sign) {

@@ -20,6 +20,9 @@ constexpr double guardPictureHeight = 3.1; ///< mm
 /// The limit stands at 60 % of the width in every picture; what lies outside is put on the end.
 void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard);
 
+/// A bar of a table from its zero line on; `left` is the middle of that, `length` in points.
+void drawBar(QPainter &painter, QPointF left, double length);
+
 /// The signs of a guard picture one by one, for its legend; around `centre`. Widths in mm.
 [[nodiscard]] double legendSignWidth(LegendSign sign);
 void drawLegendSign(QPainter &painter, LegendSign sign, QPointF centre);

@@ -121,6 +121,7 @@ struct Row {
         Mark mark = Mark::none;
         std::optional<Guard> guard;
         double x = 0;
+        std::optional<double> bar = {}; ///< length of a bar, points
     };
     std::vector<PlacedText> texts;
     std::vector<Sign> signs;
@@ -168,6 +169,10 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
         row.signs.push_back({Mark::none, cell.guard, place.left});
         return;
     }
+    if (cell.bar) {
+        row.signs.push_back({Mark::none, {}, place.left, std::clamp(*cell.bar, 0.0, 1.0) * place.width});
+        return;
+    }
     const bool missing = cell.isMissing();
     const TextStyle style = missing ? styled(false, dashGrey) : styled(false);
     const RichText text = missing ? RichText{{thinDash}} : richText(cell.text, cell.bold);
@@ -188,7 +193,9 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
 void drawRow(QPainter &painter, QPointF at, const Row &row) {
     const double middle = at.y() + textSize * cellStyle.leading / 2; // of the first line
     for (const Row::Sign &sign : row.signs) {
-        if (sign.guard)
+        if (sign.bar)
+            drawBar(painter, {at.x() + sign.x, middle}, *sign.bar);
+        else if (sign.guard)
             drawGuardPicture(painter, {at.x() + sign.x, middle - guardPictureHeight * mm / 2}, *sign.guard);
         else
             drawMark(painter, sign.mark, {at.x() + sign.x + markBox * mm / 2, middle}, markBox * mm);
@@ -272,14 +279,15 @@ public:
     TableHead(const Table &table, const std::vector<Place> &places, double width)
         : m_width(width) {
         double below = 0; // height of the titles and units
+        const bool units =
+            std::ranges::any_of(table.columns, [](const Column &column) { return !column.unit.isEmpty(); });
         for (std::size_t i = 0; i < table.columns.size(); ++i) {
             const Column &column = table.columns[i];
             const Place &place = places[i];
             const auto last =
                 std::min(i + static_cast<std::size_t>(std::max(column.titleSpan, 1)), places.size()) - 1;
             const bool right = column.alignment != Alignment::left; // may stand out to the left
-            const double room =
-                places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding);
+            const double room = places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding);
             Title title;
             if (!column.title.plain().isEmpty())
                 title.name = headText(column.title, room);
@@ -288,7 +296,10 @@ public:
             title.alignment = textAlignment(column.alignment);
             title.x = place.left;
             title.width = places[last].right() - place.left;
-            below = std::max(below, title.name.height() + title.unit.height());
+            // Above numbers the line of the units stays free.
+            const bool free = units && right && title.unit.empty() && !title.name.empty();
+            below = std::max(below, title.name.height() +
+                                        (free ? textSize * cellStyle.leading : title.unit.height()));
             m_titles.push_back(std::move(title));
         }
         const bool spanned = !table.spanners.empty();

@@ -59,6 +59,8 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
             p.guardBand = guardBand(p.expandedUncertainty, test.decisionRule);
             p.verdict = decide(one, *limit.value, test.decisionRule);
             if (test.decisionRule.rule != Rule::simpleAcceptance) {
+                evaluation.provisional |=
+                    evaluation.uncertainty.outdated && p.decidedBy == UncertaintyMethod::monteCarlo;
                 uncertaintyMissing |= !p.expandedUncertainty;
                 if (notCorrected && p.dependsOnTemperature)
                     p.verdict = Verdict::notProven;

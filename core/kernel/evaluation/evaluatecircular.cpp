@@ -2,10 +2,10 @@
 
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/applylimits.h"
-#include "kernel/evaluation/iso230_4/circles.h"
+#include "kernel/evaluation/decideuncertainty.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
-#include "kernel/evaluation/iso230_4/correction.h"
-#include "kernel/evaluation/iso230_4/paths.h"
+#include "kernel/evaluation/iso230_4/results.h"
+#include "kernel/uncertainty/circularbudget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,30 +14,97 @@ namespace palmer {
 
 namespace {
 
-std::optional<double> expandedUncertainty(const CircularMeasurement &measurement, const CircularRow &row) {
-    if (measurement.uncertainty.method != UncertaintyMethod::direct)
-        return std::nullopt;
+/// U as the laboratory states it; U of F is that of Fmax and Fmin.
+std::optional<double> statedUncertainty(const CircularMeasurement &measurement, const Parameter &p,
+                                        const CircularRow &row) {
     const auto &expanded = measurement.uncertainty.expanded;
-    auto found = expanded.find(row.term.id);
+    auto found = expanded.find(p.term.id);
     if (found == expanded.end())
-        found = expanded.find(row.quantity); // U of F is that of Fmax and Fmin
-    if (found == expanded.end() || found->second < 0)
+        found = expanded.find(row.quantity);
+    if (found == expanded.end() || !(found->second >= 0) || !std::isfinite(found->second))
         return std::nullopt;
     return found->second / 1000; // µm
 }
 
-void addParameter(TestEvaluation &evaluation, const CircularRow &row, const CircularCase &test,
-                  const EvaluatedPath *path, const std::string &index) {
+Parameter parameter(const iso230_4::ListedParameter &listed, const CircularCase &test) {
     Parameter result;
-    result.term = row.term;
-    result.index = index;
-    result.dependsOnTemperature = row.dependsOnTemperature;
-    result.required = test.isRequired(row.quantity) || test.isRequired(row.term.id);
-    result.value = row.value(test, path);
-    if (result.value && !std::isfinite(*result.value))
-        result.value.reset();
-    result.expandedUncertainty = expandedUncertainty(test.measurement, row);
-    evaluation.parameters.push_back(std::move(result));
+    result.term = listed.row->term;
+    result.index = listed.index;
+    result.dependsOnTemperature = listed.row->dependsOnTemperature;
+    result.required = test.isRequired(listed.row->quantity) || test.isRequired(listed.row->term.id);
+    result.value = iso230_4::value(listed, test);
+    return result;
+}
+
+/// Budget, simulation and statement of the uncertainty; what is missing for which results.
+std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const CircularCase &test,
+                                         const std::vector<iso230_4::ListedParameter> &listed) {
+    const CircularUncertaintyInputs &inputs = test.measurement.uncertainty;
+    std::vector<std::optional<double>> repeated(listed.size());
+    const bool needed =
+        inputs.method == UncertaintyMethod::budget || inputs.method == UncertaintyMethod::monteCarlo;
+    if (needed && !inputs.repeatability)
+        repeated = iso230_4::repeatabilities(test);
+    const auto largest =
+        std::ranges::max_element(repeated, {}, [](const std::optional<double> &s) { return s.value_or(-1); });
+    std::size_t points = 0;
+    for (const EvaluatedPath &path : test.results.paths)
+        points += path.points.size();
+    const CircularBudget budget = circularBudget(test.measurement, test.surroundings.environmentalVariation,
+                                                 largest == repeated.end() ? std::nullopt : *largest, points);
+    CircularContributions anyUses;
+
+    std::vector<MissingInput> missing;
+    bool complete = true;
+    bool any = false;
+    for (std::size_t k = 0; k < listed.size(); ++k) {
+        Parameter &p = evaluation.parameters[k];
+        if (!p.value)
+            continue;
+        const CircularContributions uses =
+            contributionsOf(listed[k].row->quantity, test.measurement.centring);
+        p.budgetUncertainty = combined(budget, uses, repeated[k]);
+        anyUses.length |= uses.length;
+        anyUses.centring |= uses.centring;
+        anyUses.noise |= uses.noise;
+        any |= p.budgetUncertainty.has_value();
+        if (p.budgetUncertainty || !p.required)
+            continue;
+        complete = false;
+        for (const Contribution &contribution : budget.contributions) {
+            for (const InputDefect &defect : contribution.defects) {
+                if (!takesUp(uses, contribution.id))
+                    continue;
+                auto known = std::ranges::find(missing, defect, &MissingInput::defect);
+                if (known == missing.end()) {
+                    missing.push_back({defect, {}});
+                    known = missing.end() - 1;
+                }
+                known->results += (known->results.empty() ? "" : ", ") + plainSymbol(p);
+            }
+        }
+    }
+    for (const Contribution &contribution : budget.contributions) {
+        if (takesUp(anyUses, contribution.id))
+            evaluation.uncertainty.contributions.push_back(contribution);
+    }
+    evaluation.uncertainty.complete = any && complete;
+    decideUncertainty(evaluation, inputs.method, test.surroundings, [&](const Parameter &p) {
+        const auto index = static_cast<std::size_t>(&p - evaluation.parameters.data());
+        return statedUncertainty(test.measurement, p, *listed[index].row);
+    });
+    return missing;
+}
+
+/// Why budget and simulation differ.
+Message reasonOfDifference(const Parameter &p) {
+    if (p.dependsOnTemperature)
+        return {REPORT_TEXT("report", "%1: budget and Monte Carlo differ by more than 20 %: the simulation "
+                                      "follows the extreme points of the path and their noise.")};
+    return {REPORT_TEXT("report",
+                        "%1: budget and Monte Carlo differ by more than 20 %: an error that all points of a "
+                        "path have in common moves the circle and leaves its width; the budget counts it in "
+                        "full.")};
 }
 
 /// The parameters a key of `limits` is for. F stands for the larger of |Fmax| and |Fmin| of each path.
@@ -83,26 +150,12 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
     evaluation.edition = &edition;
     evaluation.view = test.edition != edition.word;
 
-    CircularResults results;
-    iso230_4::Paths paths = iso230_4::paths(measurement);
-    results.paths = std::move(paths.evaluated);
-    results.repetitions = std::move(paths.repetitions);
-    results.centringError = paths.centringError;
-    results.circles = iso230_4::circles(results.paths);
-    results.correction = iso230_4::correctionTo20(measurement);
-    results.notCorrected = iso230_4::awayFrom20(measurement) && !iso230_4::isCorrected(measurement);
-
+    CircularResults results = iso230_4::circularResults(measurement);
     CircularCase whole{test, measurement, surroundings, edition, results};
-    for (const CircularRow &row : edition.circles->rows) {
-        if (row.external == whole.feedback())
-            continue;
-        if (row.of == CircularRow::Of::eachArc) {
-            for (const EvaluatedPath &path : results.paths)
-                addParameter(evaluation, row, whole, &path, path.index);
-        } else if (whole.bothSenses()) {
-            addParameter(evaluation, row, whole, nullptr, results.paths.front().index);
-        }
-    }
+    const auto listed = iso230_4::listedParameters(whole);
+    for (const iso230_4::ListedParameter &one : listed)
+        evaluation.parameters.push_back(parameter(one, whole));
+    const std::vector<MissingInput> missing = addUncertainty(evaluation, whole, listed);
     whole.uncertaintyStated = std::ranges::all_of(evaluation.parameters, [](const Parameter &p) {
         return !p.value || !p.required || p.expandedUncertainty;
     });
@@ -120,6 +173,7 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
                                            {REPORT_TEXT("report", "Not stated: %1."), {row.name}}});
     }
     findNotAgreed(edition, test, evaluation.findings);
+    findUncertainty(evaluation, missing, reasonOfDifference);
     applyLimits(evaluation, test, results.notCorrected,
                 [&](const std::string &id) { return judged(evaluation.parameters, id); });
 

@@ -2,6 +2,8 @@
 
 #include "kernel/measurement/agreement.h"
 #include "kernel/measurement/axis.h"
+#include "kernel/measurement/uncertaintyinputs.h"
+#include "kernel/uncertainty/simulation.h"
 #include "kernel/words/quantity.h"
 #include "kernel/words/text.h"
 
@@ -49,8 +51,11 @@ struct Parameter {
     bool dependsOnTemperature = false; ///< wrong away from 20 °C unless corrected
     bool required = true;              ///< one of the results the parties asked for (circular tests)
     std::optional<double> value;
-    std::array<std::optional<Ruling>, 2> ruling; ///< the larger end first; first target on ties
-    std::optional<double> expandedUncertainty;   ///< U, k = 2, of the deciding method
+    std::array<std::optional<Ruling>, 2> ruling;           ///< the larger end first; first target on ties
+    std::optional<double> expandedUncertainty;             ///< U, k = 2, of the deciding method
+    UncertaintyMethod decidedBy = UncertaintyMethod::none; ///< where that U comes from
+    std::optional<double> budgetUncertainty;               ///< U, k = 2, of the budget
+    std::optional<SimulatedParameter> simulated;           ///< what a simulation says, if one was run
     std::optional<Limit> limit;
     std::optional<double> guardBand;
     std::optional<Verdict> verdict; ///< null: no limit, or one agreed for another edition

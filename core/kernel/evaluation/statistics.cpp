@@ -15,30 +15,31 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array rangeFactors{1.128, 1.693, 2.059, 2.326, 2.534, 2.704, 2.847, 2.970, 3.078};
 
 /// One column of a run-by-run table: `values` starts at the target, rows are `stride` apart.
-DirectionStatistics columnStatistics(const double *values, std::size_t runs, std::size_t stride) {
-    DirectionStatistics result{0, undefined, undefined, undefined};
-    double sum = 0;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
+template <class Value>
+DirectionStatisticsOf<Value> columnStatistics(const Value *values, std::size_t runs, std::size_t stride) {
+    DirectionStatisticsOf<Value> result{0, undefined, undefined, undefined};
+    Value sum = 0;
+    Value low = std::numeric_limits<double>::infinity();
+    Value high = -std::numeric_limits<double>::infinity();
     int n = 0;
     for (std::size_t run = 0; run < runs; ++run) {
-        const double x = values[run * stride];
-        if (std::isnan(x))
+        const Value x = values[run * stride];
+        if (isMissing(x))
             continue;
         sum += x;
-        low = std::min(low, x);
-        high = std::max(high, x);
+        low = smaller(x, low);
+        high = larger(x, high);
         ++n;
     }
     result.n = n;
     if (n == 0)
         return result;
-    double mean = sum / n;
-    double rest = 0;
-    double squares = 0;
+    const Value mean = sum / n;
+    Value rest = 0;
+    Value squares = 0;
     for (std::size_t run = 0; run < runs; ++run) {
-        const double d = values[run * stride] - mean;
-        if (std::isnan(d))
+        const Value d = values[run * stride] - mean;
+        if (isMissing(d))
             continue;
         rest += d;
         squares += d * d;
@@ -47,20 +48,35 @@ DirectionStatistics columnStatistics(const double *values, std::size_t runs, std
     result.mean = mean + rest / n;
     result.range = high - low;
     if (n > 1)
-        result.s = std::sqrt(std::max(0.0, squares - rest * rest / n) / (n - 1));
+        result.s = squareRoot(larger(squares - rest * rest / n, 0.0) / (n - 1));
     return result;
 }
 
-void columns(std::span<const double> table, std::size_t targets, std::span<TargetStatistics> result,
-             DirectionStatistics TargetStatistics::*direction) {
+template <class Value>
+void columns(std::span<const Value> table, std::size_t targets, std::span<TargetStatisticsOf<Value>> result,
+             DirectionStatisticsOf<Value> TargetStatisticsOf<Value>::*direction) {
     const std::size_t runs = targets ? table.size() / targets : 0;
     for (std::size_t i = 0; i < targets; ++i)
         result[i].*direction = columnStatistics(table.data() + i, runs, targets);
 }
 
-void useRangeMethod(DirectionStatistics &direction) {
+template <class Value>
+void useRangeMethod(DirectionStatisticsOf<Value> &direction) {
     const auto factor = rangeFactor(direction.n);
     direction.s = factor ? direction.range / *factor : undefined;
+}
+
+template <class Value>
+void targetStatistics(std::span<const Value> positive, std::span<const Value> negative, std::size_t targets,
+                      DeviationMethod method, std::span<TargetStatisticsOf<Value>> result) {
+    columns(positive, targets, result, &TargetStatisticsOf<Value>::positive);
+    columns(negative, targets, result, &TargetStatisticsOf<Value>::negative);
+    if (method == DeviationMethod::range) {
+        for (TargetStatisticsOf<Value> &target : result) {
+            useRangeMethod(target.positive);
+            useRangeMethod(target.negative);
+        }
+    }
 }
 
 } // namespace
@@ -85,29 +101,18 @@ Readings readings(const PositioningMeasurement &measurement, std::span<const dou
 }
 
 void statistics(const ReadingsView &readings, DeviationMethod method, std::span<TargetStatistics> result) {
-    columns(readings.positive, readings.targets, result, &TargetStatistics::positive);
-    columns(readings.negative, readings.targets, result, &TargetStatistics::negative);
-    if (method == DeviationMethod::range) {
-        for (TargetStatistics &target : result) {
-            useRangeMethod(target.positive);
-            useRangeMethod(target.negative);
-        }
-    }
+    targetStatistics(readings.positive, readings.negative, readings.targets, method, result);
+}
+
+void statistics(std::span<const Lanes> positive, std::span<const Lanes> negative, std::size_t targets,
+                DeviationMethod method, std::span<TargetStatisticsOf<Lanes>> result) {
+    targetStatistics(positive, negative, targets, method, result);
 }
 
 std::optional<double> rangeFactor(int n) {
     if (n < 2 || n > 10)
         return std::nullopt;
     return rangeFactors[static_cast<std::size_t>(n - 2)];
-}
-
-double repeatability(const TargetStatistics &target, double c) {
-    const double up = target.positive.s;
-    const double down = target.negative.s;
-    const double both = c * up + c * down + std::abs(target.reversal());
-    if (std::isnan(both))
-        return undefined;
-    return std::max({both, 2 * c * up, 2 * c * down});
 }
 
 } // namespace palmer

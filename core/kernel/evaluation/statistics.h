@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/measurement/positioning.h"
+#include "kernel/numerics/lanes.h"
 
 #include <optional>
 #include <span>
@@ -33,36 +34,55 @@ struct Readings {
                                 std::span<const double> corrections = {});
 
 /// Statistics of one target in one direction. NaN = undefined: mean and range need n ≥ 1, s needs n ≥ 2.
-/// The NaN stay inside the kernel: parameters and outputs have null.
-struct DirectionStatistics {
-    int n = 0;        ///< readings that exist
-    double mean = 0;  ///< x̄_i↑ or x̄_i↓, mm
-    double s = 0;     ///< estimator of the standard deviation, mm
-    double range = 0; ///< W = max − min, mm
+/// The NaN stay inside the kernel: parameters and outputs have null. `Value` is double, or Lanes for several
+/// tests at once that have the same readings missing.
+template <class Value>
+struct DirectionStatisticsOf {
+    int n = 0;       ///< readings that exist
+    Value mean = 0;  ///< x̄_i↑ or x̄_i↓, mm
+    Value s = 0;     ///< estimator of the standard deviation, mm
+    Value range = 0; ///< W = max − min, mm
 };
+using DirectionStatistics = DirectionStatisticsOf<double>;
 
-struct TargetStatistics {
-    DirectionStatistics positive; ///< ↑
-    DirectionStatistics negative; ///< ↓
+template <class Value>
+struct TargetStatisticsOf {
+    DirectionStatisticsOf<Value> positive; ///< ↑
+    DirectionStatisticsOf<Value> negative; ///< ↓
 
-    [[nodiscard]] double mean() const { return (positive.mean + negative.mean) / 2; } ///< x̄_i
-    [[nodiscard]] double reversal() const { return positive.mean - negative.mean; } ///< B_i = x̄_i↑ − x̄_i↓
+    [[nodiscard]] Value mean() const { return (positive.mean + negative.mean) / 2; } ///< x̄_i
+    [[nodiscard]] Value reversal() const { return positive.mean - negative.mean; } ///< B_i = x̄_i↑ − x̄_i↓
 };
+using TargetStatistics = TargetStatisticsOf<double>;
 
 /// Statistics of all targets: mean and s by the corrected two-pass algorithm (the rounding error of the mean
 /// is taken out of both, Chan, Golub, LeVeque 1983), or s = W/k(n) by the range method of ISO 230-2:1988, 2.9
 /// (undefined outside n = 2 … 10). `result` has one element a target. No allocation.
 void statistics(const ReadingsView &readings, DeviationMethod method, std::span<TargetStatistics> result);
 
+/// The same for four tests at once, bit by bit: the tables have the form of a ReadingsView, and where a
+/// reading is missing it is so in all four.
+void statistics(std::span<const Lanes> positive, std::span<const Lanes> negative, std::size_t targets,
+                DeviationMethod method, std::span<TargetStatisticsOf<Lanes>> result);
+
 /// k(n) of the range method for n = 2 … 10: 1.128 … 3.078; null outside.
 [[nodiscard]] std::optional<double> rangeFactor(int n);
 
 /// R_i↑ or R_i↓ = 2c·s.
-[[nodiscard]] inline double repeatability(const DirectionStatistics &direction, double c) {
+template <class Value>
+[[nodiscard]] Value repeatability(const DirectionStatisticsOf<Value> &direction, double c) {
     return 2 * c * direction.s;
 }
 
 /// R_i = max(c·s_i↑ + c·s_i↓ + |B_i|; R_i↑; R_i↓); NaN where one of them is.
-[[nodiscard]] double repeatability(const TargetStatistics &target, double c);
+template <class Value>
+[[nodiscard]] Value repeatability(const TargetStatisticsOf<Value> &target, double c) {
+    const Value up = target.positive.s;
+    const Value down = target.negative.s;
+    const Value both = c * up + c * down + magnitude(target.reversal());
+    if (isMissing(both))
+        return both;
+    return larger(larger(both, 2 * c * up), 2 * c * down);
+}
 
 } // namespace palmer

@@ -8,7 +8,10 @@
 
 #include "kernel/measurement/circular.h"
 #include "kernel/numerics/points.h"
+#include "kernel/uncertainty/contribution.h"
+#include "kernel/uncertainty/simulation.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -75,6 +78,21 @@ struct DriftResults {
     std::optional<double> range; ///< mm, rotary: degrees; null without readings
 };
 
+/// How the uncertainty of the results was found. The U of each stand with its parameter.
+struct UncertaintyEvaluation {
+    UncertaintyMethod method = UncertaintyMethod::none; ///< the one that is to decide
+    std::vector<Contribution> contributions;            ///< of the budget, in its order
+    std::optional<double> length;                       ///< L of the budget of a linear axis, mm
+    bool complete = false;                        ///< every result that is asked for has a U by the budget
+    std::shared_ptr<const Simulation> simulation; ///< null: not run
+    bool outdated = false;                        ///< the test was edited since the simulation
+
+    /// A simulation decides or is to be shown beside the budget, and can be run.
+    [[nodiscard]] bool wantsSimulation() const {
+        return complete && (method == UncertaintyMethod::budget || method == UncertaintyMethod::monteCarlo);
+    }
+};
+
 /// The evaluation of one test; total: any measurement gives one, what is missing is a finding.
 struct TestEvaluation {
     const Edition *edition = nullptr; ///< null for drift tests
@@ -82,6 +100,8 @@ struct TestEvaluation {
     std::vector<Parameter> parameters;
     std::vector<Finding> findings;
     std::optional<Verdict> verdict; ///< the worst of the parameters; null without a limit
+    bool provisional = false;       ///< a verdict rests on an outdated simulation
+    UncertaintyEvaluation uncertainty;
     std::variant<PositioningResults, CircularResults, DriftResults> results;
 
     /// No requirement is unmet.

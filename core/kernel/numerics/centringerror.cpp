@@ -84,7 +84,7 @@ CentringError centringError(std::span<const CommandedArc> arcs, const CentringEr
         for (std::size_t i = 0; i < arc.angles.size(); ++i) {
             if (!std::isfinite(arc.angles[i]) || !std::isfinite(arc.distances[i]))
                 return {.status = Status::notFinite, .e = {}, .radii = {}, .iterations = 0};
-            directions[k].push_back(direction(arc.angles[i]));
+            directions[k].push_back(arc.directions.empty() ? direction(arc.angles[i]) : arc.directions[i]);
             sum += arc.distances[i];
         }
         if (!arc.distances.empty())
@@ -121,16 +121,19 @@ CentringError centringError(std::span<const CommandedArc> arcs, const CentringEr
 
 Points rebuildPoints(const CommandedArc &arc, Point e) {
     assert(arc.angles.size() == arc.distances.size());
-    std::vector<double> radii;
-    radii.reserve(arc.angles.size());
+    Points points;
+    points.x.reserve(arc.angles.size());
+    points.y.reserve(arc.angles.size());
     for (std::size_t i = 0; i < arc.angles.size(); ++i) {
-        const Point u = direction(arc.angles[i]);
+        const Point u = arc.directions.empty() ? direction(arc.angles[i]) : arc.directions[i];
         const double r = arc.distances[i];
         const double across = e.x * u.y - e.y * u.x;
         const double square = (r - across) * (r + across); // r² − (e × u)², without its cancellation
-        radii.push_back(e.x * u.x + e.y * u.y + std::sqrt(std::max(0.0, square)));
+        const double radius = e.x * u.x + e.y * u.y + std::sqrt(std::max(0.0, square));
+        points.x.push_back(radius * u.x);
+        points.y.push_back(radius * u.y);
     }
-    return polarPoints(arc.angles, radii);
+    return points;
 }
 
 } // namespace palmer

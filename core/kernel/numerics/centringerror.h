@@ -9,8 +9,9 @@ namespace palmer {
 
 /// The distances r_i from a fixed pivot to a point that was sent to the angles θ_i of a circle.
 struct CommandedArc {
-    std::span<const double> angles;    ///< θ, degrees, any number of turns
-    std::span<const double> distances; ///< r, mm
+    std::span<const double> angles;         ///< θ, degrees, any number of turns
+    std::span<const double> distances;      ///< r, mm
+    std::span<const Point> directions = {}; ///< u(θ) of all angles, where they are known already
 };
 
 struct CentringErrorOptions {

@@ -44,6 +44,7 @@ void EntryTest::readsNumbers_data() {
     QTest::newRow("blanks around")                << "  5 "          << Quantity::number      << 5.0;
     QTest::newRow("micrometres are shifted")      << "5.4"           << Quantity::deviation   << 0.0054;
     QTest::newRow("also where 0.1 is no double")  << "0.1"           << Quantity::deviation   << 0.0001;
+    QTest::newRow("dash of word processors")      << "\u20133"       << Quantity::number      << -3.0;
     QTest::newRow("arc seconds")                  << "36"            << Quantity::angularDeviation << 0.01;
     // clang-format on
 }
@@ -63,9 +64,11 @@ void EntryTest::refusesWhatIsNoNumber_data() {
     QTest::newRow("a letter among digits") << "12O"
                                            << "not a number";
     QTest::newRow("two commas") << "5,,4"
-                                << "two decimal marks";
+                                << "two commas";
+    QTest::newRow("two points") << "5..4"
+                                << "two points";
     QTest::newRow("comma and point") << "1,234.5"
-                                     << "two decimal marks";
+                                     << "comma and point in one number";
     QTest::newRow("a mark alone") << ","
                                   << "not a number";
     QTest::newRow("a sign alone") << "-"

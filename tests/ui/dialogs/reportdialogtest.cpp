@@ -11,6 +11,7 @@
 #include <QPrinter>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QUndoStack>
 
 using namespace palmer;

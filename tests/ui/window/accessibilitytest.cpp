@@ -13,6 +13,7 @@
 #include <QMenuBar>
 #include <QScrollBar>
 #include <QTabBar>
+#include <QTest>
 #include <QToolButton>
 #include <map>
 

@@ -5,9 +5,9 @@
 #include "document/savedocument.h"
 #include "document/writedocument.h"
 #include "ui/navigation/navigationmodel.h"
+#include "ui/testname.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
-#include "ui/testname.h"
 #include "ui/welcome/startlist.h"
 
 #include <QAbstractItemModelTester>
@@ -23,6 +23,7 @@
 #include <QPushButton>
 #include <QTabBar>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 #include <QUndoStack>
@@ -119,8 +120,7 @@ void MainWindowTest::opensEveryExample() {
     QCOMPARE(navigation->model()->rowCount(), static_cast<int>(document.tests.size()) + 5);
     for (std::size_t test = 0; test < document.tests.size(); ++test) {
         shown.window->workplace().showTest(test);
-        QCOMPARE(shown.find<QLabel>("testTitle")->accessibleName(),
-                 testName(*document.tests[test]));
+        QCOMPARE(shown.find<QLabel>("testTitle")->accessibleName(), testName(*document.tests[test]));
         QCOMPARE(shown.find<QComboBox>("edition")->currentText(),
                  QString::fromStdString(document.tests[test]->edition));
         QVERIFY(!shown.window->evaluator().current().tests[test]->parameters.empty());

@@ -11,7 +11,6 @@
 #include <QPointer>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QTest>
 #include <memory>
 
 /// Prepares a test program as main() prepares the window's, with settings of its own.

@@ -1,7 +1,10 @@
 #include "kernel/evaluation/iso230_2/parameters.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace palmer::iso230_2 {
 
@@ -11,7 +14,11 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// The largest and the smallest of the values it is shown, and where they stand: the first on ties.
 /// A NaN stays for good: a parameter that needs a missing statistic has no value.
-class Extremes {
+template <class Value>
+class Extremes;
+
+template <>
+class Extremes<double> {
 public:
     void add(double upper, double lower, std::size_t target, std::optional<Direction> approach) {
         const Ruling here{static_cast<int>(target) + 1, approach};
@@ -44,160 +51,238 @@ private:
     Ruling m_lowest;
 };
 
-constexpr DirectionStatistics TargetStatistics::*statisticsOf(Direction direction) {
-    return direction == Direction::positive ? &TargetStatistics::positive : &TargetStatistics::negative;
+/// Of several tests at once: the values alone, which exist.
+template <>
+class Extremes<Lanes> {
+public:
+    void add(const Lanes &upper, const Lanes &lower, std::size_t, std::optional<Direction>) {
+        m_upper = larger(upper, m_upper);
+        m_lower = smaller(lower, m_lower);
+    }
+    [[nodiscard]] Lanes span() const { return m_upper - m_lower; }
+    [[nodiscard]] Lanes highest() const { return m_upper; }
+
+private:
+    Lanes m_upper = -std::numeric_limits<double>::infinity();
+    Lanes m_lower = std::numeric_limits<double>::infinity();
+};
+
+template <class Value>
+using All = std::span<const TargetStatisticsOf<Value>>;
+
+/// Outcome for a double, else the values alone.
+template <class Value>
+using ResultOf = std::conditional_t<std::is_same_v<Value, double>, Outcome, Value>;
+
+template <class Value>
+constexpr DirectionStatisticsOf<Value> TargetStatisticsOf<Value>::*statisticsOf(Direction direction) {
+    return direction == Direction::positive ? &TargetStatisticsOf<Value>::positive
+                                            : &TargetStatisticsOf<Value>::negative;
 }
 
 template <Direction... directions>
-Outcome limitsSpan(Targets targets, double c) {
-    Extremes extremes;
+constexpr auto limitsSpan = []<class Value>(All<Value> targets, double c) {
+    Extremes<Value> extremes;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        const auto add = [&](const DirectionStatistics &d, Direction direction) {
-            extremes.add(d.mean + c * d.s, d.mean - c * d.s, i, direction);
+        const auto add = [&](const DirectionStatisticsOf<Value> &d, Direction direction) {
+            const Value band = c * d.s;
+            extremes.add(d.mean + band, d.mean - band, i, direction);
         };
-        (add(targets[i].*statisticsOf(directions), directions), ...);
+        (add(targets[i].*statisticsOf<Value>(directions), directions), ...);
     }
     return extremes.span();
-}
+};
 
 template <Direction... directions>
-Outcome meansSpan(Targets targets) {
-    Extremes extremes;
+constexpr auto meansSpan = []<class Value>(All<Value> targets, double) {
+    Extremes<Value> extremes;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        const auto add = [&](const DirectionStatistics &d, Direction direction) {
+        const auto add = [&](const DirectionStatisticsOf<Value> &d, Direction direction) {
             extremes.add(d.mean, d.mean, i, direction);
         };
-        (add(targets[i].*statisticsOf(directions), directions), ...);
+        (add(targets[i].*statisticsOf<Value>(directions), directions), ...);
     }
     return extremes.span();
-}
+};
+
+constexpr auto spanOfMeans = []<class Value>(All<Value> targets, double) {
+    Extremes<Value> extremes;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const Value mean = targets[i].mean();
+        extremes.add(mean, mean, i, std::nullopt);
+    }
+    return extremes.span();
+};
 
 template <Direction direction>
-Outcome largestRepeatability(Targets targets, double c) {
-    Extremes extremes;
+constexpr auto largestRepeatability = []<class Value>(All<Value> targets, double c) {
+    Extremes<Value> extremes;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        const double r = repeatability(targets[i].*statisticsOf(direction), c);
+        const Value r = repeatability(targets[i].*statisticsOf<Value>(direction), c);
         extremes.add(r, r, i, direction);
     }
     return extremes.highest();
-}
+};
+
+/// The largest of what `value` says of each target.
+template <auto value>
+constexpr auto largestOf = []<class Value>(All<Value> targets, double c) {
+    Extremes<Value> extremes;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const Value here = value(targets[i], c);
+        extremes.add(here, here, i, std::nullopt);
+    }
+    return extremes.highest();
+};
 
 /// Mean over the targets of what `value` says of each; no ruling target.
-template <typename Value>
-Outcome meanOf(Targets targets, Value value) {
-    double sum = 0;
-    for (const TargetStatistics &target : targets)
-        sum += value(target);
-    return {targets.empty() ? undefined : sum / static_cast<double>(targets.size()), {}};
+template <auto value>
+constexpr auto meanOf = []<class Value>(All<Value> targets, double c) -> ResultOf<Value> {
+    Value sum = 0;
+    for (const TargetStatisticsOf<Value> &target : targets)
+        sum += value(target, c);
+    const Value mean = targets.empty() ? Value(undefined) : sum / static_cast<double>(targets.size());
+    if constexpr (std::is_same_v<Value, double>)
+        return {mean, {}};
+    else
+        return mean;
+};
+
+constexpr auto repeatabilityHere = [](const auto &target, double c) { return repeatability(target, c); };
+constexpr auto reversalHere = [](const auto &target, double) { return target.reversal(); };
+constexpr auto sizeOfReversal = [](const auto &target, double) { return magnitude(target.reversal()); };
+constexpr auto scatterHere = [](const auto &target, double c) {
+    return c * (target.positive.s + target.negative.s);
+};
+template <Direction direction>
+constexpr auto repeatabilityIn = []<class Value>(const TargetStatisticsOf<Value> &target, double c) {
+    return repeatability(target.*statisticsOf<Value>(direction), c);
+};
+
+constexpr auto smallerOfBoth = []<class Value>(All<Value> targets, double c) -> ResultOf<Value> {
+    const auto up = largestRepeatability<Direction::positive>(targets, c);
+    const auto down = largestRepeatability<Direction::negative>(targets, c);
+    if constexpr (std::is_same_v<Value, double>) {
+        if (std::isnan(up.value) || std::isnan(down.value))
+            return {undefined, {}};
+        return down.value < up.value ? down : up;
+    } else {
+        return smaller(down, up);
+    }
+};
+
+constexpr auto vdiSpan = []<class Value>(All<Value> targets, double c) {
+    Extremes<Value> extremes;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const Value mean = targets[i].mean();
+        const Value half = (sizeOfReversal(targets[i], c) + scatterHere(targets[i], c)) / 2;
+        extremes.add(mean + half, mean - half, i, std::nullopt);
+    }
+    return extremes.span();
+};
+
+constexpr Direction up = Direction::positive;
+constexpr Direction down = Direction::negative;
+
+/// The formula of a parameter for four tests at once.
+template <const auto &formula>
+Lanes inLanesOf(All<Lanes> targets, double c) {
+    return formula(targets, c);
 }
 
-double scatter(const TargetStatistics &target, double c) {
-    return c * (target.positive.s + target.negative.s);
-}
+struct Pair {
+    Outcome (*value)(Targets, double);
+    Lanes (*lanes)(All<Lanes>, double);
+};
 
 } // namespace
 
 Outcome accuracyUp(Targets targets, double c) {
-    return limitsSpan<Direction::positive>(targets, c);
+    return limitsSpan<up>(targets, c);
 }
 Outcome accuracyDown(Targets targets, double c) {
-    return limitsSpan<Direction::negative>(targets, c);
+    return limitsSpan<down>(targets, c);
 }
 Outcome accuracy(Targets targets, double c) {
-    return limitsSpan<Direction::positive, Direction::negative>(targets, c);
+    return limitsSpan<up, down>(targets, c);
 }
-
-Outcome systematicUp(Targets targets, double) {
-    return meansSpan<Direction::positive>(targets);
+Outcome systematicUp(Targets targets, double c) {
+    return meansSpan<up>(targets, c);
 }
-Outcome systematicDown(Targets targets, double) {
-    return meansSpan<Direction::negative>(targets);
+Outcome systematicDown(Targets targets, double c) {
+    return meansSpan<down>(targets, c);
 }
-Outcome systematic(Targets targets, double) {
-    return meansSpan<Direction::positive, Direction::negative>(targets);
+Outcome systematic(Targets targets, double c) {
+    return meansSpan<up, down>(targets, c);
 }
-
-Outcome meanRange(Targets targets, double) {
-    Extremes extremes;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        const double mean = targets[i].mean();
-        extremes.add(mean, mean, i, std::nullopt);
-    }
-    return extremes.span();
+Outcome meanRange(Targets targets, double c) {
+    return spanOfMeans(targets, c);
 }
-
 Outcome repeatabilityUp(Targets targets, double c) {
-    return largestRepeatability<Direction::positive>(targets, c);
+    return largestRepeatability<up>(targets, c);
 }
 Outcome repeatabilityDown(Targets targets, double c) {
-    return largestRepeatability<Direction::negative>(targets, c);
+    return largestRepeatability<down>(targets, c);
 }
-
 Outcome repeatabilityOfAxis(Targets targets, double c) {
-    Extremes extremes;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        const double r = repeatability(targets[i], c);
-        extremes.add(r, r, i, std::nullopt);
-    }
-    return extremes.highest();
+    return largestOf<repeatabilityHere>(targets, c);
 }
-
 Outcome smallerRepeatability(Targets targets, double c) {
-    const Outcome up = repeatabilityUp(targets, c);
-    const Outcome down = repeatabilityDown(targets, c);
-    if (std::isnan(up.value) || std::isnan(down.value))
-        return {undefined, {}};
-    return down.value < up.value ? down : up;
+    return smallerOfBoth(targets, c);
 }
-
 Outcome meanRepeatabilityUp(Targets targets, double c) {
-    return meanOf(targets, [c](const TargetStatistics &target) { return repeatability(target.positive, c); });
+    return meanOf<repeatabilityIn<up>>(targets, c);
 }
 Outcome meanRepeatabilityDown(Targets targets, double c) {
-    return meanOf(targets, [c](const TargetStatistics &target) { return repeatability(target.negative, c); });
+    return meanOf<repeatabilityIn<down>>(targets, c);
 }
 Outcome meanRepeatability(Targets targets, double c) {
-    return meanOf(targets, [c](const TargetStatistics &target) { return repeatability(target, c); });
+    return meanOf<repeatabilityHere>(targets, c);
 }
-
-Outcome reversal(Targets targets, double) {
-    Extremes extremes;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        const double b = std::abs(targets[i].reversal());
-        extremes.add(b, b, i, std::nullopt);
-    }
-    return extremes.highest();
+Outcome reversal(Targets targets, double c) {
+    return largestOf<sizeOfReversal>(targets, c);
 }
-
-Outcome meanReversal(Targets targets, double) {
-    return meanOf(targets, [](const TargetStatistics &target) { return target.reversal(); });
+Outcome meanReversal(Targets targets, double c) {
+    return meanOf<reversalHere>(targets, c);
 }
-
-Outcome vdiMeanReversal(Targets targets, double) {
-    return meanOf(targets, [](const TargetStatistics &target) { return std::abs(target.reversal()); });
+Outcome vdiMeanReversal(Targets targets, double c) {
+    return meanOf<sizeOfReversal>(targets, c);
 }
-
 Outcome vdiScatter(Targets targets, double c) {
-    Extremes extremes;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        const double ps = scatter(targets[i], c);
-        extremes.add(ps, ps, i, std::nullopt);
-    }
-    return extremes.highest();
+    return largestOf<scatterHere>(targets, c);
 }
-
 Outcome vdiMeanScatter(Targets targets, double c) {
-    return meanOf(targets, [c](const TargetStatistics &target) { return scatter(target, c); });
+    return meanOf<scatterHere>(targets, c);
+}
+Outcome vdiUncertainty(Targets targets, double c) {
+    return vdiSpan(targets, c);
 }
 
-Outcome vdiUncertainty(Targets targets, double c) {
-    Extremes extremes;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        const double mean = targets[i].mean();
-        const double half = (std::abs(targets[i].reversal()) + scatter(targets[i], c)) / 2;
-        extremes.add(mean + half, mean - half, i, std::nullopt);
-    }
-    return extremes.span();
+LanesFormula inLanes(Outcome (*value)(Targets, double)) {
+    static constexpr std::array formulas{
+        Pair{accuracyUp, inLanesOf<limitsSpan<up>>},
+        Pair{accuracyDown, inLanesOf<limitsSpan<down>>},
+        Pair{accuracy, inLanesOf<limitsSpan<up, down>>},
+        Pair{systematicUp, inLanesOf<meansSpan<up>>},
+        Pair{systematicDown, inLanesOf<meansSpan<down>>},
+        Pair{systematic, inLanesOf<meansSpan<up, down>>},
+        Pair{meanRange, inLanesOf<spanOfMeans>},
+        Pair{repeatabilityUp, inLanesOf<largestRepeatability<up>>},
+        Pair{repeatabilityDown, inLanesOf<largestRepeatability<down>>},
+        Pair{repeatabilityOfAxis, inLanesOf<largestOf<repeatabilityHere>>},
+        Pair{smallerRepeatability, inLanesOf<smallerOfBoth>},
+        Pair{meanRepeatabilityUp, inLanesOf<meanOf<repeatabilityIn<up>>>},
+        Pair{meanRepeatabilityDown, inLanesOf<meanOf<repeatabilityIn<down>>>},
+        Pair{meanRepeatability, inLanesOf<meanOf<repeatabilityHere>>},
+        Pair{reversal, inLanesOf<largestOf<sizeOfReversal>>},
+        Pair{meanReversal, inLanesOf<meanOf<reversalHere>>},
+        Pair{vdiMeanReversal, inLanesOf<meanOf<sizeOfReversal>>},
+        Pair{vdiScatter, inLanesOf<largestOf<scatterHere>>},
+        Pair{vdiMeanScatter, inLanesOf<meanOf<scatterHere>>},
+        Pair{vdiUncertainty, inLanesOf<vdiSpan>},
+    };
+    const auto found = std::ranges::find(formulas, value, &Pair::value);
+    return found == formulas.end() ? nullptr : found->lanes;
 }
 
 } // namespace palmer::iso230_2

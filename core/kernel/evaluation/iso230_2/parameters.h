@@ -38,4 +38,9 @@ Outcome vdiMeanScatter(Targets targets, double c);  ///< P̄s: mean of Ps_i
 Outcome vdiUncertainty(Targets targets,
                        double c); ///< P = max(x̄_i + (U_i + Ps_i)/2) − min(x̄_i − (U_i + Ps_i)/2)
 
+/// The same formula for four tests at once, lane by lane to the last bit; the values must exist in all of
+/// them. Null for a function that is none of the above.
+using LanesFormula = Lanes (*)(std::span<const TargetStatisticsOf<Lanes>>, double c);
+[[nodiscard]] LanesFormula inLanes(Outcome (*value)(Targets, double));
+
 } // namespace palmer::iso230_2

@@ -3,38 +3,69 @@
 #include "kernel/numerics/leastsquarescircle.h"
 #include "kernel/numerics/minimumzone.h"
 
+#include <algorithm>
 #include <array>
 
 namespace palmer::iso230_4 {
 
 namespace {
 
-void addCircles(std::vector<CircleResult> &circles, CircleOf of, PointsView points,
-                std::span<const std::size_t> groups) {
-    if (const MinimumZone zone = minimumZone(points); zone.valid())
+using Wanted = std::function<bool(CircleOf of, ReferenceCircle kind)>;
+
+void addMinimumZone(std::vector<CircleResult> &circles, CircleOf of, PointsView points) {
+    const MinimumZone zone = minimumZone(points);
+    if (zone.valid())
         circles.push_back({of, ReferenceCircle::minimumZone, zone.centre,
                            (zone.innerRadius + zone.outerRadius) / 2, zone.innerRadius, zone.outerRadius,
                            zone.width, zone.certified});
-    if (const LeastSquaresCircle fit = leastSquaresCircle(points, {.groups = groups}); fit.valid())
+}
+
+void addLeastSquares(std::vector<CircleResult> &circles, CircleOf of, PointsView points,
+                     std::span<const std::size_t> groups) {
+    const LeastSquaresCircle fit = leastSquaresCircle(points, {.groups = groups});
+    if (fit.valid())
         circles.push_back({of, ReferenceCircle::leastSquares, fit.centre, fit.radius, fit.innerRadius,
                            fit.outerRadius, fit.range(), std::nullopt});
+}
+
+CircleOf circleOf(Sense sense) {
+    return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
+}
+
+void addCircles(std::vector<CircleResult> &circles, const Wanted &wanted, CircleOf of, PointsView points,
+                std::span<const std::size_t> groups) {
+    if (wanted(of, ReferenceCircle::minimumZone))
+        addMinimumZone(circles, of, points);
+    if (wanted(of, ReferenceCircle::leastSquares))
+        addLeastSquares(circles, of, points, groups);
 }
 
 } // namespace
 
 std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths) {
+    return circles(paths, [](CircleOf, ReferenceCircle) { return true; });
+}
+
+std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths, const Wanted &wanted) {
     std::vector<CircleResult> result;
-    if (paths.size() == 2) {
-        Points both = paths[0].points;
-        both.append(paths[1].points.view());
+    const bool both = wanted(CircleOf::both, ReferenceCircle::minimumZone) ||
+                      wanted(CircleOf::both, ReferenceCircle::leastSquares);
+    if (paths.size() == 2 && both) {
+        Points points = paths[0].points;
+        points.append(paths[1].points.view());
         const std::array groups{paths[0].points.size(), paths[1].points.size()};
-        addCircles(result, CircleOf::both, both.view(), groups);
+        addCircles(result, wanted, CircleOf::both, points.view(), groups);
     }
     for (const EvaluatedPath &path : paths)
-        addCircles(result,
-                   path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise,
-                   path.points.view(), {});
+        addCircles(result, wanted, circleOf(path.sense), path.points.view(), {});
     return result;
+}
+
+std::optional<CircleResult> circleOfPath(const EvaluatedPath &path, ReferenceCircle kind) {
+    std::vector<CircleResult> circles;
+    addCircles(circles, [kind](CircleOf, ReferenceCircle wanted) { return wanted == kind; },
+               circleOf(path.sense), path.points.view(), {});
+    return circles.empty() ? std::nullopt : std::optional(circles.front());
 }
 
 } // namespace palmer::iso230_4

@@ -2,6 +2,7 @@
 
 #include "kernel/evaluation/testevaluation.h"
 
+#include <functional>
 #include <vector>
 
 namespace palmer::iso230_4 {
@@ -9,5 +10,12 @@ namespace palmer::iso230_4 {
 /// The minimum zone circles and the least squares circle of each path and, of a pair, of both together (each
 /// path with equal weight). Those that do not exist (too few points, collinear) are left out.
 [[nodiscard]] std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths);
+
+/// The circle of that kind about one path; null where there is none.
+[[nodiscard]] std::optional<CircleResult> circleOfPath(const EvaluatedPath &path, ReferenceCircle kind);
+/// Those of them alone that `wanted` asks for.
+[[nodiscard]] std::vector<CircleResult>
+circles(const std::vector<EvaluatedPath> &paths,
+        const std::function<bool(CircleOf of, ReferenceCircle kind)> &wanted);
 
 } // namespace palmer::iso230_4

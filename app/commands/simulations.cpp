@@ -1,0 +1,118 @@
+#include "commands/simulations.h"
+
+#include "commands/streams.h"
+
+#include <chrono>
+#include <limits>
+
+#include <unistd.h>
+
+namespace palmer {
+
+namespace {
+
+/// A whole number from `least` on, of an option.
+std::optional<long long> wholeNumber(const Invocation &invocation, const char *option, long long least) {
+    const auto text = invocation.value(QLatin1StringView(option));
+    if (!text)
+        return std::nullopt;
+    bool isNumber = false;
+    const long long number = text->toLongLong(&isNumber);
+    if (!isNumber || number < least)
+        throw UsageError({REPORT_TEXT("report", "--%1 takes a whole number from %2 on, not %3"),
+                          {std::string(option), std::to_string(least), text->toStdString()}});
+    return number;
+}
+
+std::optional<UncertaintyMethod> methodOf(const Invocation &invocation) {
+    const auto word = invocation.value(QLatin1StringView("uncertainty"));
+    if (!word)
+        return std::nullopt;
+    if (*word == QLatin1StringView("budget"))
+        return UncertaintyMethod::budget;
+    if (*word == QLatin1StringView("monteCarlo"))
+        return UncertaintyMethod::monteCarlo;
+    throw UsageError(
+        {REPORT_TEXT("report", "unknown method %1; known: budget, monteCarlo"), {word->toStdString()}});
+}
+
+/// A line on a terminal that is written over and over, and taken away at the end.
+class ProgressLine {
+public:
+    explicit ProgressLine(const Language &language)
+        : m_language(language)
+        , m_terminal(isatty(STDERR_FILENO) == 1) {}
+    ~ProgressLine() {
+        if (m_shown)
+            write(QString());
+    }
+    ProgressLine(const ProgressLine &) = delete;
+    ProgressLine &operator=(const ProgressLine &) = delete;
+
+    void show(const SimulationProgress &progress) {
+        constexpr std::chrono::milliseconds pause(200);
+        const auto now = std::chrono::steady_clock::now();
+        if (!m_terminal || now - m_last < pause)
+            return;
+        m_last = now;
+        m_shown = true;
+        const auto number = [](long long value) {
+            return Number{static_cast<double>(value), Quantity::count};
+        };
+        write(m_language.sentence(progress.of ? Message{REPORT_TEXT("report", "Monte Carlo: %1 of %2 trials"),
+                                                        {number(progress.trials), number(*progress.of)}}
+                                              : Message{REPORT_TEXT("report", "Monte Carlo: %1 trials"),
+                                                        {number(progress.trials)}}));
+    }
+
+private:
+    static void write(const QString &text) {
+        const QByteArray line = "\r\x1b[K" + text.toUtf8();
+        std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
+        std::fflush(stderr);
+    }
+
+    const Language &m_language;
+    bool m_terminal;
+    bool m_shown = false;
+    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+SimulationChoices simulationChoices(const Invocation &invocation) {
+    constexpr long long mostThreads = 256;
+    const auto threads = wholeNumber(invocation, "threads", 1);
+    return {methodOf(invocation), wholeNumber(invocation, "seed", std::numeric_limits<long long>::min()),
+            wholeNumber(invocation, "trials", 1),
+            static_cast<int>(std::min(threads.value_or(0), mostThreads))};
+}
+
+void choose(Document &document, const SimulationChoices &choices) {
+    const auto put = [&](auto &inputs) {
+        inputs.method = choices.method.value_or(inputs.method);
+        inputs.seed = choices.seed.value_or(inputs.seed);
+        if (choices.trials)
+            inputs.trials = choices.trials;
+    };
+    if (!choices.method && !choices.seed && !choices.trials)
+        return;
+    for (TestPointer &test : document.tests) {
+        auto chosen = std::make_shared<Test>(*test);
+        if (auto *positioning = std::get_if<PositioningMeasurement>(&chosen->measurement))
+            put(positioning->uncertainty);
+        else if (auto *circular = std::get_if<CircularMeasurement>(&chosen->measurement))
+            put(circular->uncertainty);
+        test = std::move(chosen);
+    }
+}
+
+EvaluatedDocument simulated(EvaluatedDocument evaluated, SimulateWhich which, int threads,
+                            const Language &language) {
+    ProgressLine line(language);
+    auto result = withSimulations(std::move(evaluated), which, threads, {},
+                                  [&](std::size_t, const SimulationProgress &done) { line.show(done); });
+    return std::move(result).value(); // nothing stops it
+}
+
+} // namespace palmer

@@ -1,0 +1,131 @@
+#include "kernel/evaluation/iso230_4/results.h"
+
+#include "kernel/evaluation/iso230_4/circles.h"
+#include "kernel/evaluation/iso230_4/correction.h"
+#include "kernel/evaluation/iso230_4/paths.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer::iso230_4 {
+
+namespace {
+
+constexpr std::array senses{Sense::counterclockwise, Sense::clockwise};
+
+/// Indices of the arcs of a sense, in the order of time.
+std::vector<std::size_t> arcsOf(const CircularMeasurement &measurement, Sense sense) {
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < measurement.arcs.size(); ++k) {
+        if (measurement.arcs[k].sense == sense)
+            result.push_back(k);
+    }
+    return result;
+}
+
+/// The first rows that are of one quantity: Fmax and Fmin of a path stand together.
+std::span<const CircularRow> rowsOfAQuantity(std::span<const CircularRow> rows) {
+    std::size_t count = 1;
+    while (count < rows.size() && std::string_view(rows[count].quantity) == rows.front().quantity)
+        ++count;
+    return rows.first(count);
+}
+
+std::optional<double> standardDeviation(const std::vector<double> &values) {
+    if (values.size() < 2)
+        return std::nullopt;
+    const auto n = static_cast<double>(values.size());
+    double sum = 0;
+    for (const double value : values)
+        sum += value;
+    double squares = 0;
+    for (const double value : values)
+        squares += (value - sum / n) * (value - sum / n);
+    return std::sqrt(squares / (n - 1));
+}
+
+/// The first rows that are of one quantity: Fmax and Fmin of a path stand together.
+std::span<const CircularRow> rowsOfAQuantity(std::span<const CircularRow> rows) {
+    std::size_t count = 1;
+    while (count < rows.size() && std::string_view(rows[count].quantity) == rows.front().quantity)
+        ++count;
+    return rows.first(count);
+}
+
+} // namespace
+
+CircularResults circularResults(const CircularMeasurement &measurement) {
+    CircularResults results;
+    Paths paths = iso230_4::paths(measurement);
+    results.paths = std::move(paths.evaluated);
+    results.repetitions = std::move(paths.repetitions);
+    results.centringError = paths.centringError;
+    results.circles = circles(results.paths);
+    results.correction = correctionTo20(measurement);
+    results.notCorrected = awayFrom20(measurement) && !isCorrected(measurement);
+    return results;
+}
+
+std::vector<ListedParameter> listedParameters(const CircularCase &test) {
+    std::vector<ListedParameter> result;
+    for (auto rows = test.edition.circles->rows; !rows.empty();) {
+        const auto quantity = rowsOfAQuantity(rows);
+        rows = rows.subspan(quantity.size());
+        if (quantity.front().external == test.feedback())
+            continue;
+        if (quantity.front().of == CircularRow::Of::eachArc) {
+            for (const EvaluatedPath &path : test.results.paths) {
+                for (const CircularRow &row : quantity)
+                    result.push_back({&row, &path, path.index});
+            }
+        } else if (test.bothSenses()) {
+            result.push_back({&quantity.front(), nullptr, test.results.paths.front().index});
+        }
+    }
+    return result;
+}
+
+std::optional<double> value(const ListedParameter &parameter, const CircularCase &test) {
+    const auto found = parameter.row->value(test, parameter.path);
+    return found && std::isfinite(*found) ? found : std::nullopt;
+}
+
+std::vector<std::optional<double>> repeatabilities(const CircularCase &test) {
+    const CircularMeasurement &whole = test.measurement;
+    const std::array arcs{arcsOf(whole, senses[0]), arcsOf(whole, senses[1])};
+    const std::size_t times = std::max(arcs[0].size(), arcs[1].size());
+    std::vector<std::vector<double>> values(listedParameters(test).size());
+    for (std::size_t time = 0; time < times && times > 1; ++time) {
+        CircularMeasurement once = whole;
+        once.arcs.clear();
+        std::vector<std::size_t> chosen;
+        std::array<bool, 2> own{};
+        for (std::size_t k = 0; k < senses.size(); ++k) {
+            own[k] = time < arcs[k].size();
+            if (!arcs[k].empty())
+                chosen.push_back(arcs[k][own[k] ? time : 0]);
+        }
+        if (chosen.size() == 2 && arcs[0].front() > arcs[1].front())
+            std::swap(chosen[0], chosen[1]); // the first measured gives the index
+        for (const std::size_t k : chosen)
+            once.arcs.push_back(whole.arcs[k]);
+        const CircularResults results = circularResults(once);
+        const CircularCase repeated{test.test, once, test.surroundings, test.edition, results};
+        const auto parameters = listedParameters(repeated);
+        for (std::size_t k = 0; k < parameters.size() && k < values.size(); ++k) {
+            const EvaluatedPath *path = parameters[k].path;
+            if (path && !own[path->sense == senses[0] ? 0 : 1])
+                continue; // the same path again
+            if (const auto found = value(parameters[k], repeated))
+                values[k].push_back(*found);
+        }
+    }
+    std::vector<std::optional<double>> result;
+    result.reserve(values.size());
+    for (const auto &list : values)
+        result.push_back(standardDeviation(list));
+    return result;
+}
+
+} // namespace palmer::iso230_4

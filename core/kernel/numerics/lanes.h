@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+namespace palmer {
+
+/// Four doubles side by side, for formulas that are worked through for four cases at once: the operators do
+/// for each lane what they do for a double, to the last bit. Registers of 16 bytes, which every processor of
+/// the architectures in use has. `larger`, `smaller`, `magnitude`, `squareRoot` and `isMissing` exist for
+/// double too, so that one template serves both.
+class Lanes {
+public:
+    using Pair = double __attribute__((vector_size(16)));
+    static constexpr int count = 4;
+
+    Lanes() = default;
+    Lanes(double value) // NOLINT(google-explicit-constructor): a constant of a formula is the same in all
+        : m_low{value, value}
+        , m_high{value, value} {}
+    Lanes(Pair low, Pair high)
+        : m_low(low)
+        , m_high(high) {}
+
+    [[nodiscard]] double operator[](int lane) const {
+        return lane < 2 ? m_low[lane] : m_high[lane - 2]; // NOLINT: subscripts of vector registers
+    }
+    [[nodiscard]] std::array<double, count> values() const {
+        return {m_low[0], m_low[1], m_high[0], m_high[1]};
+    }
+    static Lanes from(const std::array<double, count> &values) {
+        return {Pair{values[0], values[1]}, Pair{values[2], values[3]}};
+    }
+
+    Lanes &operator+=(const Lanes &b) { return *this = *this + b; }
+    friend Lanes operator+(const Lanes &a, const Lanes &b) {
+        return {a.m_low + b.m_low, a.m_high + b.m_high};
+    }
+    friend Lanes operator-(const Lanes &a, const Lanes &b) {
+        return {a.m_low - b.m_low, a.m_high - b.m_high};
+    }
+    friend Lanes operator*(const Lanes &a, const Lanes &b) {
+        return {a.m_low * b.m_low, a.m_high * b.m_high};
+    }
+    friend Lanes operator/(const Lanes &a, const Lanes &b) {
+        return {a.m_low / b.m_low, a.m_high / b.m_high};
+    }
+    friend Lanes larger(const Lanes &a, const Lanes &b) {
+        return {a.m_low > b.m_low ? a.m_low : b.m_low, a.m_high > b.m_high ? a.m_high : b.m_high};
+    }
+    friend Lanes smaller(const Lanes &a, const Lanes &b) {
+        return {a.m_low < b.m_low ? a.m_low : b.m_low, a.m_high < b.m_high ? a.m_high : b.m_high};
+    }
+    friend Lanes magnitude(const Lanes &a) { return {withoutSign(a.m_low), withoutSign(a.m_high)}; }
+    friend Lanes squareRoot(const Lanes &a) { return {root(a.m_low), root(a.m_high)}; }
+
+    /// The reading is missing in the case of the first lane, and so in all.
+    friend bool isMissing(const Lanes &a) { return std::isnan(a.m_low[0]); }
+
+    /// Whole numbers of 32 bits, one a lane, as doubles.
+    using Integers = std::int32_t __attribute__((vector_size(16)));
+    static Lanes of(Integers integers) {
+#ifdef __SSE2__
+        const auto all = reinterpret_cast<__m128i>(integers);
+        return {reinterpret_cast<Pair>(_mm_cvtepi32_pd(all)),
+                reinterpret_cast<Pair>(_mm_cvtepi32_pd(_mm_unpackhi_epi64(all, all)))};
+#else
+        return {Pair{double(integers[0]), double(integers[1])},
+                Pair{double(integers[2]), double(integers[3])}};
+#endif
+    }
+
+private:
+    static Pair withoutSign(Pair a) {
+        using Bits = std::int64_t __attribute__((vector_size(16)));
+        constexpr std::int64_t allButSign = 0x7fffffffffffffff;
+        return reinterpret_cast<Pair>(reinterpret_cast<Bits>(a) & Bits{allButSign, allButSign});
+    }
+    static Pair root(Pair a) {
+#ifdef __SSE2__
+        return reinterpret_cast<Pair>(_mm_sqrt_pd(reinterpret_cast<__m128d>(a)));
+#else
+        return {std::sqrt(a[0]), std::sqrt(a[1])};
+#endif
+    }
+
+    Pair m_low{};
+    Pair m_high{};
+};
+
+inline double larger(double a, double b) {
+    return a > b ? a : b;
+}
+inline double smaller(double a, double b) {
+    return a < b ? a : b;
+}
+inline double magnitude(double a) {
+    return std::abs(a);
+}
+inline double squareRoot(double a) {
+    return std::sqrt(a);
+}
+inline bool isMissing(double a) {
+    return std::isnan(a);
+}
+
+} // namespace palmer

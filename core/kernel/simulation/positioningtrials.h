@@ -1,0 +1,85 @@
+#pragma once
+
+#include "kernel/evaluation/iso230_2/parameters.h"
+#include "kernel/simulation/randomdraws.h"
+#include "kernel/uncertainty/positioningbudget.h"
+#include "kernel/uncertainty/simulation.h"
+
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace palmer {
+
+struct TestEvaluation;
+
+/// The trials of a positioning test: errors of measurement added to the readings, then the evaluation, four
+/// trials at once.
+class PositioningTrials {
+public:
+    /// `evaluation`: of the measurement; its parameters with a value are simulated. The budget is complete.
+    PositioningTrials(const PositioningMeasurement &measurement, const TestEvaluation &evaluation,
+                      const PositioningBudget &budget, long long seed);
+
+    /// Id and evaluated value of each parameter.
+    [[nodiscard]] const std::vector<SimulatedParameter> &parameters() const { return m_parameters; }
+    /// Trials that are worked off in one go: a multiple of four.
+    [[nodiscard]] static int chunk() { return 500; }
+
+    /// What one thread works with.
+    struct Workplace {
+        std::vector<Lanes> readings;
+        std::vector<TargetStatisticsOf<Lanes>> targets;
+    };
+    [[nodiscard]] Workplace workplace() const;
+
+    /// The parameters of the trials first … first + chunk() − 1: all of the first parameter, then all of the
+    /// second, and so on.
+    void run(long long first, Workplace &place, std::span<double> values, const std::stop_token &stop) const;
+
+    /// The measurement as trial number `trial` sees it: evaluating it gives the figures of that trial.
+    [[nodiscard]] PositioningMeasurement perturbed(long long trial) const;
+
+private:
+    /// A reading in the order of time.
+    struct Reading {
+        std::size_t run;
+        std::size_t target;
+        std::size_t place; ///< in the table: ↑ first, then ↓
+        double value;      ///< NaN: none
+        double distance;   ///< ℓ_i, mm
+        double time;       ///< −½ at the first reading … ½ at the last
+    };
+    /// What all readings of four trials have in common.
+    struct Common {
+        Lanes perLength; ///< error per length
+        Lanes drift;     ///< change from the first to the last reading
+    };
+
+    void addReadings(const PositioningMeasurement &measurement);
+    [[nodiscard]] Common common(long long first) const;
+    /// Calls put(reading, error) for all readings of the four trials from `first` on.
+    template <class Put>
+    void eachError(long long first, Put put) const;
+
+    const PositioningMeasurement &m_measurement;
+    RandomDraws m_draws;
+    std::vector<SimulatedParameter> m_parameters;
+    std::vector<iso230_2::LanesFormula> m_formulas;
+    std::vector<Reading> m_readings;
+    std::vector<double> m_corrections; ///< by place in the table; empty: none
+    std::size_t m_positive = 0;        ///< readings ↑ in the table
+    std::size_t m_targets = 0;
+    DeviationMethod m_method = DeviationMethod::calculation;
+    double m_c = 2;
+    double m_length = 0;
+    bool m_normalDevice = true;
+    double m_device = 0; ///< standard deviation or half-width at L, mm, rotary: degrees
+    std::array<double, 4>
+        m_thermal{};           ///< half-widths at L: temperature and expansion, machine and instrument
+    double m_misalignment = 0; ///< full width at L
+    double m_drift = 0;        ///< E_VE
+    bool m_linearDrift = false;
+};
+
+} // namespace palmer

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "kernel/numerics/lanes.h"
+#include "kernel/numerics/normalquantile.h"
+#include "kernel/numerics/threefry.h"
+
+#include <array>
+#include <cstdint>
+
+namespace palmer {
+
+/// The random numbers of the trials of a simulation: those of a trial follow from seed, trial and place
+/// alone.
+class RandomDraws {
+public:
+    explicit RandomDraws(long long seed)
+        : m_key{word(seed, 0), word(seed, 1), 0, 0} {}
+
+    using Words = std::array<std::uint32_t, 4>;
+
+    /// Four words of the trial, the place-th.
+    [[nodiscard]] Words words(long long trial, std::uint32_t place) const {
+        return Threefry<std::uint32_t>::words({word(trial, 0), word(trial, 1), place, 0}, m_key);
+    }
+
+    /// The same of the four trials from `first` on (a multiple of 4): four words, the trials side by side.
+    using WordLanes = std::uint32_t __attribute__((vector_size(16)));
+    [[nodiscard]] std::array<WordLanes, 4> lanes(long long first, std::uint32_t place) const {
+        const std::uint32_t low = word(first, 0);
+        const std::uint32_t high = word(first, 1);
+        return Threefry<WordLanes>::words({WordLanes{low, low + 1, low + 2, low + 3},
+                                           WordLanes{high, high, high, high},
+                                           WordLanes{place, place, place, place}, WordLanes{}},
+                                          m_key);
+    }
+
+    /// Of one trial the four places from `place` on: four words, the places side by side.
+    [[nodiscard]] std::array<WordLanes, 4> places(long long trial, std::uint32_t place) const {
+        const std::uint32_t low = word(trial, 0);
+        const std::uint32_t high = word(trial, 1);
+        return Threefry<WordLanes>::words({WordLanes{low, low, low, low}, WordLanes{high, high, high, high},
+                                           WordLanes{place, place + 1, place + 2, place + 3}, WordLanes{}},
+                                          m_key);
+    }
+
+    /// Uniform in (−1, 1), symmetric: the word as a signed number.
+    static double symmetric(std::uint32_t word) {
+        return (static_cast<double>(static_cast<std::int32_t>(word)) + 0.5) * unit;
+    }
+    static Lanes symmetric(const WordLanes &words) {
+        return (Lanes::of(reinterpret_cast<Lanes::Integers>(words)) + 0.5) * unit;
+    }
+
+    /// Standard normal; 32 bits reach to 6.3 standard deviations.
+    static double normal(std::uint32_t word) { return normalQuantile((symmetric(word) + 1) / 2); }
+    static Lanes normal(const WordLanes &words) { return normalQuantileOfSymmetric(symmetric(words)); }
+
+private:
+    static constexpr double unit = 0x1p-31;
+
+    static std::uint32_t word(long long number, int which) {
+        constexpr int bits = 32;
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(number) >> (which * bits));
+    }
+
+    std::array<std::uint32_t, 4> m_key;
+};
+
+} // namespace palmer

@@ -1,0 +1,75 @@
+#include "kernel/simulation/runtrials.h"
+
+#include <limits>
+
+namespace palmer {
+
+namespace {
+
+constexpr double coverageProbability = 0.9545;
+constexpr int pictureIntervals = 64;
+constexpr double pictureReach = 4; ///< u on either side
+
+} // namespace
+
+CoverageInterval shortestInterval(const FineCounts &fine, std::span<const long long> counts) {
+    if (fine.width == 0)
+        return {fine.from, fine.from};
+    long long all = 0;
+    for (const long long count : counts)
+        all += count;
+    const double needed = coverageProbability * static_cast<double>(all);
+    CoverageInterval best;
+    double shortest = std::numeric_limits<double>::infinity();
+    double held = 0;       // by the intervals from `left` to before `right`
+    std::size_t right = 0; // the first interval that is not held
+    for (std::size_t left = 0; left < counts.size(); ++left) {
+        while (right < counts.size() && held + static_cast<double>(counts[right]) < needed)
+            held += static_cast<double>(counts[right++]);
+        if (right == counts.size())
+            break; // too little is left
+        const auto next = static_cast<double>(counts[right]);
+        const double part = next > 0 ? (needed - held) / next : 0;
+        const double length = static_cast<double>(right - left) + part;
+        if (length < shortest) {
+            shortest = length;
+            best = {fine.from + fine.width * static_cast<double>(left),
+                    fine.from + fine.width * (static_cast<double>(right) + part)};
+        }
+        held -= static_cast<double>(counts[left]);
+    }
+    return best;
+}
+
+Histogram histogram(const FineCounts &fine, std::span<const long long> counts) {
+    Histogram result;
+    result.counts.resize(pictureIntervals);
+    constexpr int skipped = static_cast<int>(FineCounts::count / 2 * (1 - pictureReach / FineCounts::reach));
+    constexpr int together = (FineCounts::count - 2 * skipped) / pictureIntervals;
+    result.from = fine.from + skipped * fine.width;
+    result.width = together * fine.width;
+    for (int k = 0; k < FineCounts::count; ++k) {
+        const int interval = std::clamp((k - skipped) / together, 0, pictureIntervals - 1);
+        result.counts[static_cast<std::size_t>(interval)] += counts[static_cast<std::size_t>(k)];
+    }
+    return result;
+}
+
+bool isStable(std::span<const double> blocks, double size) {
+    if (!(size > 0))
+        return true; // nothing varies
+    const auto h = static_cast<double>(blocks.size());
+    if (h < 2)
+        return false;
+    double mean = 0;
+    for (const double value : blocks)
+        mean += value / h;
+    double squares = 0;
+    for (const double value : blocks)
+        squares += (value - mean) * (value - mean);
+    const double deviation = std::sqrt(squares / (h * (h - 1)));
+    const double secondDigit = std::pow(10.0, std::floor(std::log10(size)) - 1);
+    return 2 * deviation <= secondDigit / 2;
+}
+
+} // namespace palmer

@@ -1,0 +1,325 @@
+#pragma once
+
+#include "kernel/simulation/simulate.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <span>
+#include <thread>
+#include <vector>
+
+namespace palmer {
+
+/// Counts values into many narrow intervals over mean ± 8 u of the first block: narrow enough for an interval
+/// of 95.45 % to be read from the counts, and with counts the order of the trials does not matter.
+struct FineCounts {
+    static constexpr int count = 8192;
+    static constexpr double reach = 8; ///< u on either side; beyond lie less than 1/64 of the values
+    double from = 0;
+    double width = 0; ///< 0: all values are alike
+
+    [[nodiscard]] std::size_t index(double value) const {
+        const double place = (value - from) / width;
+        return static_cast<std::size_t>(std::clamp(place, 0.0, double(count - 1)));
+    }
+};
+
+struct CoverageInterval {
+    double low = 0;
+    double high = 0;
+};
+
+/// The shortest interval that holds 95.45 % of the counted values; inside an interval of the counts they are
+/// taken as evenly spread.
+[[nodiscard]] CoverageInterval shortestInterval(const FineCounts &fine, std::span<const long long> counts);
+
+/// The counts in 64 intervals over mean ± 4 u, for a picture.
+[[nodiscard]] Histogram histogram(const FineCounts &fine, std::span<const long long> counts);
+
+/// Whether averages of blocks are stable: twice their standard deviation is at most half a unit of the second
+/// significant digit of `size` (JCGM 101, 7.9.2 and 7.9.4).
+[[nodiscard]] bool isStable(std::span<const double> blocks, double size);
+
+inline constexpr long long trialsPerBlock = 10000;
+inline constexpr long long mostTrials = 10000000;
+
+/// Sums over trials of d = Y − evaluated value.
+struct Moments {
+    double sum = 0;
+    double squares = 0;
+    long long count = 0;
+
+    void add(const Moments &more) {
+        sum += more.sum;
+        squares += more.squares;
+        count += more.count;
+    }
+    [[nodiscard]] double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
+    [[nodiscard]] double deviation() const {
+        if (count < 2)
+            return 0;
+        const auto n = static_cast<double>(count);
+        return std::sqrt(std::max(0.0, squares - sum * sum / n) / (n - 1));
+    }
+};
+
+/// Runs the trials of a model on several threads and sums them up. `Model`: parameters(), chunk(),
+/// workplace(), run(first, workplace, values, stop) as PositioningTrials has them. Null when stopped.
+template <class Model>
+class TrialRun {
+public:
+    TrialRun(const Model &model, const SimulationOptions &options, std::stop_token stop,
+             const std::function<void(const SimulationProgress &)> &progress)
+        : m_model(model)
+        , m_options(options)
+        , m_stop(std::move(stop))
+        , m_progress(progress)
+        , m_parameters(model.parameters().size())
+        , m_chunk(model.chunk())
+        , m_fine(m_parameters)
+        , m_counts(m_parameters * FineCounts::count)
+        , m_moments(m_parameters) {
+        int threads =
+            options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+        constexpr int mostThreads = 256;
+        threads = std::clamp(threads, 1, mostThreads);
+        for (int k = 0; k < threads; ++k)
+            m_workers.push_back({model.workplace(), std::vector<double>(m_parameters * size_t(m_chunk)),
+                                 std::vector<long long>(m_parameters * FineCounts::count)});
+    }
+
+    std::optional<Simulation> run() {
+        const bool fixed = m_options.trials.has_value();
+        m_total = fixed ? std::optional(std::max(1LL, *m_options.trials)) : std::nullopt;
+        Simulation result;
+        result.seed = m_options.seed;
+        long long done = std::min(trialsPerBlock, m_total.value_or(trialsPerBlock));
+        if (!firstBlock(done))
+            return std::nullopt;
+        if (fixed) {
+            if (*m_total > done && !stage(done, *m_total - done))
+                return std::nullopt;
+            done = *m_total;
+        } else {
+            noteBlock();
+            result.stable = false;
+            while (!result.stable && done < mostTrials) {
+                if (!stage(done, trialsPerBlock))
+                    return std::nullopt;
+                done += trialsPerBlock;
+                noteBlock();
+                result.stable = stable();
+            }
+        }
+        finishBlock();
+        result.trials = done;
+        result.parameters = m_model.parameters();
+        for (std::size_t p = 0; p < m_parameters; ++p) {
+            SimulatedParameter &parameter = result.parameters[p];
+            parameter.mean = parameter.value + m_moments[p].mean();
+            parameter.u = m_moments[p].deviation();
+            const CoverageInterval interval = shortestInterval(m_fine[p], counts(m_counts, p));
+            parameter.low = parameter.value + interval.low;
+            parameter.high = parameter.value + interval.high;
+            parameter.histogram = histogram(m_fine[p], counts(m_counts, p));
+            parameter.histogram.from += parameter.value;
+        }
+        return result;
+    }
+
+private:
+    struct Worker {
+        typename Model::Workplace place;
+        std::vector<double> values;    ///< of a chunk
+        std::vector<long long> counts; ///< of a stage
+    };
+
+    template <class Counts>
+    static auto counts(Counts &all, std::size_t parameter) {
+        return std::span(all).subspan(parameter * FineCounts::count, FineCounts::count);
+    }
+
+    [[nodiscard]] static std::size_t size_t(int number) { return static_cast<std::size_t>(number); }
+
+    /// Works the chunks off on all threads; `work(worker, chunk, first, trials)`. False when stopped.
+    template <class Work>
+    bool onAllThreads(long long first, long long trials, Work work) {
+        const long long chunks = (trials + m_chunk - 1) / m_chunk;
+        std::atomic<long long> next = 0;
+        std::atomic<long long> done = 0;
+        const auto loop = [&](Worker &worker, bool reports) {
+            while (!m_stop.stop_requested()) {
+                const long long chunk = next++;
+                if (chunk >= chunks)
+                    return;
+                const long long offset = chunk * m_chunk;
+                m_model.run(first + offset, worker.place, worker.values, m_stop);
+                const long long count = std::min<long long>(m_chunk, trials - offset);
+                work(worker, size_t(static_cast<int>(chunk)), offset, count);
+                done += count;
+                if (reports && m_progress)
+                    m_progress({first + done, m_total});
+            }
+        };
+        const auto threads = std::min<long long>(static_cast<long long>(m_workers.size()), chunks);
+        std::vector<std::jthread> others;
+        for (long long k = 1; k < threads; ++k)
+            others.emplace_back([&, k] { loop(m_workers[static_cast<std::size_t>(k)], false); });
+        loop(m_workers.front(), true);
+        others.clear(); // waits
+        return !m_stop.stop_requested();
+    }
+
+    /// d = Y − evaluated value of the first trials of a worker's chunk.
+    [[nodiscard]] std::span<double> deviations(Worker &worker, std::size_t p, long long count) const {
+        const std::span<double> values =
+            std::span(worker.values).subspan(p * size_t(m_chunk), static_cast<std::size_t>(count));
+        for (double &value : values)
+            value -= m_model.parameters()[p].value;
+        return values;
+    }
+
+    static Moments momentsOf(std::span<const double> values) {
+        Moments result;
+        for (const double d : values) {
+            result.sum += d;
+            result.squares += d * d;
+        }
+        result.count = static_cast<long long>(values.size());
+        return result;
+    }
+
+    /// The first block is kept as values, for they tell where to count.
+    bool firstBlock(long long trials) {
+        const auto n = static_cast<std::size_t>(trials);
+        std::vector<double> values(m_parameters * n);
+        m_chunkMoments.assign(m_parameters * chunksOf(trials), {});
+        const bool ready = onAllThreads(
+            0, trials, [&](Worker &worker, std::size_t chunk, long long offset, long long count) {
+                for (std::size_t p = 0; p < m_parameters; ++p) {
+                    const auto of = deviations(worker, p, count);
+                    m_chunkMoments[chunk * m_parameters + p] = momentsOf(of);
+                    std::ranges::copy(of, values.begin() + static_cast<std::ptrdiff_t>(p * n) + offset);
+                }
+            });
+        if (!ready)
+            return false;
+        m_block.assign(m_parameters, {});
+        sumChunks();
+        for (std::size_t p = 0; p < m_parameters; ++p) {
+            FineCounts &fine = m_fine[p];
+            const double u = m_block[p].deviation();
+            fine.from = m_block[p].mean() - FineCounts::reach * u;
+            fine.width = 2 * FineCounts::reach * u / FineCounts::count;
+            if (!(fine.width > 0))
+                fine = {m_block[p].mean(), 0};
+            count(fine, std::span(values).subspan(p * n, n), counts(m_workers.front().counts, p));
+        }
+        return true;
+    }
+
+    /// Further trials, counted at once.
+    bool stage(long long first, long long trials) {
+        finishBlock();
+        m_chunkMoments.assign(m_parameters * chunksOf(trials), {});
+        const bool ready =
+            onAllThreads(first, trials, [&](Worker &worker, std::size_t chunk, long long, long long number) {
+                for (std::size_t p = 0; p < m_parameters; ++p) {
+                    const auto of = deviations(worker, p, number);
+                    m_chunkMoments[chunk * m_parameters + p] = momentsOf(of);
+                    count(m_fine[p], of, counts(worker.counts, p));
+                }
+            });
+        if (ready)
+            sumChunks();
+        return ready;
+    }
+
+    [[nodiscard]] std::size_t chunksOf(long long trials) const {
+        return static_cast<std::size_t>((trials + m_chunk - 1) / m_chunk);
+    }
+
+    static void count(const FineCounts &fine, std::span<const double> values, std::span<long long> into) {
+        if (fine.width == 0) {
+            into[0] += static_cast<long long>(values.size());
+            return;
+        }
+        for (const double value : values)
+            ++into[fine.index(value)];
+    }
+
+    /// In the order of the trials, whichever thread they ran on.
+    void sumChunks() {
+        m_block.assign(m_parameters, {});
+        for (std::size_t k = 0; k < m_chunkMoments.size(); ++k)
+            m_block[k % m_parameters].add(m_chunkMoments[k]);
+    }
+
+    /// Adds the last block to the whole.
+    void finishBlock() {
+        for (std::size_t p = 0; p < m_parameters; ++p)
+            m_moments[p].add(m_block[p]);
+        m_block.assign(m_parameters, {});
+        for (Worker &worker : m_workers) {
+            for (std::size_t k = 0; k < m_counts.size(); ++k)
+                m_counts[k] += worker.counts[k];
+            std::ranges::fill(worker.counts, 0);
+        }
+    }
+
+    /// Averages of the last block, for the stability of all.
+    void noteBlock() {
+        std::vector<long long> block(FineCounts::count);
+        m_averages.resize(m_parameters);
+        for (std::size_t p = 0; p < m_parameters; ++p) {
+            std::ranges::fill(block, 0);
+            for (Worker &worker : m_workers) {
+                const auto more = counts(worker.counts, p);
+                for (std::size_t k = 0; k < block.size(); ++k)
+                    block[k] += more[k];
+            }
+            const CoverageInterval interval = shortestInterval(m_fine[p], block);
+            m_averages[p].means.push_back(m_block[p].mean());
+            m_averages[p].u.push_back(m_block[p].deviation());
+            m_averages[p].expanded.push_back((interval.high - interval.low) / 2);
+        }
+    }
+
+    [[nodiscard]] bool stable() const {
+        return std::ranges::all_of(m_averages, [](const Averages &a) {
+            const auto mean = [](const std::vector<double> &values) {
+                double sum = 0;
+                for (const double value : values)
+                    sum += value;
+                return sum / static_cast<double>(values.size());
+            };
+            const double u = mean(a.u);
+            return isStable(a.means, u) && isStable(a.u, u) && isStable(a.expanded, mean(a.expanded));
+        });
+    }
+
+    /// Of each block.
+    struct Averages {
+        std::vector<double> means;
+        std::vector<double> u;
+        std::vector<double> expanded;
+    };
+
+    const Model &m_model;
+    const SimulationOptions &m_options;
+    std::stop_token m_stop;
+    const std::function<void(const SimulationProgress &)> &m_progress;
+    std::size_t m_parameters;
+    int m_chunk;
+    std::optional<long long> m_total;
+    std::vector<Worker> m_workers;
+    std::vector<FineCounts> m_fine;
+    std::vector<long long> m_counts;
+    std::vector<Moments> m_moments;
+    std::vector<Moments> m_block;
+    std::vector<Moments> m_chunkMoments; ///< by chunk, then parameter
+    std::vector<Averages> m_averages;
+};
+
+} // namespace palmer

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "kernel/words/message.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+/// An input of a budget that is not stated, or cannot be what it is stated to be. `key` of the file.
+struct InputDefect {
+    const char *key = "";
+    Text name;
+    bool impossible = false; ///< stated, but negative, not finite, or refused for this kind of axis
+
+    bool operator==(const InputDefect &) const = default;
+};
+
+/// One line of an uncertainty budget: what a quantity adds to the uncertainty of the results, k = 2.
+struct Contribution {
+    const char *id = "";
+    Text name;
+    Message inputs;                 ///< the formula with the numbers put in
+    std::optional<double> expanded; ///< U, mm (rotary: degrees); null: unknown, `defects` say why
+    bool applies = true;            ///< false: stated not to exist; U is 0 and a dash is printed
+    std::vector<InputDefect> defects;
+
+    bool operator==(const Contribution &) const = default;
+};
+
+} // namespace palmer

@@ -1,0 +1,312 @@
+#include "kernel/uncertainty/positioningbudget.h"
+
+#include "kernel/uncertainty/inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr double coverage = 2;            ///< k of every U here
+constexpr double mmPerMetre = 1000;       ///< L is in mm, certificates and α speak of metres
+constexpr double micrometresPerMm = 1000; ///< certificates speak of µm
+constexpr double arcSecondsPerDegree = 3600;
+
+/// The sensors' mean at one time; null unless each of them has it.
+std::optional<double> meanAt(const Conditions &conditions, SensorMeasures what,
+                             std::optional<double> (*temperature)(const Sensor &)) {
+    double sum = 0;
+    int count = 0;
+    for (const Sensor &sensor : conditions.sensors) {
+        if (sensor.measures != what)
+            continue;
+        const auto value = temperature(sensor);
+        if (!value)
+            return std::nullopt;
+        sum += *value;
+        ++count;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+/// Of the temperatures at start and end the one farther from 20 °C.
+std::optional<double> fartherTemperature(const Conditions &conditions, SensorMeasures what) {
+    const auto start = meanAt(conditions, what, startTemperature);
+    const auto end = meanAt(conditions, what, endTemperature);
+    if (!start || !end)
+        return start ? start : end;
+    const auto distance = [](double theta) { return std::abs(theta - referenceTemperature); };
+    return distance(*end) > distance(*start) ? end : start;
+}
+
+/// Machine or instrument: what its two thermal contributions are made of.
+struct Body {
+    const char *temperatureId;
+    Text temperatureName;
+    const char *expansionId;
+    Text expansionName;
+    SensorMeasures sensor;
+    std::optional<double> MachineAndInstrument::*range;
+    std::optional<double> Expansion::*alpha;
+    Text theta; ///< names of the inputs
+    Text alphaName;
+    Text temperatureRange;
+    Text expansionRange;
+};
+
+constexpr std::array bodies{
+    Body{"temperatureMachine", REPORT_TEXT("report", "temperature of the machine"), "expansionMachine",
+         REPORT_TEXT("report", "coefficient of expansion of the machine"), SensorMeasures::machine,
+         &MachineAndInstrument::machine, &Expansion::machine,
+         REPORT_TEXT("report", "temperature θ of the machine"),
+         REPORT_TEXT("report", "coefficient of expansion α of the machine"),
+         REPORT_TEXT("report", "range R(θ) of the temperature of the machine"),
+         REPORT_TEXT("report", "range R(α) of the coefficient of expansion of the machine")},
+    Body{"temperatureInstrument", REPORT_TEXT("report", "temperature of the instrument"),
+         "expansionInstrument", REPORT_TEXT("report", "coefficient of expansion of the instrument"),
+         SensorMeasures::instrument, &MachineAndInstrument::instrument, &Expansion::instrument,
+         REPORT_TEXT("report", "temperature θ of the instrument"),
+         REPORT_TEXT("report", "coefficient of expansion α of the instrument"),
+         REPORT_TEXT("report", "range R(θ) of the temperature of the instrument"),
+         REPORT_TEXT("report", "range R(α) of the coefficient of expansion of the instrument")},
+};
+
+/// A difference of temperatures without the rounding errors of its computation.
+double readable(double value) {
+    constexpr double places = 1e6;
+    return std::isfinite(value) ? std::round(value * places) / places : 0;
+}
+
+constexpr Text lengthName = REPORT_TEXT("report", "length L above 0");
+
+/// The budget while it is made. Sizes in µm (rotary: arc seconds) until they are stored.
+class Maker {
+public:
+    Maker(const PositioningMeasurement &measurement, std::optional<double> environmentalVariation)
+        : m_measurement(measurement)
+        , m_inputs(measurement.uncertainty)
+        , m_linear(measurement.axis.motion == Motion::linear)
+        , m_toBase(m_linear ? micrometresPerMm : arcSecondsPerDegree)
+        , m_length(m_inputs.length ? *m_inputs.length : measurementTravel(measurement))
+        , m_environmentalVariation(m_inputs.environmentalVariation) {
+        if (!m_environmentalVariation && environmentalVariation)
+            m_environmentalVariation = *environmentalVariation * m_toBase;
+    }
+
+    PositioningBudget make() {
+        m_budget.length = m_length;
+        addDevice();
+        if (m_linear) {
+            addMisalignment();
+            for (const Body &body : bodies)
+                addTemperature(body);
+            for (const Body &body : bodies)
+                addExpansion(body);
+        }
+        addEnvironment();
+        return std::move(m_budget);
+    }
+
+private:
+    [[nodiscard]] Number length() const { return {m_length, Quantity::position}; }
+    [[nodiscard]] Number size(double value) const {
+        return {value, m_linear ? Quantity::micrometres : Quantity::arcSeconds};
+    }
+    static Number factor(double value) { return {value, Quantity::number}; }
+
+    void store(Contribution contribution, double expanded) {
+        if (contribution.defects.empty() && std::isfinite(expanded))
+            contribution.expanded = expanded / m_toBase;
+        m_budget.contributions.push_back(std::move(contribution));
+    }
+
+    /// L, where a contribution grows with it.
+    double lengthFor(InputReader &read) { return read.positive(m_length, "length", lengthName); }
+
+    void addDevice() {
+        const DeviceUncertainty &device = m_inputs.device;
+        const bool certificate = device.kind == DeviceKind::certificate;
+        Contribution result{deviceId,
+                            certificate ? REPORT_TEXT("report", "instrument, calibration certificate")
+                                        : REPORT_TEXT("report", "instrument, range of its error"),
+                            {},
+                            {},
+                            true,
+                            {}};
+        InputReader read(result);
+        const double fixed =
+            read.size(device.fixed, deviceId, REPORT_TEXT("report", "fixed part of the instrument"));
+        double perMetre = 0;
+        const Text name = REPORT_TEXT("report", "part per metre of the instrument");
+        if (m_linear)
+            perMetre = read.size(device.perMetre, deviceId, name);
+        else if (device.perMetre && !isZero(device.perMetre))
+            read.refuse(deviceId,
+                        REPORT_TEXT("report", "part per metre of the instrument, on a rotary axis"));
+        if (perMetre > 0)
+            lengthFor(read);
+        double scale = rectangularFactor;
+        if (certificate)
+            scale = coverage / read.positive(device.coverageFactor, deviceId,
+                                             REPORT_TEXT("report", "coverage factor of the certificate"));
+        const double atLength = fixed + perMetre * m_length / mmPerMetre;
+        result.inputs = deviceInputs(certificate, fixed, perMetre);
+        store(std::move(result), scale * atLength);
+    }
+
+    [[nodiscard]] Message deviceInputs(bool certificate, double fixed, double perMetre) const {
+        const double k = m_inputs.device.coverageFactor;
+        const Number scale = certificate ? factor(k) : factor(rectangularFactor);
+        const bool scaled = !certificate || k != coverage;
+        if (perMetre == 0)
+            return !scaled       ? Message{REPORT_TEXT("report", "%1"), {size(fixed)}}
+                   : certificate ? Message{REPORT_TEXT("report", "%1 · 2/%2"), {size(fixed), scale}}
+                                 : Message{REPORT_TEXT("report", "%1 · %2"), {scale, size(fixed)}};
+        if (fixed == 0)
+            return !scaled ? Message{REPORT_TEXT("report", "%1/m · %2"), {size(perMetre), length()}}
+                   : certificate
+                       ? Message{REPORT_TEXT("report", "%1/m · %2 · 2/%3"), {size(perMetre), length(), scale}}
+                       : Message{REPORT_TEXT("report", "%1 · %2/m · %3"), {scale, size(perMetre), length()}};
+        return !scaled
+                   ? Message{REPORT_TEXT("report", "%1 + %2/m · %3"), {size(fixed), size(perMetre), length()}}
+               : certificate ? Message{REPORT_TEXT("report", "(%1 + %2/m · %3) · 2/%4"),
+                                       {size(fixed), size(perMetre), length(), scale}}
+                             : Message{REPORT_TEXT("report", "%1 · (%2 + %3/m · %4)"),
+                                       {scale, size(fixed), size(perMetre), length()}};
+    }
+
+    void addMisalignment() {
+        constexpr double squareFactor = rectangularFactor / 2; // the cosine error lies between 0 and R²/2L
+        Contribution result{misalignmentId, REPORT_TEXT("report", "misalignment"), {}, {}, true, {}};
+        InputReader read(result);
+        const double range = read.size(m_inputs.misalignmentRange, "misalignmentRange",
+                                       REPORT_TEXT("report", "range of the misalignment"));
+        double expanded = 0;
+        if (range > 0)
+            expanded = squareFactor * range * range / lengthFor(read) * micrometresPerMm;
+        result.inputs = {REPORT_TEXT("report", "%1 · (%2)² / %3"),
+                         {factor(squareFactor), Number{range, Quantity::position}, length()}};
+        store(std::move(result), expanded);
+    }
+
+    [[nodiscard]] std::optional<double> alphaOf(const Body &body) const {
+        return m_measurement.conditions.common.expansion.*body.alpha;
+    }
+
+    /// An instrument that compensates the air only has no material whose expansion counts.
+    [[nodiscard]] bool withoutExpansion(const Body &body, std::optional<double> range) const {
+        return body.sensor == SensorMeasures::instrument && isZero(alphaOf(body)) &&
+               (!range || isZero(range));
+    }
+
+    static Message noExpansion() {
+        return {REPORT_TEXT("report", "instrument without expansion, α = 0"), {}};
+    }
+
+    void addTemperature(const Body &body) {
+        const auto range = m_inputs.temperatureRange.*body.range;
+        Contribution result{body.temperatureId, body.temperatureName, {}, {}, true, {}};
+        if (withoutExpansion(body, std::nullopt) && (!range || *range >= 0)) {
+            result.applies = false;
+            result.inputs = noExpansion();
+            store(std::move(result), 0);
+            return;
+        }
+        InputReader read(result);
+        double expanded = 0;
+        double alpha = alphaOf(body).value_or(0);
+        double width = range.value_or(0);
+        if (range || !isZero(alphaOf(body)))
+            width = read.size(range, "temperatureRange", body.temperatureRange);
+        if (alphaOf(body) || !isZero(range))
+            alpha = read.number(alphaOf(body), "expansion", body.alphaName);
+        if (width > 0 && alpha != 0)
+            expanded = rectangularFactor * std::abs(alpha) * lengthFor(read) / mmPerMetre * width;
+        result.inputs = {REPORT_TEXT("report", "%1 · %2 · %3 · %4"),
+                         {factor(rectangularFactor), Number{alpha, Quantity::expansion}, length(),
+                          Number{width, Quantity::temperature}}};
+        store(std::move(result), expanded);
+    }
+
+    void addExpansion(const Body &body) {
+        const auto range = m_inputs.expansionRange.*body.range;
+        Contribution result{body.expansionId, body.expansionName, {}, {}, true, {}};
+        if (withoutExpansion(body, range)) {
+            result.applies = false;
+            result.inputs = noExpansion();
+            store(std::move(result), 0);
+            return;
+        }
+        InputReader read(result);
+        const auto theta = fartherTemperature(m_measurement.conditions.common, body.sensor);
+        double expanded = 0;
+        double width = range.value_or(0);
+        double away = theta ? std::abs(*theta - referenceTemperature) : 0;
+        if (range || !(theta && away == 0))
+            width = read.size(range, "expansionRange", body.expansionRange);
+        if (theta || !isZero(range))
+            away = std::abs(read.number(theta, "sensors", body.theta) - referenceTemperature);
+        if (width > 0 && away > 0)
+            expanded = rectangularFactor * away * lengthFor(read) / mmPerMetre * width;
+        result.inputs = {REPORT_TEXT("report", "%1 · %2 · %3 · %4"),
+                         {factor(rectangularFactor), Number{readable(away), Quantity::temperature}, length(),
+                          Number{width, Quantity::expansion}}};
+        store(std::move(result), expanded);
+    }
+
+    void addEnvironment() {
+        Contribution result{environmentalVariationId,
+                            REPORT_TEXT("report", "environmental variation, E_VE"),
+                            {},
+                            {},
+                            true,
+                            {}};
+        InputReader read(result);
+        const double range = read.size(m_environmentalVariation, environmentalVariationId,
+                                       REPORT_TEXT("report", "environmental variation error E_VE"));
+        result.inputs = {REPORT_TEXT("report", "%1 · %2"), {factor(rectangularFactor), size(range)}};
+        store(std::move(result), rectangularFactor * range);
+    }
+
+    const PositioningMeasurement &m_measurement;
+    const PositioningUncertaintyInputs &m_inputs;
+    bool m_linear;
+    double m_toBase;
+    double m_length;
+    std::optional<double> m_environmentalVariation;
+    PositioningBudget m_budget;
+};
+
+} // namespace
+
+const Contribution *PositioningBudget::find(std::string_view id) const {
+    const auto found = std::ranges::find(contributions, id, [](const Contribution &c) { return c.id; });
+    return found == contributions.end() ? nullptr : &*found;
+}
+
+std::optional<double> PositioningBudget::systematic() const {
+    double squares = 0;
+    for (const Contribution &contribution : contributions) {
+        if (std::string_view(contribution.id) == environmentalVariationId)
+            continue;
+        if (!contribution.expanded)
+            return std::nullopt;
+        squares += *contribution.expanded * *contribution.expanded;
+    }
+    return std::sqrt(squares);
+}
+
+std::optional<double> PositioningBudget::environmental() const {
+    const Contribution *contribution = find(environmentalVariationId);
+    return contribution ? contribution->expanded : std::nullopt;
+}
+
+PositioningBudget positioningBudget(const PositioningMeasurement &measurement,
+                                    std::optional<double> environmentalVariation) {
+    return Maker(measurement, environmentalVariation).make();
+}
+
+} // namespace palmer

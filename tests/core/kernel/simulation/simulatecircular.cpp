@@ -1,0 +1,245 @@
+#include "kernel/simulation/simulate.h"
+
+#include "core/kernel/uncertainty/uncertaintydata.h"
+#include "kernel/simulation/circulartrials.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+using namespace palmer;
+using namespace palmer::testdata;
+
+/// Monte Carlo of circular tests through points, circles and results.
+class SimulateCircular : public QObject {
+    Q_OBJECT
+
+private slots:
+    void trialsAreTheRealEvaluation_data();
+    void trialsAreTheRealEvaluation();
+    void noiseAlone();
+    void nothingGivesNothing();
+    void displacement();
+    void lengths();
+    void driftBetweenThePaths();
+    void repeatability();
+    void sameFiguresOnAnyNumberOfThreads();
+    void cancelWithManyPoints();
+    void partOfTheResults();
+};
+
+namespace {
+
+Surroundings noSurroundings() {
+    static const Machine machine;
+    Surroundings surroundings;
+    surroundings.machine = &machine;
+    return surroundings;
+}
+
+/// An oval circle with a hysteresis, so that the extremes stay where they are.
+Test ovalTest(int n) {
+    Test test = circularTest(n);
+    for (Arc &arc : circle(test).arcs) {
+        for (std::size_t i = 0; i < arc.angles.size(); ++i) {
+            const double angle = arc.angles[i] * std::numbers::pi / 180;
+            arc.radialDeviations[i] = 0.010 * std::cos(2 * angle) +
+                                      (arc.sense == Sense::clockwise ? 0.002 * std::sin(2 * angle) : 0);
+        }
+    }
+    return test;
+}
+
+Simulation simulated(const Test &test, long long trials = 3000, int threads = 2) {
+    SimulationOptions options;
+    options.trials = trials;
+    options.threads = threads;
+    const auto result = simulate(test, noSurroundings(), *findEdition(test.edition), options);
+    if (!result)
+        qFatal("no simulation");
+    return *result;
+}
+
+const SimulatedParameter &of(const Simulation &simulation, std::string_view id) {
+    const SimulatedParameter *found = simulation.find(id);
+    if (!found)
+        qFatal("no parameter");
+    return *found;
+}
+
+/// The statistical error of u of 3 000 trials is 1.3 %.
+constexpr double statistical = 0.045;
+
+#define COMPARE_RELATIVE(found, expected, tolerance)                                                         \
+    QVERIFY2(std::abs((found) - (expected)) <= (tolerance)*std::abs(expected),                               \
+             qPrintable(QStringLiteral(#found " is %1, not %2").arg(found, 0, 'g', 12).arg(expected)))
+
+} // namespace
+
+void SimulateCircular::trialsAreTheRealEvaluation_data() {
+    QTest::addColumn<bool>("commanded");
+    QTest::addColumn<bool>("setUp");
+    QTest::addColumn<bool>("leastSquares");
+    QTest::addColumn<QString>("edition");
+    QTest::newRow("polar") << false << false << false << "ISO 230-4:2005";
+    QTest::newRow("polar, set-up centring, range of the least squares circle")
+        << false << true << true << "ISO 230-4:2022";
+    QTest::newRow("commanded angles") << true << false << false << "ISO 230-4:2005";
+    QTest::newRow("1996") << false << false << false << "ISO 230-4:1996";
+}
+
+void SimulateCircular::trialsAreTheRealEvaluation() {
+    QFETCH(bool, commanded);
+    QFETCH(bool, setUp);
+    QFETCH(bool, leastSquares);
+    QFETCH(QString, edition);
+    Test test = ovalTest(40);
+    test.edition = edition.toStdString();
+    CircularMeasurement &m = circle(test);
+    m.arcs.push_back(m.arcs.front()); // a repetition
+    for (Arc &arc : m.arcs) {
+        if (commanded)
+            arc.angleReference = AngleReference::commanded;
+        arc.radialDeviations[3] += 0.0007;
+    }
+    if (setUp)
+        m.centring = Centring::instrument;
+    if (leastSquares)
+        m.referenceCircle = ReferenceCircle::leastSquares;
+    CircularUncertaintyInputs &inputs = m.uncertainty;
+    inputs.displacement.expanded = 0.5;
+    inputs.resolution = 0.1;
+    inputs.pointNoise = 0.2;
+    inputs.environmentalVariation = 0.4;
+    inputs.centring = 0.3;
+    m.referenceLength.expandedUncertainty = 0.6;
+    const TestEvaluation evaluation = evaluated(test);
+    const CircularTrials trials(test, m, noSurroundings(), evaluation, 3);
+    QCOMPARE(trials.parameters().size(), evaluation.parameters.size());
+    auto place = trials.workplace();
+    const auto chunk = static_cast<std::size_t>(trials.chunk());
+    std::vector<double> values(trials.parameters().size() * chunk);
+    trials.run(0, place, values, {});
+    for (std::size_t trial = 0; trial < 10; ++trial) {
+        Test perturbed = test;
+        perturbed.measurement = trials.perturbed(static_cast<long long>(trial));
+        const TestEvaluation real = evaluated(perturbed);
+        for (std::size_t p = 0; p < trials.parameters().size(); ++p) {
+            const Parameter *expected = parameter(real, trials.parameters()[p].id);
+            // To the last digits: the points are the same, the circles are fitted by the same functions.
+            QVERIFY2(std::abs(values[p * chunk + trial] - *expected->value) <= 1e-12,
+                     trials.parameters()[p].id.c_str());
+            QVERIFY(std::abs(*expected->value - trials.parameters()[p].value) > 1e-9);
+        }
+    }
+}
+
+void SimulateCircular::noiseAlone() {
+    Test test = circularTest(600);
+    circle(test).uncertainty.pointNoise = 0.1;
+    const Simulation result = simulated(test, 1000);
+    // The width of 600 normal points of 0.1 µm about their best circle.
+    QVERIFY2(std::abs(of(result, "G_XY").mean * 1000 - 0.59) < 0.01,
+             qPrintable(QString::number(of(result, "G_XY").mean * 1000)));
+    QVERIFY(of(result, "G(b)_XY").mean > of(result, "G_XY").mean); // more points, more width
+    QVERIFY(of(result, "G_XY").largeShift());
+    COMPARE_RELATIVE(of(result, "D_XY").u, 0.0001 / std::sqrt(1200.0), 0.08); // of 1 000 trials
+    QVERIFY(std::abs(of(result, "D_XY").shift()) < 4e-7); // four deviations of the mean
+}
+
+void SimulateCircular::nothingGivesNothing() {
+    for (const SimulatedParameter &p : simulated(ovalTest(36), 1000).parameters) {
+        QCOMPARE(p.u, 0.0);
+        QCOMPARE(p.expanded(), 0.0);
+        QVERIFY(std::abs(p.shift()) < 1e-12);
+    }
+}
+
+void SimulateCircular::displacement() {
+    Test test = ovalTest(40);
+    circle(test).uncertainty.displacement.expanded = 0.4;
+    const Simulation result = simulated(test);
+    // The scale is uncertain by 0.4 µm over the range of the deviations, which G(b) is nearly all of.
+    COMPARE_RELATIVE(of(result, "G(b)_XY").u, 0.0002, 0.05);
+    COMPARE_RELATIVE(of(result, "D_XY").u, 0.0002, statistical);
+}
+
+void SimulateCircular::lengths() {
+    Test test = ovalTest(40);
+    CircularMeasurement &m = circle(test);
+    m.referenceLength.expandedUncertainty = 0.6;
+    m.conditions.common.sensors = {{SensorMeasures::machine, "", 23.0, 23.0, std::nullopt},
+                                   {SensorMeasures::instrument, "", 23.0, 23.0, std::nullopt}};
+    m.conditions.common.expansion = {11.5, 1.2};
+    m.uncertainty.temperatureStandardUncertainty = {0.3, 0.3};
+    m.uncertainty.expansionStandardUncertainty = {1.0, 0.2};
+    const Simulation result = simulated(test);
+    const double expected = *parameter(evaluated(test), "D_XY")->budgetUncertainty / 2;
+    for (const char *id : {"D_XY", "Fmax_XY", "Fmin_YX"})
+        COMPARE_RELATIVE(of(result, id).u, expected, statistical);
+    QVERIFY(of(result, "G_XY").u < 1e-8); // a larger circle is as round
+}
+
+void SimulateCircular::driftBetweenThePaths() {
+    Test test = ovalTest(40);
+    circle(test).uncertainty.environmentalVariation = 0.6;
+    const Simulation result = simulated(test);
+    // The mean of two uniform drifts.
+    COMPARE_RELATIVE(of(result, "D_XY").u, 0.0006 / std::sqrt(12.0) / std::sqrt(2.0), statistical);
+    COMPARE_RELATIVE(of(result, "Fmax_XY").u, 0.0006 / std::sqrt(12.0), statistical);
+    QVERIFY(of(result, "G_XY").u < 1e-8);
+    QVERIFY(of(result, "G(b)_XY").u > 1e-5);
+}
+
+void SimulateCircular::repeatability() {
+    Test test = ovalTest(40);
+    circle(test).uncertainty.repeatability = 0.25;
+    const Simulation result = simulated(test);
+    for (const SimulatedParameter &p : result.parameters)
+        COMPARE_RELATIVE(p.u, 0.00025, statistical);
+}
+
+void SimulateCircular::sameFiguresOnAnyNumberOfThreads() {
+    Test test = ovalTest(12);
+    circle(test).uncertainty.pointNoise = 0.3;
+    circle(test).uncertainty.resolution = 0.1;
+    const Simulation one = simulated(test, 10150, 1);
+    QCOMPARE(simulated(test, 10150, 2), one);
+    QCOMPARE(simulated(test, 10150, 8), one);
+}
+
+void SimulateCircular::cancelWithManyPoints() {
+    Test test = ovalTest(20000);
+    circle(test).uncertainty.pointNoise = 0.3;
+    SimulationOptions options;
+    options.trials = 1000000;
+    qint64 shortest = std::numeric_limits<qint64>::max();
+    for (int attempt = 0; attempt < 3; ++attempt) { // others may keep the processor busy
+        std::stop_source source;
+        QElapsedTimer timer;
+        std::jthread stopper([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+            timer.start();
+            source.request_stop();
+        });
+        QVERIFY(!simulate(test, noSurroundings(), *findEdition(test.edition), options, source.get_token()));
+        stopper.join();
+        shortest = std::min(shortest, timer.elapsed());
+    }
+    QVERIFY2(shortest <= 100, qPrintable(QString::number(shortest)));
+}
+
+void SimulateCircular::partOfTheResults() {
+    Test test = ovalTest(36);
+    circle(test).referenceLength.expandedUncertainty.reset(); // F and D have no uncertainty, G has
+    circle(test).uncertainty.pointNoise = 0.3;
+    const Simulation result = simulated(test, 1000);
+    QVERIFY(result.find("G_XY"));
+    QVERIFY(!result.find("D_XY"));
+}
+
+QTEST_APPLESS_MAIN(SimulateCircular)
+#include "simulatecircular.moc"

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace palmer::ui {
+
+class Evaluator;
+
+/// Runs Monte Carlo simulations on a thread of its own and hands their results to the evaluator, test by
+/// test. One run at a time; starting another stops the one before.
+class Simulator : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Simulator(Evaluator &evaluator, QObject *parent = nullptr);
+    ~Simulator() override;
+
+    /// Simulates these tests of `evaluated`, under the editions they are evaluated under, in order.
+    void start(const EvaluatedDocument &evaluated, std::vector<std::size_t> tests);
+    /// Simulates the tests that want a simulation and have none, or an outdated one. False: there are none.
+    bool startMissing(const EvaluatedDocument &evaluated);
+    /// Stops at once; what was finished stays.
+    void cancel();
+
+    [[nodiscard]] bool isRunning() const { return m_running; }
+    /// The test that is being simulated.
+    [[nodiscard]] std::size_t test() const { return m_test; }
+    [[nodiscard]] const SimulationProgress &progress() const { return m_progress; }
+    /// Seconds left by the pace so far; null where the number of trials is open or nothing was done yet.
+    [[nodiscard]] std::optional<double> secondsLeft() const;
+
+signals:
+    void progressed();
+    /// `complete`: not cancelled.
+    void finished(bool complete);
+
+private:
+    void show(int run, std::size_t test, const SimulationProgress &progress);
+    void take(int run, std::size_t test, const TestSimulation &simulation);
+    void end(int run);
+
+    Evaluator &m_evaluator;
+    std::jthread m_thread;
+    int m_run = 0; ///< what earlier runs still post is not listened to
+    bool m_running = false;
+    std::size_t m_test = 0;
+    SimulationProgress m_progress;
+    QElapsedTimer m_since;
+};
+
+} // namespace palmer::ui
