@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QTest>
 
 using namespace palmer;
 using namespace palmer::ui;
