@@ -45,14 +45,6 @@ std::optional<double> standardDeviation(const std::vector<double> &values) {
     return std::sqrt(squares / (n - 1));
 }
 
-/// The first rows that are of one quantity: Fmax and Fmin of a path stand together.
-std::span<const CircularRow> rowsOfAQuantity(std::span<const CircularRow> rows) {
-    std::size_t count = 1;
-    while (count < rows.size() && std::string_view(rows[count].quantity) == rows.front().quantity)
-        ++count;
-    return rows.first(count);
-}
-
 } // namespace
 
 CircularResults circularResults(const CircularMeasurement &measurement) {
