@@ -25,10 +25,6 @@ constexpr int pageMargin = 16;
 constexpr int fieldGap = 12;
 constexpr int sectionGap = 18;
 
-constexpr Text negative = REPORT_TEXT("report", "a negative number");
-constexpr Text notPositive = REPORT_TEXT("report", "not greater than 0");
-constexpr Text notWhole = REPORT_TEXT("report", "not a whole number");
-
 /// Takes a widget out of the page at once; it may be in one of its own signals.
 void dispose(QWidget *widget) {
     widget->hide();
@@ -174,12 +170,12 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
         if (entry.refusal)
             return {{}, m_language.text(*entry.refusal)};
         if (entry.value && allowed == Allowed::positive && !(*entry.value > 0))
-            return {{}, m_language.text(notPositive)};
+            return {{}, tr("not greater than 0")};
         if (entry.value && allowed == Allowed::notNegative && *entry.value < 0)
-            return {{}, m_language.text(negative)};
+            return {{}, tr("a negative number")};
         if (entry.value && allowed == Allowed::whole &&
             (std::trunc(*entry.value) != *entry.value || std::abs(*entry.value) > 1e9))
-            return {{}, m_language.text(notWhole)};
+            return {{}, tr("not a whole number")};
         return {shown(entry.value), {}};
     });
     last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };
