@@ -79,7 +79,7 @@ bool read(const QString &line, FileNotes &notes) {
 
 } // namespace
 
-FileNotes notesOf(const Table &table, const TableBody &body) {
+FileNotes notesOf(const CellTable &table, const TableBody &body) {
     FileNotes notes;
     std::size_t lines = 0;
     for (const std::uint32_t index : body.notes) {

@@ -24,6 +24,6 @@ struct FileNotes {
     std::size_t ignored = 0;
 };
 
-[[nodiscard]] FileNotes notesOf(const Table &table, const TableBody &body);
+[[nodiscard]] FileNotes notesOf(const CellTable &table, const TableBody &body);
 
 } // namespace palmer

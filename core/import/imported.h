@@ -21,7 +21,7 @@ struct Imported {
     std::string format;                ///< word of the choice "format"
     std::vector<ImportChoice> choices; ///< all that matter for this file, each with how it came about
     std::vector<Remark> remarks;       ///< problems, assumptions, then notes
-    Table table;                       ///< as read, of text files and workbooks
+    CellTable table;                   ///< as read, of text files and workbooks
     std::vector<CellRole> roles;       ///< of its cells
     std::string text;                  ///< of text files that are no tables: what was read
 

@@ -327,7 +327,7 @@ std::string sampleOf(std::string_view text) {
     return sample;
 }
 
-void settleForm(Table &table, std::string_view text, const TableOptions &options) {
+void settleForm(CellTable &table, std::string_view text, const TableOptions &options) {
     const std::string sample = sampleOf(text);
     Reading best;
     std::vector<Reading> readings;
@@ -355,8 +355,8 @@ void settleForm(Table &table, std::string_view text, const TableOptions &options
 
 } // namespace
 
-Table readTable(std::string text, const TableOptions &options) {
-    Table table;
+CellTable readTable(std::string text, const TableOptions &options) {
+    CellTable table;
     table.m_text = std::move(text);
     settleForm(table, table.m_text, options);
     Scanner scanner(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
@@ -373,7 +373,7 @@ Table readTable(std::string text, const TableOptions &options) {
     return table;
 }
 
-std::size_t Table::column(const TableCell &cell) const {
+std::size_t CellTable::column(const TableCell &cell) const {
     std::size_t begin = cell.begin;
     while (begin > 0 && !isLineEnd(m_text[begin - 1]))
         --begin;
@@ -420,7 +420,7 @@ void TableBuilder::add(double number, std::string_view shown) {
     added.value = number;
 }
 
-Table TableBuilder::take() {
+CellTable TableBuilder::take() {
     return std::move(m_table);
 }
 

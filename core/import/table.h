@@ -41,9 +41,9 @@ struct TableOptions {
 };
 
 /// A text taken apart into rows and cells. Immutable; the cells refer to the text it holds.
-class Table {
+class CellTable {
 public:
-    Table() = default;
+    CellTable() = default;
 
     [[nodiscard]] const std::string &text() const { return m_text; }
     [[nodiscard]] std::span<const TableRow> rows() const { return m_rows; }
@@ -61,7 +61,7 @@ public:
     Choice<DecimalMark> decimalMark;
 
 private:
-    friend Table readTable(std::string text, const TableOptions &options);
+    friend CellTable readTable(std::string text, const TableOptions &options);
     friend class TableBuilder;
 
     std::string m_text;
@@ -73,7 +73,7 @@ private:
 /// What the options leave open is taken from the text: the delimiter and decimal mark under which most cells
 /// are numbers and the rows are alike; `guessed` where another reading of the numbers is as likely.
 /// Throws Error(tooLarge) for more than 10⁷ rows or 4·10⁷ cells, with the line. Linear in the text.
-[[nodiscard]] Table readTable(std::string text, const TableOptions &options = {});
+[[nodiscard]] CellTable readTable(std::string text, const TableOptions &options = {});
 
 /// A table from cells that are taken apart already, as those of a workbook; numbers with a point.
 class TableBuilder {
@@ -81,12 +81,12 @@ public:
     void beginRow(std::size_t line);
     void add(std::string_view cell); ///< as readTable would read it
     void add(double number, std::string_view shown);
-    [[nodiscard]] Table take();
+    [[nodiscard]] CellTable take();
 
 private:
     TableCell &append(std::string_view cell);
 
-    Table m_table;
+    CellTable m_table;
 };
 
 } // namespace palmer

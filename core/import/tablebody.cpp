@@ -18,7 +18,7 @@ bool isNumeric(const TableCell &cell) {
 }
 
 /// Signs of direction are no missing readings where the column is one of directions.
-bool isDirectionCell(const Table &table, const TableCell &cell) {
+bool isDirectionCell(const CellTable &table, const TableCell &cell) {
     return (cell.kind == CellKind::text || cell.kind == CellKind::missing || cell.kind == CellKind::broken) &&
            directionOf(table.text(cell)).has_value();
 }
@@ -34,7 +34,7 @@ std::size_t numberCount(std::span<const TableCell> cells) {
 }
 
 /// The number of columns under which most numbers stand.
-std::size_t widthOf(const Table &table) {
+std::size_t widthOf(const CellTable &table) {
     std::map<std::size_t, std::size_t> numbers;
     for (const TableRow &row : table.rows()) {
         if (!row.comment)
@@ -51,7 +51,7 @@ std::size_t widthOf(const Table &table) {
     return width;
 }
 
-std::vector<TableColumn> columnsOf(const Table &table, std::size_t width) {
+std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
     struct Count {
         std::size_t numbers = 0;
         std::size_t directions = 0;
@@ -105,7 +105,7 @@ std::vector<TableColumn> columnsOf(const Table &table, std::size_t width) {
 /// Sorts rows into blocks, headings and notes.
 class Sorter {
 public:
-    Sorter(const Table &table, TableBody &body)
+    Sorter(const CellTable &table, TableBody &body)
         : m_table(table)
         , m_body(body) {
         const auto numbers = body.numberColumns();
@@ -227,7 +227,7 @@ private:
         return 3 * gaps < rows;
     }
 
-    const Table &m_table;
+    const CellTable &m_table;
     TableBody &m_body;
     std::size_t m_firstNumber = 0;
     std::size_t m_numberColumns = 0;
@@ -237,7 +237,7 @@ private:
 };
 
 /// Whether a row above the body says something about its columns.
-bool isHeading(const Table &table, const TableRow &row, std::size_t width) {
+bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     if (row.comment)
         return false;
     const auto cells = trimmed(table.cells(row));
@@ -258,12 +258,12 @@ bool isHeading(const Table &table, const TableRow &row, std::size_t width) {
 }
 
 /// "# angle; x; y": as many words as there are columns.
-void takeFromComment(const Table &table, const TableRow &row, TableBody &body) {
+void takeFromComment(const CellTable &table, const TableRow &row, TableBody &body) {
     const std::string_view text = table.text(table.cells(row).front());
     TableOptions options;
     options.delimiter = table.delimiter.value;
     options.decimalMark = table.decimalMark.value;
-    const Table line = readTable(std::string(text), options);
+    const CellTable line = readTable(std::string(text), options);
     if (line.rows().empty() || line.rows().front().count != body.columns.size() || body.columns.size() < 2)
         return;
     const auto cells = line.cells(line.rows().front());
@@ -271,7 +271,7 @@ void takeFromComment(const Table &table, const TableRow &row, TableBody &body) {
         body.columns[c].heading = line.text(cells[c]);
 }
 
-void composeHeadings(const Table &table, TableBody &body) {
+void composeHeadings(const CellTable &table, TableBody &body) {
     if (body.blocks.empty())
         return;
     const std::size_t width = body.columns.size();
@@ -348,7 +348,7 @@ std::optional<std::size_t> TableBody::columnOf(ColumnKind kind) const {
                                   : std::optional(static_cast<std::size_t>(found - columns.begin()));
 }
 
-TableBody bodyOf(const Table &table) {
+TableBody bodyOf(const CellTable &table) {
     TableBody body;
     const std::size_t width = widthOf(table);
     const Error noNumbers(

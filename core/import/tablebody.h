@@ -43,6 +43,6 @@ struct TableBody {
 };
 
 /// Throws Error(content) where there are no rows of numbers.
-[[nodiscard]] TableBody bodyOf(const Table &table);
+[[nodiscard]] TableBody bodyOf(const CellTable &table);
 
 } // namespace palmer

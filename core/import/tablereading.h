@@ -10,7 +10,7 @@ class TableReading {
 public:
     TableReading(Imported &imported, Choices &choices);
 
-    [[nodiscard]] const Table &table() const { return result.table; }
+    [[nodiscard]] const CellTable &table() const { return result.table; }
     [[nodiscard]] const TableRow &row(std::uint32_t index) const { return result.table.rows()[index]; }
     /// The cell of a row, or null where the row is too short.
     [[nodiscard]] const TableCell *cell(std::uint32_t row, std::size_t column) const;

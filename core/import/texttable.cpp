@@ -143,7 +143,7 @@ void readTextTable(const ImportSource &source, Choices &choices, Imported &impor
     options.delimiter = chosenOf<Delimiter>(delimiters, choices.chosen("delimiter"));
     options.decimalMark = chosenOf<DecimalMark>(marks, choices.chosen("decimalMark"));
     imported.table = readTable(std::move(decoded.text), options);
-    const Table &table = imported.table;
+    const CellTable &table = imported.table;
     choices.settle("delimiter", delimiters[static_cast<std::size_t>(table.delimiter.value)],
                    table.delimiter.origin);
     choices.settle("decimalMark", marks[static_cast<std::size_t>(table.decimalMark.value)],

@@ -96,7 +96,7 @@ public:
         ++m_column;
     }
     [[nodiscard]] int column() const { return m_column; }
-    Table take() { return m_builder.take(); }
+    CellTable take() { return m_builder.take(); }
 
     bool hasNumbers = false;
 
@@ -351,7 +351,8 @@ constexpr int mostSheetsTried = 20;
 
 /// The sheet chosen, else the first with numbers. `read` fills a Sheet from the sheet of a number.
 template <class Read>
-int firstWithNumbers(const std::vector<SheetName> &sheets, const Choices &choices, Read read, Table &table) {
+int firstWithNumbers(const std::vector<SheetName> &sheets, const Choices &choices, Read read,
+                     CellTable &table) {
     int chosen = chosenSheet(sheets, choices);
     const int first = std::max(chosen, 0);
     const int last =

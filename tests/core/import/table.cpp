@@ -14,7 +14,7 @@ namespace {
 
 /// A picture of a table: cells joined with |, rows with a line break; numbers in their shortest form,
 /// missing ones as ?, refused ones as !text!.
-QString picture(const Table &table) {
+QString picture(const CellTable &table) {
     QStringList lines;
     for (const TableRow &row : table.rows()) {
         QStringList cells;
@@ -89,7 +89,7 @@ void TableTest::findsDelimiterAndMark() {
     QFETCH(QByteArray, text);
     QFETCH(int, delimiter);
     QFETCH(bool, comma);
-    const Table table = readTable(text.toStdString());
+    const CellTable table = readTable(text.toStdString());
     QCOMPARE(static_cast<int>(table.delimiter.value), delimiter);
     QCOMPARE(table.decimalMark.value == DecimalMark::comma, comma);
 }
@@ -140,7 +140,7 @@ void TableTest::showsDoubt() {
 void TableTest::takesWhatIsChosen() {
     TableOptions options;
     options.delimiter = Delimiter::comma;
-    const Table commas = readTable("1,5\n2,25\n", options);
+    const CellTable commas = readTable("1,5\n2,25\n", options);
     QCOMPARE(picture(commas), QString("1|5\n2|25"));
     QVERIFY(commas.delimiter.origin == Origin::chosen);
     options = {};
@@ -152,7 +152,7 @@ void TableTest::takesWhatIsChosen() {
 }
 
 void TableTest::knowsThePlaceOfACell() {
-    const Table table = readTable("# é\r\n\r\nécart;  1,5\r\n0,5;x\r\n");
+    const CellTable table = readTable("# é\r\n\r\nécart;  1,5\r\n0,5;x\r\n");
     QCOMPARE(table.rows().size(), std::size_t(3));
     QCOMPARE(table.rows()[1].line, 3U);
     QCOMPARE(table.column(table.cells(table.rows()[1])[1]), std::size_t(9));
@@ -181,7 +181,7 @@ void TableTest::readsBackWhatWasWritten() {
             }
             text += trial % 3 == 0 ? "\r\n" : trial % 3 == 1 ? "\n" : "\r";
         }
-        const Table table = readTable(text);
+        const CellTable table = readTable(text);
         QCOMPARE(picture(table), expected);
         QVERIFY(table.delimiter.origin == Origin::recognised);
     }
@@ -196,7 +196,7 @@ void TableTest::takesCellsOneByOne() {
     builder.add(0.5, "0.5");
     builder.add("1,5");
     builder.add("");
-    const Table table = builder.take();
+    const CellTable table = builder.take();
     QCOMPARE(picture(table), QString("\"Point\"|\"a b\"\n0.5|!1,5!|"));
     QCOMPARE(table.rows()[1].line, 6U);
 }
