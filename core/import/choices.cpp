@@ -174,7 +174,7 @@ void demandKnown(const ImportOptions &options) {
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "unknown choice %1; known: %2"), {key, list}});
         }
-        const auto same = [&](const ImportWord &word) { return word.word == value; };
+        const auto same = [&chosen = value](const ImportWord &word) { return word.word == chosen; };
         if (known->value == ImportValue::word && std::ranges::none_of(known->words, same))
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
                                                {key, value, listOf(known->words)}});

@@ -69,8 +69,8 @@ QString catalogue(const char *name) {
 const QSet<QString> sameInBoth{
     "Date",         "Machine",   "Signature", "Signatures", "Verdict", "Instrument", "Instruments",
     "Position",     "minimum",   "maximum",   "note",       "Air",     "Cycle",      "Point",
-    "page %1 / %2", "positions", "rad",       "mrad",       "µrad",    "min",        "Format",
-    "Arc (°)",      "Angles",    "air",       "machine",    "point ."};
+    "page %1 / %2", "positions", "rad",       "mrad",       "µrad",    "µin",        "min",
+    "Format",       "Arc (°)",   "Angles",    "air",        "machine", "point ."};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {
