@@ -29,5 +29,6 @@ int main(int argc, char *argv[]) {
     const QStringList files = QCoreApplication::arguments().mid(1);
     for (const QString &file : files)
         window->openFile(file);
+    window->offerRecoveries();
     return QApplication::exec();
 }

@@ -138,6 +138,7 @@ QToolButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 6px;
 QToolButton[iconOnly="true"]:focus { padding: 0 4px; }
 QToolButton[segment="first"], QToolButton[segment="middle"], QToolButton[segment="last"] {
     background: @base; border: 1px solid @field; border-radius: 0; padding: 0 9px; min-height: 24px; }
+QToolButton[segment="only"] { background: @base; border: 1px solid @field; padding: 0 18px 0 9px; min-height: 26px; }
 QToolButton[segment="first"] { border-top-left-radius: 4px; border-bottom-left-radius: 4px; }
 QToolButton[segment="middle"], QToolButton[segment="last"] { margin-left: -1px; }
 QToolButton[segment="last"] { border-top-right-radius: 4px; border-bottom-right-radius: 4px; }
@@ -147,7 +148,9 @@ QLineEdit, QAbstractSpinBox, QComboBox, QPlainTextEdit { background: @base; colo
     border-radius: 3px; selection-background-color: @accent; selection-color: @onAccent; }
 QLineEdit, QAbstractSpinBox, QComboBox { min-height: 26px; padding: 0 8px; }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border: 2px solid @accent; min-height: 24px; padding: 0 7px; }
+QLineEdit[cell="true"], QLineEdit[cell="true"]:focus { border: 2px solid @accent; min-height: 0; padding: 0 4px 0 2px; }
 QPlainTextEdit:focus { border: 2px solid @accent; }
+QLineEdit[refused="true"], QPlainTextEdit[refused="true"] { color: @bad; border-color: @bad; }
 QLineEdit:disabled, QComboBox:disabled { color: @disabled; }
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/icons/down-@kind.svg); width: 14px; height: 14px; }
@@ -156,6 +159,10 @@ QComboBox QAbstractItemView { background: @base; border: 1px solid @field; selec
 QFrame[card="true"] { background: @base; border: 1px solid @line; border-radius: 6px; }
 .QWidget[ground="base"], palmer--ui--RightSide { background: @base; }
 QFrame[rule="true"] { background: @line; border: none; }
+QLabel[reason="true"] { background: @badGround; color: @bad; border: 1px solid @bad; border-radius: 3px; padding: 0 8px; }
+QLabel[keycap="true"] { background: @window; border: 1px solid @field; border-radius: 3px; padding: 0 5px; }
+QFrame[notice="true"] { background: @unsureGround; border: none; border-bottom: 1px solid @line; }
+QFrame[bar="true"] { background: @selected; border: 1px solid @accent; border-radius: 4px; }
 QLabel[secondary="true"] { color: @secondary; }
 )";
 
@@ -164,13 +171,16 @@ QString filledStyleSheet(const QPalette &palette) {
     const QColor base = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::WindowText);
     const QColor accent = token(Token::accent, palette);
-    const std::array<std::pair<const char *, QString>, 13> values{{
+    const std::array<std::pair<const char *, QString>, 16> values{{
         // longer names first: one is the beginning of another
         {"@accentHover", mixed(accent, text, 0.85).name()},
         {"@accent", accent.name()},
         {"@onAccent", isDark(palette) ? QStringLiteral("#101316") : QStringLiteral("#ffffff")},
         {"@selected", mixed(accent, base, isDark(palette) ? 0.3 : 0.13).name()},
         {"@secondary", token(Token::secondaryText, palette).name()},
+        {"@unsureGround", token(Token::unsureGround, palette).name()},
+        {"@badGround", token(Token::badGround, palette).name()},
+        {"@bad", token(Token::bad, palette).name()},
         {"@window", window.name()},
         {"@base", base.name()},
         {"@text", text.name()},

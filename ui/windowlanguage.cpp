@@ -4,14 +4,30 @@
 #include <QLocale>
 #include <QSettings>
 #include <QTranslator>
+#include <QWidget>
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <string_view>
 
 namespace palmer::ui {
 
 namespace {
 
 constexpr auto settingsKey = "window/language";
+constexpr auto lengthsKey = "window/lengths";
+constexpr auto anglesKey = "window/angles";
+
+// Words of the settings, in the order of the enumerations; none may change.
+constexpr std::array lengthWords{"micrometres", "millimetres", "inches"};
+constexpr std::array angleWords{"arcSeconds", "degrees"};
+
+template <class Choice, class Words>
+Choice restored(const char *key, const Words &words) {
+    const QByteArray kept = QSettings().value(QLatin1StringView(key)).toByteArray();
+    const auto found = std::ranges::find(words, std::string_view(kept.constData()));
+    return found == words.end() ? Choice{} : static_cast<Choice>(found - words.begin());
+}
 
 Language &current() {
     static Language language(Language::Id::english);
@@ -20,7 +36,7 @@ Language &current() {
 
 void install(Language::Id id) {
     static std::array<std::unique_ptr<QTranslator>, 2> installed;
-    current() = Language(id);
+    current() = Language(id).withUnits(current().units());
     const bool french = id == Language::Id::french;
     QLocale::setDefault(french ? QLocale(QLocale::French, QLocale::France)
                                : QLocale(QLocale::English, QLocale::UnitedKingdom));
@@ -48,7 +64,20 @@ void setWindowLanguage(Language::Id id) {
     QSettings().setValue(QLatin1StringView(settingsKey), current().code());
 }
 
+void setWindowUnits(const DisplayUnits &units) {
+    current() = current().withUnits(units);
+    QSettings settings;
+    settings.setValue(QLatin1StringView(lengthsKey),
+                      QByteArray(lengthWords.at(static_cast<std::size_t>(units.lengths))));
+    settings.setValue(QLatin1StringView(anglesKey),
+                      QByteArray(angleWords.at(static_cast<std::size_t>(units.angles))));
+    for (QWidget *window : QApplication::topLevelWidgets())
+        QCoreApplication::postEvent(window, new QEvent(QEvent::LanguageChange));
+}
+
 void restoreWindowLanguage() {
+    current() = current().withUnits(
+        {restored<LengthDisplay>(lengthsKey, lengthWords), restored<AngleDisplay>(anglesKey, angleWords)});
     const QString chosen = QSettings().value(QLatin1StringView(settingsKey)).toString();
     if (const auto language = Language::fromName(chosen))
         install(language->id());

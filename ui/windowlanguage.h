@@ -12,7 +12,11 @@ namespace palmer::ui {
 /// the locale of new widgets and remembers the choice. Every widget gets QEvent::LanguageChange.
 void setWindowLanguage(Language::Id id);
 
-/// At start: the language chosen last, else that of the system.
+/// The units numbers are shown and typed in, in all windows from now on; remembered. Data and reports stay as
+/// they are. Every widget gets QEvent::LanguageChange, as for another language.
+void setWindowUnits(const DisplayUnits &units);
+
+/// At start: language and units chosen last; else the language of the system.
 void restoreWindowLanguage();
 
 } // namespace palmer::ui

@@ -2,9 +2,13 @@
 
 #include "commands/check.h"
 #include "commands/evaluate.h"
+#include "commands/export.h"
+#include "commands/feed.h"
 #include "commands/figure.h"
+#include "commands/import.h"
 #include "commands/report.h"
 #include "commands/selftest.h"
+#include "commands/targets.h"
 #include "report/plaintext.h"
 
 #include <algorithm>
@@ -84,7 +88,9 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
     if (!wantsValue && given)
         throw UsageError(
             {REPORT_TEXT("report", "the option --%1 takes no value"), {std::string(option.name)}});
-    invocation.options[QString::fromUtf8(option.name)] = given.value_or(QString());
+    QString &value = invocation.options[QString::fromUtf8(option.name)];
+    value = option.repeats && !value.isEmpty() ? value + u'\n' + given.value_or(QString())
+                                               : given.value_or(QString());
 }
 
 } // namespace
@@ -103,8 +109,9 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(), reportCommand(), figureCommand(),
-                                  selftestCommand()};
+    static const std::array table{evaluateCommand(), checkCommand(),  reportCommand(),
+                                  figureCommand(),   importCommand(), exportCommand(),
+                                  targetsCommand(),  feedCommand(),   selftestCommand()};
     return table;
 }
 
@@ -184,11 +191,13 @@ QString programHelp(const Language &language) {
     options.push_back(
         {QStringLiteral("--version"), language.text(REPORT_TEXT("report", "version of the program"))});
     return language.text(REPORT_TEXT(
-               "report", "palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2).")) +
+               "report", "palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2), "
+                         "circular tests (ISO 230-4).")) +
            QStringLiteral("\n\npalmer-cli ") +
            language.text(REPORT_TEXT("report", "COMMAND [OPTION]… [FILE]…")) + QStringLiteral("\n\n") +
            rows(list) + u'\n' + rows(options) + u'\n' +
-           language.text(REPORT_TEXT("report", "FILE is a test file (.palmer); - is standard input.")) +
+           language.text(REPORT_TEXT("report", "FILE is a test file (.palmer) or a measurement file that can "
+                                               "be imported; - is standard input.")) +
            u'\n';
 }
 

@@ -29,6 +29,7 @@ struct Option {
     const char *name;
     const char *value; ///< placeholder in the help; empty for a switch
     Text description;
+    bool repeats = false; ///< may stand several times: the values are joined by line breaks
 };
 
 /// What a command was called with.

@@ -13,7 +13,7 @@ int eachFile(const Invocation &invocation, Work work) {
     for (const QString &file : invocation.arguments) {
         std::optional<Document> document;
         try {
-            document = documentFrom(file);
+            document = documentFrom(file, invocation.language);
         } catch (const Error &error) {
             printError(file, error, invocation.language);
             code = worse(code, cannotRead);

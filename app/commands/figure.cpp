@@ -3,11 +3,15 @@
 #include "commands/outputfile.h"
 #include "commands/streams.h"
 #include "document/evaluateddocument.h"
+#include "figures/circlefigure.h"
 #include "figures/deviationfigure.h"
 #include "ui/figures/exportfigure.h"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 
 namespace palmer {
 
@@ -16,8 +20,65 @@ namespace {
 constexpr std::array options{
     Option{"o", "OUT.svg|png|pdf", REPORT_TEXT("report", "the picture to write; its ending says what it is")},
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
-    Option{"figure", "deviation", REPORT_TEXT("report", "which figure; without it that of the test")},
+    Option{"figure", "deviation|circle|counterclockwise|clockwise",
+           REPORT_TEXT("report", "which figure; without it that of the test")},
 };
+
+constexpr const char *deviationWord = "deviation";
+
+struct CircleWord {
+    const char *word;
+    CircleOf of;
+};
+
+constexpr std::array circleWords{
+    CircleWord{"circle", CircleOf::both},
+    CircleWord{"counterclockwise", CircleOf::counterclockwise},
+    CircleWord{"clockwise", CircleOf::clockwise},
+};
+
+struct NamedFigure {
+    Figure figure;
+    QString title;
+};
+
+[[noreturn]] void throwHasNoFigure(std::size_t index, const std::string &word) {
+    throw UsageError({REPORT_TEXT("report", "the test %1 has no figure %2"),
+                      {Number{static_cast<double>(index + 1), Quantity::count}, word}});
+}
+
+/// The figure asked for; without a word that of the kind of test.
+NamedFigure figureOf(const Test &test, const TestEvaluation &evaluation, std::size_t index,
+                     const std::optional<QString> &asked, const Language &language) {
+    if (std::holds_alternative<PositioningMeasurement>(test.measurement)) {
+        const std::string word = asked.value_or(QLatin1StringView(deviationWord)).toStdString();
+        if (word != deviationWord)
+            throwHasNoFigure(index, word);
+        CurveFigure figure = deviationFigure(test, evaluation, language);
+        return {figure, figure.title};
+    }
+    const std::string word = asked.value_or(QLatin1StringView(circleWords[0].word)).toStdString();
+    const auto found =
+        std::ranges::find_if(circleWords, [&](const CircleWord &one) { return one.word == word; });
+    if (found == circleWords.end() || !std::holds_alternative<CircularMeasurement>(test.measurement))
+        throwHasNoFigure(index, word);
+    CircleFigure figure = circleFigure(test, evaluation, language, {.of = found->of});
+    if (figure.traces.empty())
+        throwHasNoFigure(index, word); // that sense was not measured
+    return {figure, figure.title};
+}
+
+void checkWord(const std::optional<QString> &asked) {
+    if (!asked || *asked == QLatin1StringView(deviationWord))
+        return;
+    std::string known = deviationWord;
+    for (const CircleWord &one : circleWords) {
+        if (*asked == QLatin1StringView(one.word))
+            return;
+        known += std::string(", ") + one.word;
+    }
+    throw UsageError({REPORT_TEXT("report", "unknown figure %1; known: %2"), {asked->toStdString(), known}});
+}
 
 /// Index of the test asked for.
 std::size_t testIndex(const Invocation &invocation, std::size_t count) {
@@ -47,23 +108,17 @@ int run(const Invocation &invocation) {
                           {std::string("figure"), std::string("-o OUT.svg|png|pdf")}});
     if (invocation.arguments.size() != 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("figure")}});
-    const QString wanted =
-        invocation.value(QLatin1StringView("figure")).value_or(QStringLiteral("deviation"));
-    if (wanted != QLatin1StringView("deviation"))
-        throw UsageError(
-            {REPORT_TEXT("report", "unknown figure %1; known: %2"), {wanted.toStdString(), "deviation"}});
+    const auto wanted = invocation.value(QLatin1StringView("figure"));
+    checkWord(wanted);
     const QString file = invocation.arguments.front();
     try {
         const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(documentFrom(file)), nullptr, {});
+            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)), nullptr, {});
         const std::size_t index = testIndex(invocation, evaluated.tests.size());
         const Test &test = *evaluated.document->tests[index];
-        if (!std::holds_alternative<PositioningMeasurement>(test.measurement))
-            throw UsageError({REPORT_TEXT("report", "the test %1 has no figure %2"),
-                              {Number{static_cast<double>(index + 1), Quantity::count}, "deviation"}});
-        const CurveFigure figure = deviationFigure(test, *evaluated.tests[index], invocation.language);
+        const NamedFigure named = figureOf(test, *evaluated.tests[index], index, wanted, invocation.language);
         try {
-            writeOutput(picture(figure, figure.title, ending), *output);
+            writeOutput(picture(named.figure, named.title, ending), *output);
         } catch (const Error &error) {
             printError(*output, error, invocation.language);
             return cannotRead;

@@ -65,9 +65,9 @@ int run(const Invocation &invocation) {
     refuseUnknownLanguage(invocation);
     const QString file = invocation.arguments.front();
     try {
-        const EvaluatedDocument evaluated =
-            simulated(evaluate(std::make_shared<const Document>(documentFrom(file)), nullptr, {}),
-                      SimulateWhich::allWithBudget, 0, invocation.language);
+        const EvaluatedDocument evaluated = simulated(
+            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)), nullptr, {}),
+            SimulateWhich::allWithBudget, 0, invocation.language);
         const QStringList languages = languagesOf(invocation, *evaluated.document);
         const bool toStandardOutput = *output == QLatin1StringView("-");
         if (toStandardOutput && languages.size() > 1)

@@ -2,6 +2,7 @@
 
 #include "document/readdocument.h"
 #include "document/savedocument.h"
+#include "import/importmeasurement.h"
 
 #include <QFile>
 #include <algorithm>
@@ -60,8 +61,33 @@ void printError(const QString &file, const Error &error, const Language &languag
     printError(text + language.sentence(error.message));
 }
 
-Document documentFrom(const QString &file) {
-    return file == QLatin1StringView("-") ? readDocument(standardInput()) : openDocument(file);
+void printRemarks(const QString &file, const std::vector<Remark> &remarks, const Language &language) {
+    for (const Remark &remark : remarks) {
+        QString text = file + QStringLiteral(": ");
+        if (remark.line > 0) {
+            text += QString::number(remark.line);
+            if (remark.column > 0)
+                text += u':' + QString::number(remark.column);
+            text += QStringLiteral(": ");
+        }
+        printError(text + language.sentence(remark.message));
+    }
+}
+
+QByteArray bytesFrom(const QString &file) {
+    return file == QLatin1StringView("-") ? standardInput() : readBytes(file);
+}
+
+Document documentFrom(const QString &file, const Language &language) {
+    const QByteArray bytes = bytesFrom(file);
+    if (isTestFile(bytes))
+        return readDocument(bytes);
+    Imported imported = importMeasurement(bytes, file);
+    const std::vector<Remark> remarks = imported.remarks;
+    Document document;
+    addImported(document, std::move(imported), bytes, file, false);
+    printRemarks(file, remarks, language);
+    return document;
 }
 
 } // namespace palmer

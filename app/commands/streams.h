@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/documenterror.h"
+#include "import/remark.h"
 #include "language/language.h"
 
 #include <QString>
@@ -18,7 +19,14 @@ void printError(const QString &text);
 /// `palmer-cli: FILE: place: what is wrong`.
 void printError(const QString &file, const Error &error, const Language &language);
 
-/// The document of a file, "-" is standard input. Throws Error.
-[[nodiscard]] Document documentFrom(const QString &file);
+/// `palmer-cli: FILE: line:column: remark`, one line each.
+void printRemarks(const QString &file, const std::vector<Remark> &remarks, const Language &language);
+
+/// The bytes of a file, "-" is standard input. Throws Error.
+[[nodiscard]] QByteArray bytesFrom(const QString &file);
+
+/// The document of a file: a test file, or what an instrument's file or a table is imported as, whose remarks
+/// are printed. Throws Error.
+[[nodiscard]] Document documentFrom(const QString &file, const Language &language);
 
 } // namespace palmer

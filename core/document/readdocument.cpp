@@ -5,6 +5,7 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "document/place.h"
+#include "document/refusedreadings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -511,6 +512,7 @@ private:
         else if (kind == Kind::drift)
             test.measurement = DriftMeasurement{};
         readStruct(value, test, place, {"kind"});
+        takeRefusedReadings(test);
         member = std::make_shared<const Test>(std::move(test));
     }
 

@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
+#include <QStorageInfo>
 
 namespace palmer {
 
@@ -18,8 +19,18 @@ constexpr qint64 sizeLimit = qint64(1) << 30;
     throw Error(kind, {text, {}, {}});
 }
 
-// The system's own words would be in another language than the rest.
-[[noreturn]] void refuseSaving() {
+// The system's own words would be in another language than the rest, so the cause is looked for anew.
+[[noreturn]] void refuseSaving(const QString &path, qint64 size) {
+    const QFileInfo info(path);
+    const QStorageInfo disk(info.absolutePath());
+    if (disk.isValid() && disk.isReadOnly())
+        refuse(Error::Kind::unwritable,
+               REPORT_TEXT("report", "the disk is read-only; save in a folder of another disk"));
+    if ((info.exists() && !info.isFile()) || (disk.isValid() && disk.bytesAvailable() < size))
+        refuse(Error::Kind::unwritable,
+               REPORT_TEXT("report",
+                           "the disk is full; what was there before is unchanged: free some space or "
+                           "save on another disk"));
     refuse(Error::Kind::unwritable,
            REPORT_TEXT("report",
                        "the file could not be saved, for want of permission or space; what was there before "
@@ -45,19 +56,19 @@ void saveBytes(const QByteArray &bytes, const QString &path) {
         // Renaming would replace the device itself.
         QFile device(path);
         if (!device.open(QIODevice::WriteOnly) || device.write(bytes) != bytes.size() || !device.flush())
-            refuseSaving();
+            refuseSaving(path, bytes.size());
         return;
     }
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        refuseSaving();
+        refuseSaving(path, bytes.size());
 }
 
 void saveDocument(const Document &document, const QString &path) {
     saveBytes(writeDocument(document), path);
 }
 
-Document openDocument(const QString &path) {
+QByteArray readBytes(const QString &path) {
     const QFileInfo info(path);
     if (info.isDir())
         refuse(Error::Kind::unreadable, REPORT_TEXT("report", "this is a folder; expected a test file"));
@@ -81,7 +92,11 @@ Document openDocument(const QString &path) {
     }
     if (file.error() != QFileDevice::NoError)
         refuseReading();
-    return readDocument(bytes);
+    return bytes;
+}
+
+Document openDocument(const QString &path) {
+    return readDocument(readBytes(path));
 }
 
 } // namespace palmer

@@ -16,6 +16,10 @@ void saveBytes(const QByteArray &bytes, const QString &path);
 /// The test file of a document, written so.
 void saveDocument(const Document &document, const QString &path);
 
+/// The bytes of a file. Throws Error(unreadable) for what cannot be read, Error(tooLarge) above 1 GiB, at
+/// once where the file tells its size.
+[[nodiscard]] QByteArray readBytes(const QString &path);
+
 /// Reads the test file at that path. Throws Error(unreadable) for what cannot be read, Error(tooLarge) above
 /// 1 GiB, and what readDocument throws.
 [[nodiscard]] Document openDocument(const QString &path);

@@ -4,6 +4,7 @@
 #include "document/fileversion.h"
 #include "document/filewords.h"
 #include "document/json.h"
+#include "document/refusedreadings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -55,6 +56,7 @@ private:
     static json toJson(const TestPointer &test) {
         json object = toJson(*test);
         object["kind"] = fileWord(kindOf(*test));
+        addRefusedReadings(*test, object["extensions"]);
         return object;
     }
 

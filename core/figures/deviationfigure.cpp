@@ -1,6 +1,7 @@
 #include "figures/deviationfigure.h"
 
 #include "figures/ticks.h"
+#include "language/decimals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +26,15 @@ struct Source {
     const PositioningResults &results;
     const TestEvaluation &evaluation;
     bool rotary;
-    double scale; ///< mm → µm, degrees → arc seconds
+    double positionScale; ///< mm or degrees → the unit positions are shown in
+    double scale;         ///< mm or degrees → the unit deviations are shown in
     double c;
     bool limits; ///< ± c·s is drawn
 
     [[nodiscard]] std::size_t targets() const {
         return std::min(measurement.targets.size(), results.targets.size());
     }
-    [[nodiscard]] double position(std::size_t i) const { return measurement.targets[i]; }
+    [[nodiscard]] double position(std::size_t i) const { return measurement.targets[i] * positionScale; }
     [[nodiscard]] double position(const Ruling &ruling) const { return position(index(ruling)); }
     [[nodiscard]] static std::size_t index(const Ruling &ruling) {
         return static_cast<std::size_t>(ruling.target - 1);
@@ -310,14 +312,15 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
                         results,
                         evaluation,
                         rotary,
-                        rotary ? 3600.0 : 1000.0,
+                        unitScale(positionQuantity(measurement.axis), language.units()),
+                        unitScale(deviationQuantity(measurement.axis), language.units()),
                         c,
                         c > 0 && !wholeTravelOfLongAxis(measurement, results)};
 
     CurveFigure figure;
     figure.title = language.sentence({title(evaluation.edition), {measurement.axis.name}, std::nullopt});
-    figure.positions.assign(measurement.targets.begin(),
-                            measurement.targets.begin() + static_cast<std::ptrdiff_t>(source.targets()));
+    for (std::size_t i = 0; i < source.targets(); ++i)
+        figure.positions.push_back(source.position(i));
     for (const Direction direction : source.directions()) {
         if (source.limits)
             addBands(figure, source, direction);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "kernel/measurement/circular.h"
+
+#include <QSizeF>
 #include <QString>
 #include <optional>
 #include <variant>
@@ -123,7 +126,137 @@ struct CurveFigure {
     bool operator==(const CurveFigure &) const = default;
 };
 
+/// A point of a path about the centre the figure names: angle in degrees from the first axis towards the
+/// second, unwrapped; deviation in µm.
+struct TracePoint {
+    double angle = 0;
+    double deviation = 0;
+
+    bool operator==(const TracePoint &) const = default;
+};
+
+/// Points of a path that follow one another: all of them, or first, least, greatest, last of each step of
+/// the angle, in the order of measurement. A path that leaves the view and comes back is several traces.
+struct CircleTrace {
+    Sense sense = Sense::counterclockwise;
+    bool repetition = false;
+    std::vector<TracePoint> points;
+
+    bool operator==(const CircleTrace &) const = default;
+};
+
+/// A place of a path that is marked.
+struct TraceMark {
+    Sense sense = Sense::counterclockwise;
+    TracePoint at;
+
+    bool operator==(const TraceMark &) const = default;
+};
+
+/// A point that rules a result: it touches the outer or the inner circle, or is Fmax or Fmin.
+struct ContactMark {
+    TraceMark mark;
+    bool outer = true;
+
+    bool operator==(const ContactMark &) const = default;
+};
+
+/// In which sense a path runs, and its index ("XY").
+struct SenseArrow {
+    Sense sense = Sense::counterclockwise;
+    QString index;
+
+    bool operator==(const SenseArrow &) const = default;
+};
+
+/// The circles about the named centre that enclose the paths, and what is between them: G or G(b).
+struct CircleEnvelope {
+    QString label;               ///< "G(b)"
+    QString subscript;           ///< "f" of feedback signals
+    QString id;                  ///< of the parameter: "G(b)_XY"
+    double inner = 0;            ///< deviation, µm
+    double outer = 0;            ///< outer ≥ inner
+    bool dimension = true;       ///< the distance of the two is the result; else they are Fmin and Fmax
+    std::optional<double> limit; ///< width, µm; drawn beside the dimension
+    QString limitLabel;          ///< "limit 30 µm"
+
+    bool operator==(const CircleEnvelope &) const = default;
+};
+
+/// A circle about the nominal one: a division of the scale, or a limit of F.
+struct DeviationCircle {
+    double deviation = 0; ///< µm
+    QString label;        ///< "+5"
+
+    bool operator==(const DeviationCircle &) const = default;
+};
+
+enum class CircleLegendSample {
+    counterclockwise,
+    clockwise,
+    nominal,
+    envelope,
+    limit,
+    centre,
+    start,
+    contacts,
+    repetitions
+};
+
+struct CircleLegendEntry {
+    CircleLegendSample sample = CircleLegendSample::nominal;
+    QString text;
+
+    bool operator==(const CircleLegendEntry &) const = default;
+};
+
+/// The part of a circle figure in view: what stands in the middle (mm of the figure as a whole, y upwards,
+/// from the centre of the circles) and how many times it is enlarged.
+struct CircleView {
+    double x = 0;
+    double y = 0;
+    double zoom = 1;
+
+    bool operator==(const CircleView &) const = default;
+};
+
+/// Paths with their deviations magnified about the nominal circle: the picture of a circular test. A
+/// deviation d (µm) is drawn at plotRadius + magnification·d/1000 mm from the centre.
+struct CircleFigure {
+    QString title;   ///< "Actual paths": what is drawn
+    QString centre;  ///< "about the centre of the minimum zone of G(b)"
+    QString caption; ///< "magnification 1 000:1, 5 µm per division"
+    QString ratio;   ///< "1 000:1"
+    QString firstAxis;
+    QString secondAxis;
+    QSizeF size;          ///< of the drawing, mm
+    double keyHeight = 0; ///< of the legend below it on paper, mm; what is printed is that much higher
+    int keyColumns = 3;
+    double figureRadius = 0;  ///< nothing that deviates is drawn farther out, mm
+    double plotRadius = 0;    ///< of the nominal circle, mm
+    double magnification = 1; ///< 1, 2 or 5 times a power of ten
+    double division = 0;      ///< between rings, the length of the scale bar, µm
+    QString divisionLabel;    ///< "5 µm"
+    double pointStep = 0;     ///< of the traces, mm of the drawing
+    CircleView view;
+    std::vector<DeviationCircle> rings; ///< ascending; of the whole figure 0 among them
+    std::vector<CircleTrace> traces;
+    std::vector<TraceMark> starts;
+    std::vector<ContactMark> contacts;
+    std::vector<SenseArrow> arrows;
+    std::optional<CircleEnvelope> envelope;
+    std::vector<DeviationCircle> limits; ///< of F
+    std::vector<CircleLegendEntry> legend;
+
+    /// Distance from the centre at which a deviation (µm) is drawn, mm.
+    [[nodiscard]] double radius(double deviation) const {
+        return plotRadius + magnification * deviation / 1000;
+    }
+
+    bool operator==(const CircleFigure &) const = default;
+};
+
 /// What can be drawn: content in the units and the language it is shown in, roles instead of colours.
-using Figure = std::variant<CurveFigure>;
+using Figure = std::variant<CurveFigure, CircleFigure>;
 
 } // namespace palmer

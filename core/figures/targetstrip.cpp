@@ -12,9 +12,9 @@ namespace palmer {
 namespace {
 
 constexpr double mostParts = 6;
-constexpr double margin = 0.06;   ///< of the span, on either side
-constexpr double mostStretch = 3; ///< of the scale, to show the origin
-constexpr double leastSpan = 1e-3;
+constexpr double margin = 0.06;    ///< of the span, on either side
+constexpr double mostStretch = 3;  ///< of the scale, to show the origin
+constexpr double leastSpan = 1e-6; ///< mm or degrees
 
 } // namespace
 
@@ -22,8 +22,7 @@ TargetStrip targetStrip(const Test &test, const TestEvaluation &evaluation, std:
                         const Language &language) {
     const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
     const auto &results = std::get<PositioningResults>(evaluation.results);
-    const bool linear = measurement.axis.motion == Motion::linear;
-    const double scale = linear ? 1000 : 3600;
+    const double scale = unitScale(deviationQuantity(measurement.axis), language.units());
     const double c = evaluation.edition ? evaluation.edition->c : 0;
 
     TargetStrip strip;
@@ -74,7 +73,7 @@ TargetStrip targetStrip(const Test &test, const TestEvaluation &evaluation, std:
         least = std::min(least, 0.0);
         most = std::max(most, 0.0);
     }
-    const double span = std::max(most - least, leastSpan);
+    const double span = std::max(most - least, leastSpan * scale);
     setRange(strip.axis, least - margin * span, most + margin * span, mostParts, TickSteps::values, language);
     strip.axis.unit = language.unit(deviationQuantity(measurement.axis));
     return strip;

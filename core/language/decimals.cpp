@@ -3,6 +3,7 @@
 #include "language/rounding.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palmer {
 
@@ -51,6 +52,14 @@ int readingDecimals(const PositioningMeasurement &measurement) {
         }
     }
     return result;
+}
+
+int feedDecimals(double feed) {
+    constexpr double threeDigits = 100;
+    int decimals = 0;
+    for (double shown = std::abs(feed); shown > 0 && shown < threeDigits && decimals < finest; shown *= 10)
+        ++decimals;
+    return decimals;
 }
 
 int statisticDecimals(const PositioningMeasurement &measurement) {

@@ -19,6 +19,9 @@ namespace palmer {
 /// Statistics per target: one more than the readings, within the same bounds.
 [[nodiscard]] int statisticDecimals(const PositioningMeasurement &measurement);
 
+/// Of a feed in mm/min: whole numbers, and below 100 three digits in all.
+[[nodiscard]] int feedDecimals(double feed);
+
 /// Quantities of the positions and deviations of an axis.
 [[nodiscard]] inline Quantity positionQuantity(const Axis &axis) {
     return axis.motion == Motion::linear ? Quantity::position : Quantity::angle;

@@ -50,6 +50,14 @@ constexpr std::array months{
     REPORT_TEXT("report", "October"), REPORT_TEXT("report", "November"), REPORT_TEXT("report", "December"),
 };
 
+std::string withoutZeros(std::string decimal) {
+    if (decimal.find('.') != std::string::npos)
+        decimal.erase(decimal.find_last_not_of('0') + 1);
+    if (decimal.ends_with('.'))
+        decimal.pop_back();
+    return decimal;
+}
+
 bool isPlural(QStringView source) {
     return source.contains(QLatin1StringView("%n"));
 }
@@ -123,11 +131,18 @@ QString Language::argument(const Argument &argument) const {
 }
 
 QString Language::number(double value, Quantity quantity, int decimals) const {
-    return shown(Decimal(value, quantity).rounded(decimals));
+    const ShownUnit unit = shownUnit(quantity, m_units);
+    const Decimal decimal(value, unit);
+    if (decimals >= 0)
+        return shown(decimal.rounded(std::max(0, decimals + unit.decimals)));
+    // A converted number has no end of its own.
+    return shown(unit.finest < 0 ? decimal.rounded(-1) : withoutZeros(decimal.rounded(unit.finest)));
 }
 
 QString Language::uncertainty(double value, Quantity quantity, int decimals) const {
-    return shown(Decimal(value, quantity).roundedUncertainty(decimals));
+    const ShownUnit unit = shownUnit(quantity, m_units);
+    return shown(Decimal(value, unit)
+                     .roundedUncertainty(decimals < 0 ? decimals : std::max(0, decimals + unit.decimals)));
 }
 
 QString Language::shown(const std::string &decimal) const {
@@ -165,38 +180,13 @@ QString Language::quantity(double value, Quantity quantity, int decimals) const 
 }
 
 QString Language::unit(Quantity quantity) const {
-    switch (quantity) {
-    case Quantity::number:
-    case Quantity::count:
-        return {};
-    case Quantity::position:
-        return QStringLiteral("mm");
-    case Quantity::angle:
-        return QStringLiteral("°");
-    case Quantity::deviation:
-    case Quantity::micrometres:
-        return QStringLiteral("µm");
-    case Quantity::angularDeviation:
-    case Quantity::arcSeconds:
-        return QStringLiteral("″");
-    case Quantity::temperature:
-        return QStringLiteral("°C");
-    case Quantity::gradient:
-        return QStringLiteral("°C/h");
-    case Quantity::expansion:
-        return QStringLiteral("µm/(m·°C)");
-    case Quantity::feed:
-        return QStringLiteral("mm/min");
-    case Quantity::angularFeed:
-        return QStringLiteral("°/min");
-    case Quantity::time:
-        return QStringLiteral("s");
-    case Quantity::pressure:
-        return QStringLiteral("hPa");
-    case Quantity::percent:
-        return QStringLiteral("%");
-    }
-    return {};
+    return QString::fromUtf8(shownUnit(quantity, m_units).sign);
+}
+
+Language Language::withUnits(const DisplayUnits &units) const {
+    Language result = *this;
+    result.m_units = units;
+    return result;
 }
 
 QString Language::date(const std::string &iso) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/words/message.h"
+#include "language/units.h"
 
 #include <QString>
 #include <memory>
@@ -30,6 +31,10 @@ public:
     [[nodiscard]] Id id() const { return m_id; }
     [[nodiscard]] QString code() const; ///< "en", "fr"
 
+    /// The same language with numbers in other units.
+    [[nodiscard]] Language withUnits(const DisplayUnits &units) const;
+    [[nodiscard]] const DisplayUnits &units() const { return m_units; }
+
     /// The translation of a text of the catalogue; the source where there is none.
     [[nodiscard]] QString text(const Text &text) const;
     /// Whether the text reads well in this language. Of the English texts only those that are written with
@@ -40,7 +45,8 @@ public:
     [[nodiscard]] QString sentence(const Message &message) const;
 
     /// The number alone, in the unit the quantity is shown in, rounded half to even on its shortest decimal;
-    /// `decimals` < 0: all its digits. A dash for NaN, which stands for "none".
+    /// `decimals` < 0: all its digits; counted in the default unit of the quantity. A dash for NaN, which
+    /// stands for "none".
     [[nodiscard]] QString number(double value, Quantity quantity, int decimals = -1) const;
     /// An expanded uncertainty: as number(), but rounded up where rounding down would lose more than 5 %.
     [[nodiscard]] QString uncertainty(double value, Quantity quantity, int decimals) const;
@@ -57,6 +63,7 @@ private:
     [[nodiscard]] QString argument(const Argument &argument) const;
 
     Id m_id;
+    DisplayUnits m_units;
     std::shared_ptr<const QTranslator> m_catalogue;
 };
 

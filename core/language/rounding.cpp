@@ -12,7 +12,6 @@ namespace {
 constexpr int finestDecimals = 4;   // 0.1 nm: beyond every instrument of these tests
 constexpr int coarsestDecimals = 1; // 0.1 µm, 0.1″
 constexpr int certainDigits = 15;   // every decimal of 15 digits survives the way through a double
-constexpr double secondsPerDegree = 3600;
 
 using Buffer = std::array<char, 32>;
 
@@ -26,11 +25,14 @@ Decimal::Decimal(double value, int shift) {
 }
 
 Decimal::Decimal(double value, Quantity quantity)
-    : Decimal(value, quantity == Quantity::deviation ? 3 : 0) {
-    if (quantity != Quantity::angularDeviation)
+    : Decimal(value, shownUnit(quantity)) {}
+
+Decimal::Decimal(double value, const ShownUnit &unit)
+    : Decimal(value, unit.shift) {
+    if (unit.factor == 1)
         return;
     Buffer buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value * secondsPerDegree,
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value * unit.factor,
                                    std::chars_format::scientific, certainDigits - 1)
                          .ptr;
     read(buffer.data(), end, 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/words/quantity.h"
+#include "language/units.h"
 
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ public:
     explicit Decimal(double value, int shift = 0);
     /// A number in the base unit of its quantity, in the unit it is shown in.
     Decimal(double value, Quantity quantity);
+    /// The same in a unit of the user's choice.
+    Decimal(double value, const ShownUnit &unit);
 
     /// Rounded half to even, with exactly `decimals` digits after the point (< 0: the shortest form).
     /// Point ".", sign "-", no grouping; "-0" never appears.

@@ -1,6 +1,7 @@
 #include "report/composereport.h"
 
 #include "report/attachedfile.h"
+#include "report/circularparts.h"
 #include "report/closingparts.h"
 #include "report/conditionparts.h"
 #include "report/dataparts.h"
@@ -36,16 +37,12 @@ QString remarksBeside(const TestPart &part) {
 void addPositioning(std::vector<Block> &blocks, const TestPart &test,
                     const PositioningMeasurement &measurement, const PositioningResults &results) {
     const PositioningPart part{test, measurement, results};
-    const Writer &write = part.write;
     blocks.emplace_back(positioningHead(part));
     addFigure(blocks, part);
-    addResults(blocks, part,
-               write.say(REPORT_TEXT("report", "Results for the %1 axis"),
-                         {measurement.axis.name.empty() ? std::string("–") : measurement.axis.name}),
-               results.notCorrected);
+    addResults(blocks, part);
     addConditions(blocks, part);
     addAgreedPoints(blocks, part);
-    addUncertainty(blocks, part);
+    addUncertainty(blocks, part, measurement.uncertainty.method);
     addBudget(blocks, part);
     addFindings(blocks, part);
     addLimits(blocks, part);
@@ -57,14 +54,23 @@ void addPositioning(std::vector<Block> &blocks, const TestPart &test,
     addEditionsAndRemarks(blocks, part, remarksBeside(part));
 }
 
-/// What every test has, whatever its kind.
-void addOther(std::vector<Block> &blocks, const TestPart &part) {
-    blocks.emplace_back(commonHead(part));
-    addResults(blocks, part, part.write.text(REPORT_TEXT("report", "Results")), false);
+void addCircular(std::vector<Block> &blocks, const TestPart &test, const CircularMeasurement &measurement,
+                 const CircularResults &results) {
+    const CircularPart part{test, measurement, results};
+    blocks.emplace_back(circularHead(part));
+    addActualPaths(blocks, part);
+    addResults(blocks, part);
+    addSeparateFigures(blocks, part);
+    addConditions(blocks, part);
     addAgreedPoints(blocks, part);
+    addUncertainty(blocks, part, measurement.uncertainty.method);
     addBudget(blocks, part);
     addFindings(blocks, part);
     addLimits(blocks, part);
+    addPaths(blocks, part);
+    addCircles(blocks, part);
+    addCorrection(blocks, part);
+    addRepetitions(blocks, part);
     addImports(blocks, part);
     addEditionsAndRemarks(blocks, part, remarksBeside(part));
 }
@@ -73,12 +79,12 @@ void addTest(std::vector<Block> &blocks, const TestPart &part) {
     if (!blocks.empty())
         blocks.emplace_back(PageBreak{});
     blocks.emplace_back(runningHead(part));
-    const auto *measurement = std::get_if<PositioningMeasurement>(&part.test.measurement);
-    const auto *results = std::get_if<PositioningResults>(&part.evaluation.results);
-    if (measurement && results)
-        addPositioning(blocks, part, *measurement, *results);
+    // A test with an edition is of one of these kinds, and its results are.
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
+        addPositioning(blocks, part, *positioning, std::get<PositioningResults>(part.evaluation.results));
     else
-        addOther(blocks, part);
+        addCircular(blocks, part, std::get<CircularMeasurement>(part.test.measurement),
+                    std::get<CircularResults>(part.evaluation.results));
 }
 
 } // namespace

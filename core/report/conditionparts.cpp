@@ -79,28 +79,62 @@ QString targetList(const PositioningPart &part) {
            part.write.language().unit(part.along());
 }
 
-/// "X 0, Y –, Z 150 mm"; empty where nothing is stated.
-QString pointText(const Writer &write, const Point3 &point) {
-    if (std::ranges::none_of(point, [](const auto &x) { return x.has_value(); }))
-        return {};
-    constexpr std::array letters{'X', 'Y', 'Z'};
-    QStringList texts;
-    for (std::size_t i = 0; i < point.size(); ++i)
-        texts << QLatin1Char(letters[i]) + QStringLiteral("\u00A0") +
-                     (point[i] ? write.language().number(*point[i], Quantity::position)
-                               : QStringLiteral("–"));
-    return texts.join(write.semicolon()) + QStringLiteral("\u00A0mm");
-}
-
 QString measuringLineText(const Writer &write, const Conditions &conditions) {
     QStringList lines;
     const auto add = [&](const Text &words, const Point3 &point) {
         const QString text = pointText(write, point);
-        lines << write.say(words, text.isEmpty() ? QStringLiteral("–") : text);
+        lines << write.say(words, text.isEmpty() ? QStringLiteral("–") : text + QStringLiteral("\u00A0mm"));
     };
     add(REPORT_TEXT("report", "tool offset: %1"), conditions.toolOffset);
     add(REPORT_TEXT("report", "workpiece offset: %1"), conditions.workpieceOffset);
     return lines.join(u'\n');
+}
+
+/// The rows of a table of conditions.
+class ConditionRows {
+public:
+    explicit ConditionRows(const Writer &write)
+        : m_write(write) {
+        m_values.labelWidth = conditionLabels;
+    }
+
+    void add(const Text &label, const QString &value) {
+        m_values.rows.push_back({m_write.text(label), value});
+    }
+    void add(const Text &label, const std::string &value) { add(label, QString::fromStdString(value)); }
+    void addStated(const Text &label, const QString &value) {
+        if (!value.isEmpty())
+            add(label, value);
+    }
+    void addStated(const Text &label, const std::string &value) {
+        addStated(label, QString::fromStdString(value));
+    }
+    [[nodiscard]] KeyValues take() { return std::move(m_values); }
+
+private:
+    const Writer &m_write;
+    KeyValues m_values;
+};
+
+void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions &conditions) {
+    const Writer &write = part.write;
+    const Text unloaded = part.isOf1988() ? REPORT_TEXT_FOR("report", "machine unloaded", "1988")
+                                          : REPORT_TEXT("report", "machine unloaded");
+    rows.add(REPORT_TEXT("report", "Load"),
+             joined({stated(write, conditions.unloaded, unloaded, REPORT_TEXT("report", "machine loaded")),
+                     QString::fromStdString(conditions.load)}));
+    rows.add(
+        REPORT_TEXT("report", "State of the machine"),
+        joined({stated(write, conditions.complete, REPORT_TEXT("report", "complete and in working order"),
+                       REPORT_TEXT("report", "not complete")),
+                stated(write, conditions.levelled, REPORT_TEXT("report", "levelled and aligned"),
+                       REPORT_TEXT("report", "not levelled"))}));
+}
+
+void addThermalPreparation(ConditionRows &rows, const Writer &write, const Conditions &conditions) {
+    rows.addStated(REPORT_TEXT("report", "Soak"), conditions.soak);
+    rows.addStated(REPORT_TEXT("report", "Thermal shielding"), yesNo(write, conditions.shielded));
+    rows.addStated(REPORT_TEXT("report", "Maker’s thermal guidelines"), conditions.thermalGuidelines);
 }
 
 KeyValues conditionRows(const PositioningPart &part) {
@@ -109,48 +143,59 @@ KeyValues conditionRows(const PositioningPart &part) {
     const Conditions &common = conditions.common;
     const Quantity feed =
         part.measurement.axis.motion == Motion::linear ? Quantity::feed : Quantity::angularFeed;
-    KeyValues values;
-    values.labelWidth = conditionLabels;
-    const auto add = [&](const Text &label, const QString &value) {
-        values.rows.push_back({write.text(label), value});
-    };
-    const auto addStated = [&](const Text &label, const QString &value) {
-        if (!value.isEmpty())
-            add(label, value);
-    };
-    add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
+    ConditionRows rows(write);
+    rows.add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
     QString feedText = write.quantity(conditions.feed, feed);
     if (conditions.feedMode == FeedMode::rapid)
         feedText = joined({write.text(REPORT_TEXT("report", "rapid feed")), feedText});
-    add(REPORT_TEXT("report", "Feed between targets"), feedText);
-    add(REPORT_TEXT("report", "Dwell at target"), write.quantity(conditions.dwell, Quantity::time));
-    addStated(REPORT_TEXT("report", "Approach distance"),
-              write.quantity(conditions.approachDistance, part.along()));
-    const Text unloaded = part.isOf1988() ? REPORT_TEXT_FOR("report", "machine unloaded", "1988")
-                                          : REPORT_TEXT("report", "machine unloaded");
-    add(REPORT_TEXT("report", "Load"),
-        joined({stated(write, common.unloaded, unloaded, REPORT_TEXT("report", "machine loaded")),
-                QString::fromStdString(common.load)}));
-    add(REPORT_TEXT("report", "State of the machine"),
-        joined({stated(write, common.complete, REPORT_TEXT("report", "complete and in working order"),
-                       REPORT_TEXT("report", "not complete")),
-                stated(write, common.levelled, REPORT_TEXT("report", "levelled and aligned"),
-                       REPORT_TEXT("report", "not levelled"))}));
-    add(REPORT_TEXT("report", "Active compensation"), QString::fromStdString(common.compensation));
-    add(REPORT_TEXT("report", "Other axes"), QString::fromStdString(common.otherAxes));
-    add(REPORT_TEXT("report", "Measuring line"), measuringLineText(write, common));
-    add(REPORT_TEXT("report", "Instrument"), QString::fromStdString(common.instrumentPosition));
-    add(REPORT_TEXT("report", "Choice of targets"), targetChoiceText(part));
+    rows.add(REPORT_TEXT("report", "Feed between targets"), feedText);
+    rows.add(REPORT_TEXT("report", "Dwell at target"), write.quantity(conditions.dwell, Quantity::time));
+    rows.addStated(REPORT_TEXT("report", "Approach distance"),
+                   write.quantity(conditions.approachDistance, part.along()));
+    addLoadAndState(rows, part, common);
+    rows.add(REPORT_TEXT("report", "Active compensation"), common.compensation);
+    rows.add(REPORT_TEXT("report", "Other axes"), common.otherAxes);
+    rows.add(REPORT_TEXT("report", "Measuring line"), measuringLineText(write, common));
+    rows.add(REPORT_TEXT("report", "Instrument"), common.instrumentPosition);
+    rows.add(REPORT_TEXT("report", "Choice of targets"), targetChoiceText(part));
     if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
-        add(REPORT_TEXT("report", "Target positions"), targetList(part)); // stated in the tables otherwise
+        rows.add(REPORT_TEXT("report", "Target positions"), targetList(part)); // in the tables otherwise
     if (conditions.referencePosition)
-        add(REPORT_TEXT("report", "Zero of displacement"),
-            write.quantity(conditions.referencePosition, part.along()));
-    addStated(REPORT_TEXT("report", "Soak"), QString::fromStdString(common.soak));
-    addStated(REPORT_TEXT("report", "Thermal shielding"), yesNo(write, common.shielded));
-    addStated(REPORT_TEXT("report", "Maker’s thermal guidelines"),
-              QString::fromStdString(common.thermalGuidelines));
-    return values;
+        rows.add(REPORT_TEXT("report", "Zero of displacement"),
+                 write.quantity(conditions.referencePosition, part.along()));
+    addThermalPreparation(rows, write, common);
+    return rows.take();
+}
+
+QString angleReferenceText(const CircularPart &part) {
+    QStringList texts;
+    for (const Arc &arc : part.measurement.arcs) {
+        const QString text = part.write.text(
+            arc.angleReference == AngleReference::commanded
+                ? REPORT_TEXT("report", "commanded: of the programmed path; the centring error is taken out")
+                : REPORT_TEXT("report", "polar: of the measured points"));
+        if (!texts.contains(text))
+            texts << text;
+    }
+    return texts.join(u'\n');
+}
+
+KeyValues conditionRows(const CircularPart &part) {
+    const Writer &write = part.write;
+    const CircularConditions &conditions = part.measurement.conditions;
+    const Conditions &common = conditions.common;
+    ConditionRows rows(write);
+    rows.add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
+    addLoadAndState(rows, part, common);
+    rows.addStated(REPORT_TEXT("report", "Instrument"), common.instrumentPosition);
+    rows.addStated(REPORT_TEXT("report", "Angles"), angleReferenceText(part));
+    if (!part.feedback() && part.results.paths.size() > 1)
+        rows.add(REPORT_TEXT("report", "Between the runs"),
+                 stated(write, conditions.recentredBetweenRuns,
+                        REPORT_TEXT("report", "instrument centred anew"),
+                        REPORT_TEXT("report", "measured consecutively, without re-centring")));
+    addThermalPreparation(rows, write, common);
+    return rows.take();
 }
 
 using Temperature = std::optional<double> (*)(const Sensor &);
@@ -183,54 +228,74 @@ Text sensorText(SensorMeasures what) {
     return {};
 }
 
-Table environment(const PositioningPart &part) {
-    const Writer &write = part.write;
-    const PositioningConditions &conditions = part.measurement.conditions;
-    Table table;
-    table.columns = {{write.text(part.isOf1988() ? REPORT_TEXT_FOR("report", "Environment", "1988")
-                                                 : REPORT_TEXT("report", "Environment")),
-                      {},
-                      Alignment::left,
-                      true,
-                      42},
-                     {write.text(REPORT_TEXT("report", "Start")), {}, Alignment::decimal, false, 13},
-                     {write.text(REPORT_TEXT("report", "End")), {}, Alignment::decimal, false, 13}};
-    const auto shown = [&](std::optional<double> value, Quantity quantity, int decimals) {
-        return Cell(value ? write.language().number(*value, quantity, decimals) : QString());
-    };
-    const auto label = [&](const QString &name, Quantity quantity) {
-        return Phrase(
-            {{name + QStringLiteral("\u00A0\u00A0")}, {write.language().unit(quantity), false, false, true}});
-    };
-    for (const SensorMeasures what :
-         {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
-        table.rows.push_back({label(write.text(sensorText(what)), Quantity::temperature),
-                              shown(mean(conditions.common.sensors, what, startTemperature),
-                                    Quantity::temperature, temperatureDecimals),
-                              shown(mean(conditions.common.sensors, what, endTemperature),
-                                    Quantity::temperature, temperatureDecimals)});
-    const auto single = [&](const Text &name, std::optional<double> value, Quantity quantity, int decimals) {
-        table.rows.push_back(
-            {label(write.text(name), quantity), shown(value, quantity, decimals), blankCell()});
-    };
-    single(REPORT_TEXT("report", "Air pressure"), conditions.airPressure, Quantity::pressure, -1);
-    single(REPORT_TEXT("report", "Relative humidity"), conditions.airHumidity, Quantity::percent, -1);
-    single(REPORT_TEXT("report", "Temperature gradient"), conditions.gradientPerHour, Quantity::gradient, -1);
-    if (part.measurement.axis.motion == Motion::linear) {
-        table.rulesAfter.push_back(table.rows.size() - 1);
-        single(REPORT_TEXT("report", "α machine"), conditions.common.expansion.machine, Quantity::expansion,
-               expansionDecimals);
-        single(REPORT_TEXT("report", "α instrument"), conditions.common.expansion.instrument,
-               Quantity::expansion, expansionDecimals);
+/// Temperatures at start and end and what else is stated of the environment.
+class EnvironmentTable {
+public:
+    EnvironmentTable(const TestPart &part, const Conditions &conditions)
+        : m_write(part.write) {
+        m_table.columns = {{m_write.text(part.isOf1988() ? REPORT_TEXT_FOR("report", "Environment", "1988")
+                                                         : REPORT_TEXT("report", "Environment")),
+                            {},
+                            Alignment::left,
+                            true,
+                            42},
+                           {m_write.text(REPORT_TEXT("report", "Start")), {}, Alignment::decimal, false, 13},
+                           {m_write.text(REPORT_TEXT("report", "End")), {}, Alignment::decimal, false, 13}};
+        for (const SensorMeasures what :
+             {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
+            m_table.rows.push_back({label(sensorText(what), Quantity::temperature),
+                                    shown(mean(conditions.sensors, what, startTemperature),
+                                          Quantity::temperature, temperatureDecimals),
+                                    shown(mean(conditions.sensors, what, endTemperature),
+                                          Quantity::temperature, temperatureDecimals)});
     }
-    return table;
+
+    void add(const Text &name, std::optional<double> value, Quantity quantity, int decimals = -1) {
+        m_table.rows.push_back({label(name, quantity), shown(value, quantity, decimals), blankCell()});
+    }
+    void addExpansion(const Expansion &expansion) {
+        m_table.rulesAfter.push_back(m_table.rows.size() - 1);
+        add(REPORT_TEXT("report", "α machine"), expansion.machine, Quantity::expansion, expansionDecimals);
+        add(REPORT_TEXT("report", "α instrument"), expansion.instrument, Quantity::expansion,
+            expansionDecimals);
+    }
+    [[nodiscard]] Table take() { return std::move(m_table); }
+
+private:
+    [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals) const {
+        return {value ? m_write.language().number(*value, quantity, decimals) : QString()};
+    }
+    [[nodiscard]] Phrase label(const Text &name, Quantity quantity) const {
+        return Phrase({{m_write.text(name) + QStringLiteral("\u00A0\u00A0")},
+                       {m_write.language().unit(quantity), false, false, true}});
+    }
+
+    const Writer &m_write;
+    Table m_table;
+};
+
+Table environment(const PositioningPart &part) {
+    const PositioningConditions &conditions = part.measurement.conditions;
+    EnvironmentTable table(part, conditions.common);
+    table.add(REPORT_TEXT("report", "Air pressure"), conditions.airPressure, Quantity::pressure);
+    table.add(REPORT_TEXT("report", "Relative humidity"), conditions.airHumidity, Quantity::percent);
+    table.add(REPORT_TEXT("report", "Temperature gradient"), conditions.gradientPerHour, Quantity::gradient);
+    if (part.measurement.axis.motion == Motion::linear)
+        table.addExpansion(conditions.common.expansion);
+    return table.take();
 }
 
-void addSensors(std::vector<Block> &blocks, const PositioningPart &part) {
-    const auto &sensors = part.measurement.conditions.common.sensors;
-    if (sensors.empty())
+/// Whether a table of the sensors says more than that of the environment: where they are, or several means.
+bool saysMore(const std::vector<Sensor> &sensors) {
+    std::array<int, 3> counts{};
+    return std::ranges::any_of(sensors, [&](const Sensor &sensor) {
+        return !sensor.position.empty() || ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1;
+    });
+}
+
+void addSensors(std::vector<Block> &blocks, const Writer &write, const std::vector<Sensor> &sensors) {
+    if (!saysMore(sensors))
         return;
-    const Writer &write = part.write;
     Table table;
     table.columns = {
         {write.text(REPORT_TEXT("report", "Temperature of")), {}, Alignment::left, false, 30},
@@ -271,7 +336,32 @@ void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
                                 {correctionText(part.measurement.conditions.common.correctionTo20)}),
                       TextSize::small});
     blocks.emplace_back(std::move(both));
-    addSensors(blocks, part);
+    addSensors(blocks, part.write, part.measurement.conditions.common.sensors);
+}
+
+void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
+    const Writer &write = part.write;
+    const Conditions &conditions = part.measurement.conditions.common;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Test conditions")));
+    KeyValues rows = conditionRows(part);
+    const bool temperatures = part.needsLength() || !conditions.sensors.empty() ||
+                              conditions.expansion.machine || conditions.expansion.instrument;
+    if (!temperatures) {
+        blocks.emplace_back(std::move(rows));
+        return;
+    }
+    EnvironmentTable table(part, conditions);
+    table.addExpansion(conditions.expansion);
+    SideBySide both;
+    both.leftWidth = conditionsWidth;
+    both.left.emplace_back(std::move(rows));
+    both.right.emplace_back(table.take());
+    if (part.needsLength())
+        both.right.emplace_back(Paragraph{write.say(REPORT_TEXT("report", "F and D at 20 °C: correction %1."),
+                                                    {correctionText(conditions.correctionTo20)}),
+                                          TextSize::small});
+    blocks.emplace_back(std::move(both));
+    addSensors(blocks, write, conditions.sensors);
 }
 
 void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
@@ -330,7 +420,7 @@ void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
     blocks.emplace_back(std::move(table));
 }
 
-void addUncertainty(std::vector<Block> &blocks, const PositioningPart &part) {
+void addUncertainty(std::vector<Block> &blocks, const TestPart &part, UncertaintyMethod method) {
     if (part.leavesOut(ReportPart::uncertainty))
         return;
     const Writer &write = part.write;
@@ -342,7 +432,7 @@ void addUncertainty(std::vector<Block> &blocks, const PositioningPart &part) {
         return;
     addHeading(blocks, write.text(REPORT_TEXT("report", "Measurement uncertainty")), QStringLiteral("k = 2"));
     QStringList words;
-    if (any && part.measurement.uncertainty.method == UncertaintyMethod::direct)
+    if (any && method == UncertaintyMethod::direct)
         words << write.text(REPORT_TEXT(
             "report", "The expanded uncertainties U beside the results were stated by the laboratory."));
     if (asked)
@@ -434,6 +524,78 @@ void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
              blankCell()});
     }
     blocks.emplace_back(std::move(table));
+}
+
+void addCorrection(std::vector<Block> &blocks, const CircularPart &part) {
+    if (!part.needsLength())
+        return;
+    const Writer &write = part.write;
+    const Conditions &conditions = part.measurement.conditions.common;
+    const std::optional<double> &correction = part.results.correction;
+    QString words;
+    switch (conditions.correctionTo20) {
+    case CorrectionTo20::notStated:
+        words = write.text(REPORT_TEXT(
+            "report", "Whether F and D are corrected to 20 °C is not stated; nothing is corrected here."));
+        break;
+    case CorrectionTo20::notApplied:
+        words = write.text(REPORT_TEXT("report", "F and D are not corrected to 20 °C."));
+        break;
+    case CorrectionTo20::appliedByInstrument:
+        words = write.text(REPORT_TEXT(
+            "report", "The instrument corrects its readings to 20 °C; nothing is corrected here."));
+        break;
+    case CorrectionTo20::appliedHere:
+        words = write.text(
+            correction
+                ? REPORT_TEXT("report", "Made here for F and D; temperatures are means of start and end.")
+                : REPORT_TEXT("report",
+                              "The correction was to be made here, but temperatures or coefficients of "
+                              "expansion are missing: nothing is corrected."));
+        break;
+    }
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Correction to 20 °C")),
+               correction ? phraseFrom(QStringLiteral("C = R·[α_i·(T_i − 20) − α_m·(T_m − 20)]")) : Phrase());
+    blocks.emplace_back(Paragraph{words});
+    if (!correction)
+        return;
+    struct Factor {
+        const char *symbol;
+        Quantity quantity;
+        std::optional<double> value;
+        int decimals;
+    };
+    const std::array factors{
+        Factor{"R", Quantity::position, part.measurement.nominalRadius, -1},
+        Factor{"α_i", Quantity::expansion, conditions.expansion.instrument, -1},
+        Factor{"T_i", Quantity::temperature, meanTemperature(conditions, SensorMeasures::instrument), 2},
+        Factor{"α_m", Quantity::expansion, conditions.expansion.machine, -1},
+        Factor{"T_m", Quantity::temperature, meanTemperature(conditions, SensorMeasures::machine), 2},
+        Factor{"C", Quantity::deviation, correction, correctionDecimals}};
+    Table table;
+    table.rows.emplace_back();
+    for (const Factor &factor : factors) {
+        table.columns.push_back({phraseFrom(QString::fromUtf8(factor.symbol)),
+                                 write.language().unit(factor.quantity), Alignment::decimal, false, 22});
+        table.rows.front().emplace_back(
+            factor.value ? write.language().number(*factor.value, factor.quantity, factor.decimals)
+                         : QString());
+    }
+    table.columns.push_back({QString(), {}, Alignment::left, true, 43});
+    table.rows.front().push_back(blankCell());
+    blocks.emplace_back(std::move(table));
+}
+
+QString pointText(const Writer &write, const Point3 &point) {
+    if (std::ranges::none_of(point, [](const auto &x) { return x.has_value(); }))
+        return {};
+    constexpr std::array letters{'X', 'Y', 'Z'};
+    QStringList texts;
+    for (std::size_t i = 0; i < point.size(); ++i)
+        texts << QLatin1Char(letters[i]) + QStringLiteral("\u00A0") +
+                     (point[i] ? write.language().number(*point[i], Quantity::position)
+                               : QStringLiteral("–"));
+    return texts.join(write.semicolon());
 }
 
 } // namespace palmer

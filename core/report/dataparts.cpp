@@ -176,8 +176,11 @@ int numberInDirection(const PositioningMeasurement &measurement, int run) {
 /// "2006"; whole designations where there is more than the year to tell apart.
 QString shortEdition(const char *word) {
     const QString designation = QString::fromUtf8(word);
-    const QString family = QStringLiteral("ISO 230-2:");
-    return designation.startsWith(family) ? designation.mid(family.size()) : designation;
+    for (const QString &family : {QStringLiteral("ISO 230-2:"), QStringLiteral("ISO 230-4:")}) {
+        if (designation.startsWith(family))
+            return designation.mid(family.size());
+    }
+    return designation;
 }
 
 struct EditionColumn {
@@ -207,9 +210,7 @@ std::optional<Table> editionsTable(const TestPart &part) {
     std::vector<const Parameter *> rows;
     for (const EditionColumn &column : columns) {
         for (const Parameter &parameter : column.evaluation->parameters) {
-            const auto same = [&](const Parameter *p) {
-                return std::string_view(p->term.id) == parameter.term.id;
-            };
+            const auto same = [&](const Parameter *p) { return parameterId(*p) == parameterId(parameter); };
             if (isPrinted(parameter, part.head()) && std::ranges::none_of(rows, same))
                 rows.push_back(&parameter);
         }
@@ -222,7 +223,7 @@ std::optional<Table> editionsTable(const TestPart &part) {
         for (const EditionColumn &column : columns) {
             const auto &parameters = column.evaluation->parameters;
             const auto found = std::ranges::find_if(
-                parameters, [&](const Parameter &p) { return std::string_view(p.term.id) == row->term.id; });
+                parameters, [&](const Parameter &p) { return parameterId(p) == parameterId(*row); });
             const bool known = found != parameters.end() && found->value;
             cells.emplace_back(known ? write.language().number(*found->value, found->term.quantity,
                                                                parameterDecimals(*found, resolution))

@@ -2,6 +2,7 @@
 
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "report/circularexplanation.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -273,7 +274,7 @@ private:
             result << say(REPORT_TEXT("report", "s by the range method: s = W / k(n)."), {});
         if (!m_results.corrections.empty())
             result << say(REPORT_TEXT("report", "With the correction to 20 °C applied here."), {});
-        else if (m_results.notCorrected && dependsOnTemperature())
+        else if (m_results.notCorrected && m_parameter.dependsOnTemperature)
             result << say(REPORT_TEXT("report", "Not corrected to 20 °C."), {});
         return result;
     }
@@ -284,11 +285,6 @@ private:
                 return m_language.sentence(finding.message);
         }
         return {};
-    }
-
-    [[nodiscard]] bool dependsOnTemperature() const {
-        const Row *row = rowOf(*m_evaluation.edition, m_parameter);
-        return row && row->dependsOnTemperature;
     }
 
     /// Which part of the sum weighs how much, where the sum is what rules.
@@ -375,15 +371,17 @@ std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::
                                        std::string_view id, const Language &language) {
     if (test >= evaluated.tests.size())
         return std::nullopt;
+    const Test &source = *evaluated.document->tests[test];
     const TestEvaluation &evaluation = *evaluated.tests[test];
-    const auto *measurement =
-        std::get_if<PositioningMeasurement>(&evaluated.document->tests[test]->measurement);
-    if (!measurement || !evaluation.edition)
+    if (!evaluation.edition)
         return std::nullopt;
     const auto parameter =
         std::ranges::find(evaluation.parameters, id, [](const Parameter &p) { return parameterId(p); });
     if (parameter == evaluation.parameters.end())
         return std::nullopt;
+    const auto *measurement = std::get_if<PositioningMeasurement>(&source.measurement);
+    if (!measurement)
+        return circularExplanation(source, evaluation, *parameter, language);
     const Row *row = rowOf(*evaluation.edition, *parameter);
     if (!row)
         return std::nullopt;

@@ -21,24 +21,34 @@ struct TargetBars {
     std::optional<std::size_t> ruling;         ///< index of the target that rules
 };
 
+/// A measured point that rules a circular result.
+struct RulingPoint {
+    QString path;      ///< "XY"
+    double angle = 0;  ///< degrees from the first axis towards the second, −180 … 180
+    bool outer = true; ///< farthest from the centre; else nearest to it
+
+    bool operator==(const RulingPoint &) const = default;
+};
+
 /// Where a parameter comes from, in one language.
 struct Explanation {
     QString id; ///< of the parameter
     Formula symbol;
-    QString name;               ///< the edition's term
-    Formula formula;            ///< in symbols
-    std::vector<Formula> steps; ///< with the numbers of this test put in; the last ends in the result
-    QStringList words;          ///< sentences: what rules it, what weighs, what to know
-    QString result;             ///< "R = 10,26 µm"; empty without a value
-    QString source;             ///< "ISO 230-2:2006, 2.17 and 2.19"
-    std::vector<Ruling> ruling; ///< targets (from 1) and directions that rule it
+    QString name;                    ///< the edition's term
+    Formula formula;                 ///< in symbols
+    std::vector<Formula> steps;      ///< with the numbers of this test put in; the last ends in the result
+    QStringList words;               ///< sentences: what rules it, what weighs, what to know
+    QString result;                  ///< "R = 10,26 µm"; empty without a value
+    QString source;                  ///< "ISO 230-2:2006, 2.17 and 2.19"
+    std::vector<Ruling> ruling;      ///< targets (from 1) and directions that rule it
+    std::vector<RulingPoint> points; ///< of a circular test: those that rule it
     std::optional<TargetBars> bars;
 };
 
 /// Explains a parameter of a positioning test: how the edition computes it and how it follows from the
-/// statistics of the test. Numbers are shown as statistics per target are (one digit more than the readings)
-/// and computed unrounded. Without a value there are no steps, and the words say why. Nothing where the test
-/// is no positioning test or has no such parameter. `id` as in parameterId.
+/// statistics of the test; of a circular test, from its circles. Numbers are shown as statistics per target
+/// are (one digit more than the readings) and computed unrounded. Without a value there are no steps, and the
+/// words say why. Nothing where the test has no such parameter. `id` as in parameterId.
 [[nodiscard]] std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::size_t test,
                                                      std::string_view id, const Language &language);
 

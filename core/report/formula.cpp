@@ -40,10 +40,17 @@ Formula formulaFrom(const QString &source) {
     return result;
 }
 
+QString lowerPart(const Symbol &symbol, const std::string &index) {
+    QString result = QString::fromUtf8(symbol.subscript);
+    if (!result.isEmpty() && !index.empty())
+        result += u',';
+    return result + QString::fromStdString(index);
+}
+
 Formula symbolFormula(const Symbol &symbol, const std::string &index) {
     Formula result;
     result.spans.push_back({QString::fromUtf8(symbol.base)});
-    const QString lower = QString::fromUtf8(symbol.subscript) + QString::fromStdString(index);
+    const QString lower = lowerPart(symbol, index);
     if (!lower.isEmpty())
         result.spans.push_back({lower, true});
     if (*symbol.arrow != 0)

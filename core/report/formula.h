@@ -31,6 +31,9 @@ struct Formula {
 /// A formula from its source: "_" sets the letters and digits after it (or what stands in braces) lower.
 [[nodiscard]] Formula formulaFrom(const QString &source);
 
+/// What stands lower behind a symbol: "i", "XY", "max,XY".
+[[nodiscard]] QString lowerPart(const Symbol &symbol, const std::string &index);
+
 /// A symbol as a formula: "R↑", "x̄" with a lower "i" and "↑".
 [[nodiscard]] Formula symbolFormula(const Symbol &symbol, const std::string &index = {});
 

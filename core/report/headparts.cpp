@@ -170,22 +170,27 @@ QString countsText(const PositioningPart &part) {
                           {m, count(results.positiveRuns), count(results.negativeRuns)});
 }
 
+QString referenceLengthText(const CircularPart &part) {
+    const ReferenceLength &length = part.measurement.referenceLength;
+    const Writer &write = part.write;
+    if (!length.calibrated)
+        return {};
+    if (!*length.calibrated)
+        return write.text(REPORT_TEXT("report", "not calibrated"));
+    const QString calibrated = write.text(REPORT_TEXT_FOR("report", "calibrated", "length"));
+    if (!length.expandedUncertainty)
+        return calibrated;
+    return joined({calibrated, write.say(REPORT_TEXT("report", "U = %1 (k = %2)"),
+                                         {Number{*length.expandedUncertainty, Quantity::micrometres, -1},
+                                          Number{length.coverageFactor, Quantity::number, -1}})});
+}
+
 QString titleAndEdition(const TestPart &part) {
     return joined({testName(part.write, part.test), QString::fromUtf8(part.edition().word)},
                   QStringLiteral(" · "));
 }
 
-} // namespace
-
-QString reportTitle(const Writer &write, const ReportHead &head) {
-    return head.title.empty() ? write.text(REPORT_TEXT("report", "Acceptance test report"))
-                              : QString::fromStdString(head.title);
-}
-
-RunningHead runningHead(const TestPart &part) {
-    return {QString::fromStdString(part.head().laboratory.name), titleAndEdition(part)};
-}
-
+/// What the heads of all kinds state alike; the right column is left to each.
 TestHead commonHead(const TestPart &part) {
     TestHead head = letterHead(part.write, part.head());
     if (part.count > 1)
@@ -197,12 +202,18 @@ TestHead commonHead(const TestPart &part) {
     if (!part.edition().title.empty())
         head.editionTitle = part.write.text(part.edition().title);
     head.left = partiesAndDates(part.write, part.head(), dateOfTest(part));
-    Rows rows(part.write, rightLabels);
-    rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
-    rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
-    addInstruments(rows, part);
-    head.right = rows.take();
     return head;
+}
+
+} // namespace
+
+QString reportTitle(const Writer &write, const ReportHead &head) {
+    return head.title.empty() ? write.text(REPORT_TEXT("report", "Acceptance test report"))
+                              : QString::fromStdString(head.title);
+}
+
+RunningHead runningHead(const TestPart &part) {
+    return {QString::fromStdString(part.head().laboratory.name), titleAndEdition(part)};
 }
 
 TestHead positioningHead(const PositioningPart &part) {
@@ -229,6 +240,28 @@ TestHead positioningHead(const PositioningPart &part) {
                  intervalText(part, part.measurement.zone->from, part.measurement.zone->to, -1));
     rows.add(REPORT_TEXT("report", "Measuring system"), part.measurement.axis.positionFeedback);
     addInstruments(rows, part);
+    head.right = rows.take();
+    return head;
+}
+
+TestHead circularHead(const CircularPart &part) {
+    const Writer &write = part.write;
+    const CircularMeasurement &measurement = part.measurement;
+    TestHead head = commonHead(part);
+    if (part.needsLength())
+        head.left.rows.push_back(
+            {write.text(REPORT_TEXT("report", "Reference length")), referenceLengthText(part)});
+
+    Rows rows(write, rightLabels);
+    rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
+    rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
+    rows.add(REPORT_TEXT("report", "Plane, axes"), part.plane());
+    rows.add(REPORT_TEXT("report", "Measuring system"), measurement.positionFeedback);
+    if (part.feedback())
+        rows.add(REPORT_TEXT("report", "Measured with"),
+                 write.text(REPORT_TEXT("report", "feedback signal of the axes")));
+    if (!part.feedback() || !part.test.instruments.empty())
+        addInstruments(rows, part);
     head.right = rows.take();
     return head;
 }

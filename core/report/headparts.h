@@ -13,8 +13,8 @@ namespace palmer {
 /// The head of a positioning test.
 [[nodiscard]] TestHead positioningHead(const PositioningPart &part);
 
-/// The head of any other test: what all kinds state.
-[[nodiscard]] TestHead commonHead(const TestPart &part);
+/// The head of a circular test.
+[[nodiscard]] TestHead circularHead(const CircularPart &part);
 
 /// The first page of a report over several tests: each with its verdict, and the verdict of all.
 void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);

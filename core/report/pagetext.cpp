@@ -129,6 +129,23 @@ private:
         cells(legend);
     }
 
+    void words(const CircleFigure &figure) {
+        QStringList words{figure.firstAxis, figure.secondAxis, figure.ratio, figure.divisionLabel};
+        for (const DeviationCircle &ring : figure.rings)
+            words << ring.label;
+        for (const SenseArrow &arrow : figure.arrows)
+            words << arrow.index;
+        if (figure.envelope && figure.envelope->dimension)
+            words << figure.envelope->label + figure.envelope->subscript;
+        if (figure.envelope && figure.envelope->limit)
+            words << figure.envelope->limitLabel;
+        cells(words);
+        QStringList legend;
+        for (const CircleLegendEntry &entry : figure.legend)
+            legend << entry.text;
+        cells(legend);
+    }
+
     QString m_text;
 };
 

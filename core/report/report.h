@@ -120,6 +120,7 @@ struct KeyValue {
 struct KeyValues {
     std::vector<KeyValue> rows;
     double labelWidth = 30;
+    bool narrow = false; ///< smaller and closer, as in a column beside a figure
 
     bool operator==(const KeyValues &) const = default;
 };
@@ -162,8 +163,17 @@ struct Table {
     bool operator==(const Table &) const = default;
 };
 
+/// A figure with its caption, the heading above it.
+struct FigureBlock {
+    Figure figure;
+    double width = 175;
+    double height = 86;
+
+    bool operator==(const FigureBlock &) const = default;
+};
+
 /// What may stand in a half of a page.
-using Part = std::variant<Heading, Paragraph, KeyValues, Table>;
+using Part = std::variant<Heading, Paragraph, KeyValues, Table, FigureBlock>;
 
 /// Two columns of blocks from the same height on; drawn and read left, then right. Never split.
 struct SideBySide {
@@ -192,15 +202,6 @@ struct TestHead {
     KeyValues right;
 
     bool operator==(const TestHead &) const = default;
-};
-
-/// A figure with its caption, the heading above it.
-struct FigureBlock {
-    Figure figure;
-    double width = 175;
-    double height = 86;
-
-    bool operator==(const FigureBlock &) const = default;
 };
 
 enum class LegendSign { none, value, limit, band };

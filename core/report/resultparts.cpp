@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <ranges>
 
 namespace palmer {
@@ -43,10 +44,15 @@ QString bandName(const TestPart &part) {
            QStringLiteral("\u00A0U");
 }
 
+/// In a sentence, without typography: "Fmax,XY".
+QString shownSymbol(const Parameter &parameter) {
+    return symbolPhrase(parameter.term.symbol, parameter.index).plain();
+}
+
 QString joinedSymbols(const std::vector<const Parameter *> &parameters) {
     QStringList symbols;
     for (const Parameter *parameter : parameters)
-        symbols << QString::fromStdString(plainSymbol(*parameter));
+        symbols << shownSymbol(*parameter);
     return symbols.join(QStringLiteral(", "));
 }
 
@@ -129,42 +135,131 @@ double estimatedWidth(const QString &text) {
     return width;
 }
 
-/// The columns for these rows: the widths of the pictures, unless a symbol or the ruling targets need more.
-/// What they need is taken from the space beside the guard picture, then from the name.
-std::vector<Column> resultColumns(const TestPart &part, const Table &table, const QString &unit) {
+/// How the table of results is laid out: widths in mm, none for the ruling targets where there are none; and
+/// what it calls a parameter.
+struct ResultForm {
+    QString heading;
+    double symbol = 0;
+    double name = 0;
+    std::optional<double> targets;
+    double value = 0;
+    double uncertainty = 0;
+    double limit = 0;
+    double picture = 0;
+    double verdict = 0;
+    bool notCorrected = false; ///< results that depend on the temperature say so
+    std::function<QString(const Parameter &)> nameOf;
+};
+
+ResultForm positioningForm(const PositioningPart &part) {
+    const std::string &axis = part.measurement.axis.name;
+    ResultForm form{
+        part.write.say(REPORT_TEXT("report", "Results for the %1 axis"),
+                       {axis.empty() ? std::string("–") : axis}),
+        7.8,
+        70.0,
+        13.0,
+        10.8,
+        14.0,
+        11.0,
+        21.7,
+        26.7,
+        part.results.notCorrected,
+        [&part](const Parameter &parameter) { return nameInTable(part.write, parameter.term.name); }};
+    if (part.write.language().id() == Language::Id::english) {
+        form.name = 64.0;
+        form.targets = 13.5;
+        form.value = 11.0;
+        form.uncertainty = 14.2;
+        form.limit = 11.2;
+        form.verdict = 31.6;
+    }
+    return form;
+}
+
+/// "Circular deviation, anticlockwise, minimum zone": the term, of which path, by which circle.
+QString circularName(const CircularPart &part, const Parameter &parameter) {
     const Writer &write = part.write;
-    const bool french = write.language().id() == Language::Id::french;
+    const std::string_view id = parameter.term.id;
+    QStringList words{nameInTable(write, parameter.term.name)};
+    const bool ofPair = id.starts_with("G(b)") || id == "D" || id == "H";
+    for (const EvaluatedPath &path : part.results.paths) {
+        if (!ofPair && path.index == parameter.index)
+            words << write.text(senseText(path.sense));
+    }
+    if (id.starts_with('G'))
+        words << write.text(part.measurement.referenceCircle == ReferenceCircle::minimumZone
+                                ? REPORT_TEXT("report", "minimum zone")
+                                : REPORT_TEXT("report", "least squares"));
+    if (parameter.dependsOnTemperature && part.holdsAt20())
+        words << write.text(REPORT_TEXT("report", "at 20 °C"));
+    return words.join(QStringLiteral(", "));
+}
+
+ResultForm circularForm(const CircularPart &part) {
+    ResultForm form{part.write.say(REPORT_TEXT("report", "Results in the %1 plane"), part.plane()),
+                    16.0,
+                    77.0,
+                    std::nullopt,
+                    12.0,
+                    15.0,
+                    12.5,
+                    22.5,
+                    20.0,
+                    part.results.notCorrected,
+                    [&part](const Parameter &parameter) { return circularName(part, parameter); }};
+    // A verdict that is not "conforms" needs more room than the picture has.
+    const double verdict = part.write.language().id() == Language::Id::english ? 31.6 : 26.7;
+    const bool wide = std::ranges::any_of(part.evaluation.parameters, [](const Parameter &parameter) {
+        return parameter.verdict && parameter.verdict != Verdict::conforms;
+    });
+    if (wide) {
+        form.name -= verdict - form.verdict;
+        form.verdict = verdict;
+    }
+    return form;
+}
+
+/// The columns for these rows: the widths of the form, unless a symbol or the ruling targets need more. What
+/// they need is taken from the space beside the guard picture, then from the name.
+std::vector<Column> resultColumns(const TestPart &part, const ResultForm &form, const Table &table,
+                                  const QString &unit) {
+    const Writer &write = part.write;
     QString band;
     if (hasGuardBand(part.test))
         band = write.text(factorIsOne(part.test) ? REPORT_TEXT("report", "Limit ± U")
                                                  : REPORT_TEXT("report", "Limit ± g"));
-    const double targetsWidth = french ? 13.0 : 13.5;
-    double symbols = symbolWidth;
-    double targets = targetsWidth;
+    double symbols = form.symbol;
+    double targets = form.targets.value_or(0);
     for (const auto &row : table.rows) {
         symbols = std::max(symbols, estimatedWidth(row[0].text.plain()) + cellPadding);
-        targets = std::max(targets, estimatedWidth(row[2].text.plain()) + cellPadding);
+        if (form.targets)
+            targets = std::max(targets, estimatedWidth(row[2].text.plain()) + cellPadding);
     }
-    const double more = symbols - symbolWidth + targets - targetsWidth;
+    const double more = symbols - form.symbol + targets - form.targets.value_or(0);
     const double fromPicture = std::min(more, spareBesidePicture);
 
     Column quantity{write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, symbols};
     quantity.titleSpan = 2;
     quantity.paddingLeft = 1.2;
-    Column guard{band, {}, Alignment::left, false, 21.7 - fromPicture};
+    Column guard{band, {}, Alignment::left, false, form.picture - fromPicture};
     guard.paddingLeft = 3.2;
-    return {
-        quantity,
-        {QString(), {}, Alignment::left, true, (french ? 70.0 : 64.0) - (more - fromPicture)},
-        {targetsTitle(write), {}, Alignment::left, false, targets},
-        {write.text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, french ? 10.8 : 11.0},
-        {QStringLiteral("U (k = 2)"), unit, Alignment::decimal, false, french ? 14.0 : 14.2},
-        {write.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, french ? 11.0 : 11.2},
-        guard,
-        {write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, french ? 26.7 : 31.6}};
+    std::vector<Column> columns{quantity,
+                                {QString(), {}, Alignment::left, true, form.name - (more - fromPicture)}};
+    if (form.targets)
+        columns.push_back({targetsTitle(write), {}, Alignment::left, false, targets});
+    columns.push_back(
+        {write.text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, form.value});
+    columns.push_back({QStringLiteral("U (k = 2)"), unit, Alignment::decimal, false, form.uncertainty});
+    columns.push_back(
+        {write.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, form.limit});
+    columns.push_back(guard);
+    columns.push_back(
+        {write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, form.verdict});
+    return columns;
 }
 
-Table resultTable(const TestPart &part, const std::vector<PrintedResult> &results, bool notCorrected) {
+Table resultTable(const TestPart &part, const ResultForm &form, const std::vector<PrintedResult> &results) {
     Table table;
     table.unbroken = true;
     char group = 0;
@@ -177,17 +272,20 @@ Table resultTable(const TestPart &part, const std::vector<PrintedResult> &result
         group = *parameter.term.id;
         Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
         symbol.bold = true;
-        QString name = nameInTable(part.write, parameter.term.name);
-        const Row *row = rowOf(part.edition(), parameter);
-        if (notCorrected && row && row->dependsOnTemperature)
+        QString name = form.nameOf(parameter);
+        if (form.notCorrected && parameter.dependsOnTemperature)
             name += QStringLiteral("\u00A0*");
         Cell value(result.value);
         value.bold = !result.limit.isEmpty();
-        table.rows.push_back({symbol, name, rulingText(parameter).replace(u' ', noBreakSpace), value,
-                              result.uncertainty, result.limit, guardCell(parameter),
-                              verdictCell(part.write, parameter)});
+        std::vector<Cell> row{symbol, name};
+        if (form.targets)
+            row.emplace_back(rulingText(parameter).replace(u' ', noBreakSpace));
+        for (Cell cell : {value, Cell(result.uncertainty), Cell(result.limit), guardCell(parameter),
+                          verdictCell(part.write, parameter)})
+            row.push_back(std::move(cell));
+        table.rows.push_back(std::move(row));
     }
-    table.columns = resultColumns(part, table, unit);
+    table.columns = resultColumns(part, form, table, unit);
     return table;
 }
 
@@ -301,7 +399,7 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
     if (results.size() > 1 || inShort) {
         QStringList items;
         for (const PrintedResult *result : results) {
-            const std::string symbol = plainSymbol(*result->parameter);
+            const std::string symbol = shownSymbol(*result->parameter).toStdString();
             items << (inShort ? QString::fromStdString(symbol)
                               : write.say(REPORT_TEXT("report", "%1 (%2 against %3)"),
                                           {symbol, shownValue(part, *result), shownLimit(part, *result)}));
@@ -314,8 +412,9 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
     const PrintedResult &result = *results.front();
     const Parameter &parameter = *result.parameter;
     if (!hasGuardBand(part.test) || !parameter.guardBand)
-        return write.say(REPORT_TEXT("report", "%1 exceeds its limit: %2 against %3."),
-                         {plainSymbol(parameter), shownValue(part, result), shownLimit(part, result)});
+        return write.say(
+            REPORT_TEXT("report", "%1 exceeds its limit: %2 against %3."),
+            {shownSymbol(parameter).toStdString(), shownValue(part, result), shownLimit(part, result)});
     const QString reach = withUnit(part,
                                    write.language().number(*parameter.limit->value + *parameter.guardBand,
                                                            parameter.term.quantity, result.decimals),
@@ -326,18 +425,20 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
                           "%1 exceeds its limit by more than the uncertainty: %2 against %3 + %4 = %5.")
             : REPORT_TEXT("report",
                           "%1 exceeds its limit by more than the guard band: %2 against %3 + %4 = %5."),
-        {plainSymbol(parameter), shownValue(part, result), shownLimit(part, result),
+        {shownSymbol(parameter).toStdString(), shownValue(part, result), shownLimit(part, result),
          bandName(part).toStdString(), reach.toStdString()});
 }
 
 QString notProven(const TestPart &part, const std::vector<const PrintedResult *> &results) {
     const QString symbols = joinedSymbols(parametersOf(results));
-    const auto *positioning = std::get_if<PositioningResults>(&part.evaluation.results);
-    const bool uncorrected = positioning && positioning->notCorrected &&
-                             std::ranges::all_of(results, [&](const PrintedResult *result) {
-                                 const Row *row = rowOf(part.edition(), *result->parameter);
-                                 return row && row->dependsOnTemperature;
-                             });
+    const bool withoutValue =
+        std::ranges::all_of(results, [](const PrintedResult *result) { return !result->parameter->value; });
+    if (withoutValue)
+        return part.write.say(REPORT_TEXT("report", "Without a value nothing is proven for %1."), symbols);
+    const bool uncorrected =
+        notCorrected(part.evaluation) && std::ranges::all_of(results, [](const PrintedResult *result) {
+            return result->parameter->dependsOnTemperature;
+        });
     if (uncorrected)
         return part.write.say(REPORT_TEXT("report", "Not corrected to 20 °C, nothing is proven for %1."),
                               symbols);
@@ -411,6 +512,16 @@ VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &
     return line;
 }
 
+void addResultsAs(std::vector<Block> &blocks, const TestPart &part, const ResultForm &form) {
+    const auto results = printedResults(part);
+    if (!results.empty()) {
+        addHeading(blocks, form.heading, resultsNote(part));
+        blocks.emplace_back(resultTable(part, form, results));
+        addLegend(blocks, part, form.notCorrected);
+    }
+    blocks.emplace_back(verdictLine(part, results));
+}
+
 } // namespace
 
 Text verdictWord(std::optional<Verdict> verdict, bool anyLimit) {
@@ -446,14 +557,12 @@ void addFigure(std::vector<Block> &blocks, const PositioningPart &part) {
     blocks.emplace_back(FigureBlock{std::move(figure)});
 }
 
-void addResults(std::vector<Block> &blocks, const TestPart &part, const QString &heading, bool notCorrected) {
-    const auto results = printedResults(part);
-    if (!results.empty()) {
-        addHeading(blocks, heading, resultsNote(part));
-        blocks.emplace_back(resultTable(part, results, notCorrected));
-        addLegend(blocks, part, notCorrected);
-    }
-    blocks.emplace_back(verdictLine(part, results));
+void addResults(std::vector<Block> &blocks, const PositioningPart &part) {
+    addResultsAs(blocks, part, positioningForm(part));
+}
+
+void addResults(std::vector<Block> &blocks, const CircularPart &part) {
+    addResultsAs(blocks, part, circularForm(part));
 }
 
 void addFindings(std::vector<Block> &blocks, const TestPart &part) {
@@ -475,7 +584,7 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part) {
         for (const Finding &finding : part.evaluation.findings) {
             if (finding.grade == grade)
                 block.lines.push_back({grade, part.write.text(gradeText(grade)),
-                                       QString::fromStdString(finding.clause),
+                                       clauseText(finding.clause, part.write.language()),
                                        part.write.language().sentence(finding.message)});
         }
     }

@@ -14,9 +14,9 @@ namespace palmer {
 /// The figure of a positioning test below its heading.
 void addFigure(std::vector<Block> &blocks, const PositioningPart &part);
 
-/// Results with limits, guard pictures and verdicts, what these mean, and the verdict line. `name`: what the
-/// heading calls the object of the results; `notCorrected`: E, A, M say so.
-void addResults(std::vector<Block> &blocks, const TestPart &part, const QString &heading, bool notCorrected);
+/// Results with limits, guard pictures and verdicts, what these mean, and the verdict line.
+void addResults(std::vector<Block> &blocks, const PositioningPart &part);
+void addResults(std::vector<Block> &blocks, const CircularPart &part);
 
 /// Findings in the order of their grades, unless the report leaves them out.
 void addFindings(std::vector<Block> &blocks, const TestPart &part);

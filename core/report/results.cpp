@@ -190,9 +190,7 @@ private:
                      ? REPORT_TEXT("report", "minimum zone circles (MZC)")
                      : REPORT_TEXT("report", "least squares circle (LSC)")));
         for (const EvaluatedPath &path : results.paths) {
-            const QString sense =
-                text(path.sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise")
-                                                           : REPORT_TEXT("report", "clockwise"));
+            const QString sense = text(senseText(path.sense));
             add(REPORT_TEXT("report", "Path"),
                 m_language.sentence({REPORT_TEXT("report", "%1, %2: %3 points evaluated from %4 to %5"),
                                      {path.index, sense.toStdString(),
@@ -215,11 +213,9 @@ private:
                         results.range ? m_language.quantity(*results.range, quantity, 2) : QString()}}});
     }
 
-    [[nodiscard]] QString nameOf(const Parameter &parameter, const Edition &edition,
-                                 bool notCorrected) const {
+    [[nodiscard]] QString nameOf(const Parameter &parameter, bool notCorrected) const {
         QString name = text(parameter.term.name);
-        const Row *row = rowOf(edition, parameter);
-        if (notCorrected && row && row->dependsOnTemperature)
+        if (notCorrected && parameter.dependsOnTemperature)
             name += QStringLiteral(" (") + text(REPORT_TEXT("report", "not corrected to 20 °C")) + u')';
         return name;
     }
@@ -242,9 +238,8 @@ private:
                 table.rulesAfter.push_back(table.rows.size() - 1);
             group = *parameter.term.id;
             table.rows.push_back(
-                {symbolPhrase(parameter.term.symbol, parameter.index),
-                 nameOf(parameter, *evaluation.edition, notCorrected), rulingText(parameter),
-                 shown(parameter.value, digits),
+                {symbolPhrase(parameter.term.symbol, parameter.index), nameOf(parameter, notCorrected),
+                 rulingText(parameter), shown(parameter.value, digits),
                  parameter.expandedUncertainty
                      ? Phrase(m_language.uncertainty(*parameter.expandedUncertainty, quantity, digits))
                      : Phrase(),
@@ -333,7 +328,7 @@ private:
             for (const Finding &finding : evaluation.findings) {
                 if (finding.grade == grade)
                     block.lines.push_back({grade, text(gradeText(grade)),
-                                           QString::fromStdString(finding.clause),
+                                           clauseText(finding.clause, m_language),
                                            m_language.sentence(finding.message)});
             }
         }

@@ -49,12 +49,30 @@ constexpr std::array shortNames{
     ShortName{REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), REPORT_TEXT("report", "scatter, mean")},
     ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), REPORT_TEXT("report", "reversal range, largest")},
     ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), REPORT_TEXT("report", "reversal range, mean")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular deviation"), REPORT_TEXT_FOR("report", "bi-directional", "circular deviation")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial deviation"), REPORT_TEXT_FOR("report", "mean radial", "deviation")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular error"), REPORT_TEXT_FOR("report", "bi-directional", "circular error")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial error"), REPORT_TEXT_FOR("report", "mean radial", "error")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular error using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
 };
 // clang-format on
 
 Text shortName(const Text &term) {
     const auto found = std::ranges::find(shortNames, term, &ShortName::term);
     return found == shortNames.end() ? term : found->name;
+}
+
+/// Of a path its sense: the symbol tells the rest.
+Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation) {
+    const std::string_view id = parameter.term.id;
+    const auto *results = std::get_if<CircularResults>(&evaluation.results);
+    const bool ofPath = id == "G" || id == "Gf" || id.starts_with('F');
+    for (std::size_t k = 0; results && ofPath && k < results->paths.size(); ++k) {
+        if (results->paths[k].index == parameter.index)
+            return senseText(results->paths[k].sense);
+    }
+    return shortName(parameter.term.name);
 }
 
 Text ruleName(Rule rule) {
@@ -146,6 +164,10 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         table.verdictWord = language.text(verdictText(*table.verdict));
     table.rule = language.text(ruleName(source.decisionRule.rule));
 
+    if (const auto *circular = std::get_if<CircularMeasurement>(&source.measurement))
+        table.circle = circular->referenceCircle == ReferenceCircle::minimumZone ? QStringLiteral("MZC")
+                                                                                 : QStringLiteral("LSC");
+
     const std::optional<double> resolution = finestResolution(document, source);
     const QString none = QStringLiteral("–");
     std::string_view family;
@@ -161,7 +183,7 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         ResultLine line;
         line.id = QString::fromStdString(parameterId(parameter));
         line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
-        line.name = language.text(shortName(parameter.term.name));
+        line.name = language.text(shortNameOf(parameter, evaluation));
         line.fullName = language.text(parameter.term.name);
         line.ruling = rulingText(parameter);
         line.value = parameter.value ? language.number(*parameter.value, quantity, decimals) : none;
@@ -178,8 +200,12 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         if (parameter.verdict)
             line.verdictWord = language.text(verdictText(*parameter.verdict));
         line.scale = decisionScale(parameter);
-        line.main = familyOf(parameter.term.id) != family;
-        family = familyOf(parameter.term.id);
+        const bool circular = !table.circle.isEmpty();
+        const std::string_view id = parameter.term.id;
+        const std::string_view own = circular ? id.substr(0, 1) : familyOf(id);
+        line.isFirst = own != family;
+        line.main = circular ? own != "F" : line.isFirst;
+        family = own;
         table.lines.push_back(std::move(line));
     }
     return table;

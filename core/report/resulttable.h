@@ -40,7 +40,8 @@ struct ResultLine {
     std::optional<Verdict> verdict;
     QString verdictWord; ///< empty without verdict
     std::optional<DecisionScale> scale;
-    bool main = true; ///< bidirectional, with a rule above; else a detail of the one above it
+    bool main = true;    ///< bidirectional, G or D; else a detail
+    bool isFirst = true; ///< of those that belong together: with a rule above
 
     bool operator==(const ResultLine &) const = default;
 };
@@ -49,6 +50,7 @@ struct ResultLine {
 struct ResultTable {
     QString unit;
     QString rule;     ///< "ISO 14253-1"
+    QString circle;   ///< "MZC", "LSC": of G and G(b); empty for positioning
     QString coverage; ///< "k = 2"; empty where there is no U
     std::vector<ResultLine> lines;
     std::optional<Verdict> verdict;

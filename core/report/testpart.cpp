@@ -1,5 +1,6 @@
 #include "report/testpart.h"
 
+#include "kernel/evaluation/iso230_4/correction.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -20,6 +21,28 @@ Quantity PositioningPart::along() const {
 
 Quantity PositioningPart::deviation() const {
     return deviationQuantity(measurement);
+}
+
+bool CircularPart::asksFor(std::string_view quantity) const {
+    return std::ranges::any_of(evaluation.parameters, [&](const Parameter &parameter) {
+        return parameter.required && std::string_view(parameter.term.id).starts_with(quantity);
+    });
+}
+
+bool CircularPart::needsLength() const {
+    return !feedback() && (asksFor("F") || asksFor("D"));
+}
+
+bool CircularPart::holdsAt20() const {
+    const Conditions &conditions = measurement.conditions.common;
+    const auto at20 = [&](SensorMeasures what) { return meanTemperature(conditions, what) == 20.0; };
+    return iso230_4::isCorrected(measurement) ||
+           (at20(SensorMeasures::machine) && at20(SensorMeasures::instrument));
+}
+
+QString CircularPart::plane() const {
+    const std::string axes = measurement.plane.first + measurement.plane.second;
+    return QString::fromStdString(axes.empty() ? "–" : axes);
 }
 
 QString standardName(const Writer &write, const QString &word) {

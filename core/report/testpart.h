@@ -63,6 +63,22 @@ struct PositioningPart : TestPart {
     [[nodiscard]] Quantity deviation() const;
 };
 
+/// A circular test with its measurement at hand.
+struct CircularPart : TestPart {
+    const CircularMeasurement &measurement;
+    const CircularResults &results;
+
+    [[nodiscard]] bool feedback() const { return measurement.source == SignalSource::feedback; }
+    /// The parties ask for it and the edition has it: "F", "D".
+    [[nodiscard]] bool asksFor(std::string_view quantity) const;
+    /// F or D is asked for and can be: the reference length and the temperatures count.
+    [[nodiscard]] bool needsLength() const;
+    /// F and D are corrected to 20 °C, or machine and instrument were at 20 °C.
+    [[nodiscard]] bool holdsAt20() const;
+    /// "XY": the axes in the order of the plane.
+    [[nodiscard]] QString plane() const;
+};
+
 /// "ISO 230-2:2006" as it stands after a preposition: with its article where the language has one.
 [[nodiscard]] QString standardName(const Writer &write, const QString &word);
 

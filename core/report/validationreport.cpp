@@ -33,7 +33,7 @@ std::vector<Cell> row(const Comparison &comparison, Quantity quantity, const Lan
     const auto shown = [&](std::optional<double> value) {
         return value ? Phrase(language.number(rounded(*value, digitsShown), quantity)) : Phrase();
     };
-    return {QString::fromStdString(expected.edition),
+    return {comparison.of,
             comparison.symbol,
             language.text(sourceText(expected.source)),
             shown(expected.value),
@@ -50,7 +50,10 @@ Table table(const SetValidation &set, const Language &language) {
     const QString unit = set.quantity == Quantity::number ? QString() : language.unit(set.quantity);
     const auto title = [&](const Text &words) { return Phrase(language.text(words)); };
     Table result;
-    result.columns = {{title(REPORT_TEXT("report", "Edition")), {}, Alignment::left, false},
+    result.columns = {{title(set.points ? REPORT_TEXT("report", "File") : REPORT_TEXT("report", "Edition")),
+                       {},
+                       Alignment::left,
+                       false},
                       {title(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false},
                       {title(REPORT_TEXT("report", "Source")), {}, Alignment::left, false},
                       {title(REPORT_TEXT("report", "Expected")), unit, Alignment::decimal, false},

@@ -1,5 +1,7 @@
 #include "report/wording.h"
 
+#include "report/formula.h"
+
 #include "language/rounding.h"
 
 #include <QStringList>
@@ -54,17 +56,43 @@ Text correctionText(CorrectionTo20 correction) {
     return {};
 }
 
+QString clauseText(const std::string &clause, const Language &language) {
+    constexpr std::string_view annex = "Annex ";
+    if (!clause.starts_with(annex))
+        return QString::fromStdString(clause);
+    return language.sentence({REPORT_TEXT("report", "Annex %1"), {clause.substr(annex.size())}, {}});
+}
+
+Text senseText(Sense sense) {
+    return sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise")
+                                            : REPORT_TEXT("report", "clockwise");
+}
+
+bool notCorrected(const TestEvaluation &evaluation) {
+    if (const auto *positioning = std::get_if<PositioningResults>(&evaluation.results))
+        return positioning->notCorrected;
+    const auto *circular = std::get_if<CircularResults>(&evaluation.results);
+    return circular && circular->notCorrected;
+}
+
 QString arrow(Direction direction) {
     return direction == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
 }
 
 Phrase symbolPhrase(const Symbol &symbol, const std::string &index) {
     std::vector<Span> spans{{QString::fromUtf8(symbol.base)}};
-    const QString lower = QString::fromUtf8(symbol.subscript) + QString::fromStdString(index);
+    const QString lower = lowerPart(symbol, index);
     if (!lower.isEmpty())
         spans.push_back({lower, true});
     if (*symbol.arrow != 0)
         spans.push_back({QString::fromUtf8(symbol.arrow)});
+    return Phrase(std::move(spans));
+}
+
+Phrase phraseFrom(const QString &formula) {
+    std::vector<Span> spans;
+    for (const FormulaSpan &span : formulaFrom(formula).spans)
+        spans.push_back({span.text, span.subscript});
     return Phrase(std::move(spans));
 }
 

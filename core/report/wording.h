@@ -15,8 +15,20 @@ namespace palmer {
 [[nodiscard]] Text correctionText(CorrectionTo20 correction);
 [[nodiscard]] QString arrow(Direction direction);
 
+/// The clause of a finding; an annex as the language calls it.
+[[nodiscard]] QString clauseText(const std::string &clause, const Language &language);
+
+/// "anticlockwise", "clockwise".
+[[nodiscard]] Text senseText(Sense sense);
+
+/// Results that depend on the temperature do not hold at 20 °C.
+[[nodiscard]] bool notCorrected(const TestEvaluation &evaluation);
+
 /// The symbol with its index set lower.
 [[nodiscard]] Phrase symbolPhrase(const Symbol &symbol, const std::string &index = {});
+
+/// A formula ("α_i·(T_i − 20)", see formulaFrom) with its indices set lower.
+[[nodiscard]] Phrase phraseFrom(const QString &formula);
 
 /// "2↓ – 5↓": the targets that rule a parameter; empty where none does.
 [[nodiscard]] QString rulingText(const Parameter &parameter);

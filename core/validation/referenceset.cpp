@@ -25,34 +25,75 @@ const std::array sourceWords{
     SourceWord{QLatin1StringView("certified"), ExpectationSource::certified},
 };
 
+struct QuantityWord {
+    QLatin1StringView word;
+    Quantity quantity;
+};
+
+const std::array quantityWords{
+    QuantityWord{QLatin1StringView("deviation"), Quantity::deviation},
+    QuantityWord{QLatin1StringView("number"), Quantity::number},
+    QuantityWord{QLatin1StringView("feed"), Quantity::feed},
+};
+
 [[noreturn]] void refuse(const std::string &place) {
     throw Error(Error::Kind::format, {REPORT_TEXT("report", "expected reference data of this program")},
                 place);
 }
 
-Expectation expectation(const QJsonObject &object, const std::string &place) {
+template <typename Words>
+auto found(const Words &words, const QString &word, const std::string &place) {
+    for (const auto &row : words) {
+        if (row.word == word)
+            return row;
+    }
+    refuse(place);
+}
+
+iso230_4::ContouringFeed contouringFeed(const QJsonObject &object) {
+    const auto number = [&](QLatin1StringView key) { return object.value(key).toDouble(); };
+    return {number(QLatin1StringView("specifiedDiameter")), number(QLatin1StringView("specifiedFeed")),
+            number(QLatin1StringView("diameter"))};
+}
+
+/// What of a test, by the key that names it.
+void readWhat(Expectation &result, const QJsonObject &object, const std::string &place) {
+    const auto has = [&](QLatin1StringView key) { return object.contains(key); };
     const auto text = [&](QLatin1StringView key) { return object.value(key).toString().toStdString(); };
-    Expectation result;
-    result.edition = text(QLatin1StringView("edition"));
+    if (has(QLatin1StringView("contouringFeed"))) {
+        result.what = Expected::contouringFeed;
+        result.feed = contouringFeed(object.value(QLatin1StringView("contouringFeed")).toObject());
+        return;
+    }
+    const int test = object.value(QLatin1StringView("test")).toInt(1);
+    if (test < 1)
+        refuse(place);
+    result.test = static_cast<std::size_t>(test) - 1;
     result.parameter = text(QLatin1StringView("parameter"));
-    result.target = object.value(QLatin1StringView("target")).toInt();
     result.statistic = text(QLatin1StringView("statistic"));
+    result.target = object.value(QLatin1StringView("target")).toInt();
+    if (object.value(QLatin1StringView("correction")).toBool())
+        result.what = Expected::correction;
+    else if (!result.statistic.empty())
+        result.what = Expected::statistic;
+    else if (result.parameter.empty())
+        refuse(place);
+}
+
+Expectation expectation(const QJsonObject &object, const std::string &place) {
+    Expectation result;
+    readWhat(result, object, place);
+    result.edition = object.value(QLatin1StringView("edition")).toString().toStdString();
     result.relative = object.contains(QLatin1StringView("relativeTolerance"));
     const QJsonValue tolerance = object.value(result.relative ? QLatin1StringView("relativeTolerance")
                                                               : QLatin1StringView("tolerance"));
     const QJsonValue value = object.value(QLatin1StringView("value"));
-    if (!value.isDouble() || !tolerance.isDouble() || result.parameter.empty() == result.statistic.empty())
+    if (!value.isDouble() || !tolerance.isDouble())
         refuse(place);
     result.value = value.toDouble();
     result.tolerance = tolerance.toDouble();
-    const QString word = object.value(QLatin1StringView("source")).toString();
-    for (const SourceWord &row : sourceWords) {
-        if (row.word == word) {
-            result.source = row.source;
-            return result;
-        }
-    }
-    refuse(place);
+    result.source = found(sourceWords, object.value(QLatin1StringView("source")).toString(), place).source;
+    return result;
 }
 
 } // namespace
@@ -64,11 +105,15 @@ ReferenceSet readReferenceSet(const QByteArray &bytes) {
     ReferenceSet set;
     set.name = file.value(QLatin1StringView("name")).toString();
     set.origin = file.value(QLatin1StringView("origin")).toString();
-    if (file.value(QLatin1StringView("quantity")) == QLatin1StringView("number"))
-        set.quantity = Quantity::number;
+    if (file.contains(QLatin1StringView("quantity")))
+        set.quantity =
+            found(quantityWords, file.value(QLatin1StringView("quantity")).toString(), "quantity").quantity;
+    QJsonArray tests = file.value(QLatin1StringView("tests")).toArray();
+    if (file.contains(QLatin1StringView("test")))
+        tests.append(file.value(QLatin1StringView("test")));
     const QJsonObject document{{QStringLiteral("format"), QStringLiteral("palmer test report")},
                                {QStringLiteral("version"), 1},
-                               {QStringLiteral("tests"), QJsonArray{file.value(QLatin1StringView("test"))}}};
+                               {QStringLiteral("tests"), tests}};
     set.document = std::make_shared<const Document>(
         readDocument(QJsonDocument(document).toJson(QJsonDocument::Compact)));
     const QJsonArray expected = file.value(QLatin1StringView("expected")).toArray();

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/documenterror.h"
+#include "kernel/evaluation/iso230_4/contouringfeed.h"
 
 #include <QByteArray>
 #include <QString>
@@ -14,14 +15,21 @@ namespace palmer {
 /// exact by construction; certified by an institute.
 enum class ExpectationSource { published, recomputed, exact, certified };
 
+/// What is expected: a parameter of a test, a statistic of one of its targets, the correction C to 20 °C of
+/// a circular test, or a contouring feed for another diameter.
+enum class Expected { parameter, statistic, correction, contouringFeed };
+
 /// A value that the evaluation of a reference set has to give.
 struct Expectation {
-    std::string edition;   ///< the one to evaluate under
-    std::string parameter; ///< id; empty where a statistic of a target is expected
-    int target = 0;        ///< counted from 1
-    std::string statistic; ///< id of targetValue(): "mean+", "R", …
-    double value = 0;      ///< mm, or the unit of the set
-    double tolerance = 0;  ///< the same, or relative to the value
+    Expected what = Expected::parameter;
+    std::string edition;             ///< the one to evaluate under
+    std::size_t test = 0;            ///< index in the set
+    std::string parameter;           ///< id
+    int target = 0;                  ///< counted from 1
+    std::string statistic;           ///< id of targetValue(): "mean+", "R", …
+    iso230_4::ContouringFeed feed{}; ///< what the contouring feed follows from
+    double value = 0;                ///< mm, or the unit of the set
+    double tolerance = 0;            ///< the same, or relative to the value
     bool relative = false;
     ExpectationSource source = ExpectationSource::published;
 };
@@ -30,12 +38,12 @@ struct Expectation {
 struct ReferenceSet {
     QString name;
     QString origin;
-    Quantity quantity = Quantity::deviation;  ///< `number`: a set without unit
-    std::shared_ptr<const Document> document; ///< with one test
+    Quantity quantity = Quantity::deviation; ///< of all expected values
+    std::shared_ptr<const Document> document;
     std::vector<Expectation> expected;
 };
 
-/// Reads a file of reference data (JSON; the test in it as in a test file). Throws Error.
+/// Reads a file of reference data (JSON; the tests in it as in a test file). Throws Error.
 [[nodiscard]] ReferenceSet readReferenceSet(const QByteArray &bytes);
 
 /// Names of the embedded reference files, in the order they are shown in.

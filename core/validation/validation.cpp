@@ -2,6 +2,7 @@
 
 #include "document/evaluateddocument.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "validation/circlesets.h"
 
 #include <QFile>
 #include <algorithm>
@@ -40,21 +41,43 @@ void computeParameter(Comparison &comparison, const TestEvaluation &evaluation) 
     }
 }
 
-Comparison compare(const Expectation &expected, const TestEvaluation &evaluation) {
+void computeCorrection(Comparison &comparison, const TestEvaluation &evaluation) {
+    comparison.symbol = QStringLiteral("C");
+    if (const auto *results = std::get_if<CircularResults>(&evaluation.results))
+        comparison.computed = results->correction;
+}
+
+void compute(Comparison &comparison, const EvaluatedDocument &evaluated) {
+    const Expectation &expected = comparison.expectation;
+    // An unknown edition would fall back on that of the test: no comparison then.
+    if (expected.test >= evaluated.tests.size() ||
+        evaluated.tests[expected.test]->edition->word != expected.edition)
+        return;
+    const TestEvaluation &evaluation = *evaluated.tests[expected.test];
+    switch (expected.what) {
+    case Expected::parameter:
+        return computeParameter(comparison, evaluation);
+    case Expected::statistic:
+        return computeStatistic(comparison, evaluation);
+    case Expected::correction:
+        return computeCorrection(comparison, evaluation);
+    case Expected::contouringFeed:
+        return; // of no test
+    }
+}
+
+Comparison compare(const Expectation &expected, const EvaluatedDocument &evaluated) {
     Comparison result;
     result.expectation = expected;
-    // An unknown edition would fall back on that of the test: no comparison then.
-    if (evaluation.edition->word != expected.edition)
-        return result;
-    if (expected.parameter.empty())
-        computeStatistic(result, evaluation);
-    else
-        computeParameter(result, evaluation);
-    if (!result.computed)
-        return result;
-    const double scale = expected.relative ? std::abs(expected.value) : 1;
-    result.difference = (*result.computed - expected.value) / scale;
-    result.agrees = std::abs(*result.difference) <= expected.tolerance;
+    result.of = QString::fromStdString(expected.edition);
+    if (expected.what == Expected::contouringFeed) {
+        result.symbol = QStringLiteral("V1");
+        result.computed = iso230_4::contouringFeed(expected.feed);
+    } else {
+        compute(result, evaluated);
+    }
+    if (result.computed)
+        compareWith(result, *result.computed);
     return result;
 }
 
@@ -64,14 +87,22 @@ bool SetValidation::agrees() const {
     return std::ranges::all_of(comparisons, &Comparison::agrees);
 }
 
+void compareWith(Comparison &comparison, double computed) {
+    const Expectation &expected = comparison.expectation;
+    const double scale = expected.relative ? std::abs(expected.value) : 1;
+    comparison.computed = computed;
+    comparison.difference = (computed - expected.value) / scale;
+    comparison.agrees = std::abs(*comparison.difference) <= expected.tolerance;
+}
+
 SetValidation validate(const ReferenceSet &set) {
-    SetValidation result{set.name, set.origin, set.quantity, {}};
+    SetValidation result{set.name, set.origin, set.quantity, {}, false};
     std::map<std::string, EvaluatedDocument> evaluations;
     for (const Expectation &expected : set.expected) {
         auto [place, isNew] = evaluations.try_emplace(expected.edition);
         if (isNew)
             place->second = evaluate(set.document, nullptr, expected.edition);
-        result.comparisons.push_back(compare(expected, *place->second.tests.front()));
+        result.comparisons.push_back(compare(expected, place->second));
     }
     return result;
 }
@@ -85,6 +116,7 @@ std::vector<SetValidation> validateAll() {
                                                   {file.errorString().toStdString()}});
         result.push_back(validate(readReferenceSet(file.readAll())));
     }
+    std::ranges::move(validateCircles(), std::back_inserter(result));
     return result;
 }
 

@@ -11,6 +11,7 @@ namespace palmer {
 /// A computed value beside the expected one, in the unit of the set (mm, or none).
 struct Comparison {
     Expectation expectation;
+    QString of;     ///< the edition, or the file of the points
     QString symbol; ///< "A↑", "R10"
     std::optional<double> computed;
     std::optional<double> difference; ///< computed − expected; relative where the tolerance is
@@ -22,12 +23,16 @@ struct SetValidation {
     QString origin;
     Quantity quantity = Quantity::deviation;
     std::vector<Comparison> comparisons;
+    bool points = false; ///< of sets of points, not of tests
 
     [[nodiscard]] bool agrees() const;
 };
 
 /// Evaluates a reference set, as any test is evaluated, under the editions it has expectations for.
 [[nodiscard]] SetValidation validate(const ReferenceSet &set);
+
+/// Compares a number with what is expected of it. `relative`: the difference too.
+void compareWith(Comparison &comparison, double computed);
 
 /// Evaluates all embedded reference data: what `selftest` and the help show. Throws Error if one cannot be
 /// read.

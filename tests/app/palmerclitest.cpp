@@ -73,6 +73,8 @@ private slots:
     void saysWhenItCannotWrite();
     void listsOnlyWhatItDoes();
     void agreesWithTheReferenceData();
+    void contouringFeed_data();
+    void contouringFeed();
 };
 
 void PalmerCliTest::endsWithItsCode_data() {
@@ -284,7 +286,7 @@ void PalmerCliTest::saysWhenItCannotWrite() {
 
 void PalmerCliTest::listsOnlyWhatItDoes() {
     const QString help = run({"--help"}).out;
-    for (const char *command : {"evaluate", "check", "selftest"}) {
+    for (const char *command : {"evaluate", "check", "feed", "selftest"}) {
         QVERIFY(help.contains(QString("  ") + command));
         QCOMPARE(run({command, "--help"}).code, 0);
     }
@@ -294,6 +296,44 @@ void PalmerCliTest::agreesWithTheReferenceData() {
     const Result result = run({"selftest"});
     QCOMPARE(result.code, 0);
     QVERIFY(result.out.contains("NIST StRD NumAcc4") && !result.out.contains("DOES NOT AGREE"));
+    for (const char *circles : {"G(b)XY", "nist_cir2d30", "con_full_n1800", "V1"})
+        QVERIFY2(result.out.contains(circles), circles);
+}
+
+void PalmerCliTest::contouringFeed_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("out");
+    QTest::addColumn<QString>("error");
+    const auto row = [](const char *name, const QString &arguments, const char *out, const char *error) {
+        QTest::newRow(name) << arguments.split(u' ') << QString(out) << QString(error);
+    };
+    row("the example of annex C", "--specified-diameter 100 --specified-feed 500 --diameter 125",
+        "559\u00A0mm/min\n", "");
+    row("below 100 three digits", "--specified-diameter=125 --specified-feed=50 --diameter=100",
+        "44.7\u00A0mm/min\n", "");
+    row("in French", "--language fr --specified-diameter 200 --specified-feed 5e3 --diameter 50",
+        "2\u202F500\u00A0mm/min\n", "");
+    row("an option is missing", "--specified-diameter 100 --diameter 125", "",
+        "the command feed needs the option --specified-feed MM/MIN");
+    row("no number", "--specified-diameter 100 --specified-feed fast --diameter 125", "",
+        "--specified-feed has to be a number above 0, not fast");
+    row("zero", "--specified-diameter 0 --specified-feed 500 --diameter 125", "",
+        "--specified-diameter has to be a number above 0, not 0");
+    row("negative", "--specified-diameter 100 --specified-feed 500 --diameter -125", "",
+        "--diameter has to be a number above 0, not -125");
+    row("not finite", "--specified-diameter 100 --specified-feed 500 --diameter inf", "",
+        "--diameter has to be a number above 0, not inf");
+    row("beyond all numbers", "--specified-diameter 1e-300 --specified-feed 1e300 --diameter 1e300", "",
+        "there is no feed for numbers this large or small");
+}
+
+void PalmerCliTest::contouringFeed() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, error);
+    const Result result = run(QStringList{"feed"} + arguments);
+    QTEST(result.out, "out");
+    QCOMPARE(result.err, error.isEmpty() ? QString() : "palmer-cli: " + error + '\n');
+    QCOMPARE(result.code, error.isEmpty() ? 0 : 2);
 }
 
 QTEST_GUILESS_MAIN(PalmerCliTest)

@@ -66,9 +66,10 @@ QString catalogue(const char *name) {
 }
 
 /// Words that are the same in both languages.
-const QSet<QString> sameInBoth{"Date",       "Machine",     "Signature", "Signatures", "Verdict",
-                               "Instrument", "Instruments", "Position",  "minimum",    "maximum",
-                               "note",       "Air",         "Cycle",     "Point",      "page %1 / %2"};
+const QSet<QString> sameInBoth{
+    "Date",         "Machine", "Signature", "Signatures",   "Verdict", "Instrument", "Instruments",
+    "Position",     "minimum", "maximum",   "note",         "Air",     "Cycle",      "Point",
+    "page %1 / %2", "Centre",  "Centre, F", "Compensation", "Points",  "Angles",     "Correction C"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {

@@ -1,5 +1,7 @@
 #include "ui/figures/drawfigure.h"
 
+#include "figures/circlefigure.h"
+#include "ui/figures/drawcirclefigure.h"
 #include "ui/figures/drawcurvefigure.h"
 #include "ui/fonts.h"
 
@@ -13,6 +15,14 @@ constexpr double pointsPerPixel = 72.0 / 96.0;
 
 QSizeF sizeOf(const CurveFigure &) {
     return {175, 86};
+}
+
+QSizeF sizeOf(const CircleFigure &figure) {
+    return printedSize(figure);
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium) {
+    return drawCircleFigure(painter, area, figure, medium);
 }
 
 FigureTransform drawKind(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium) {

@@ -15,7 +15,7 @@ namespace palmer::ui {
 /// Where a drawn figure put its data, in the units of the painter it was drawn with.
 struct FigureTransform {
     QRectF plotArea;
-    QTransform toPainter;    ///< from the units of the axes; invertible
+    QTransform toPainter;    ///< from the units of the axes (circles: mm from their centre); invertible
     double readingShift = 0; ///< marks of readings stand this much left (↑) or right (↓) of their target
 
     [[nodiscard]] QPointF map(double x, double y) const { return toPainter.map(QPointF(x, y)); }

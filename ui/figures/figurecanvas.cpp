@@ -1,5 +1,6 @@
 #include "ui/figures/figurecanvas.h"
 
+#include "ui/figures/canvaslabel.h"
 #include "ui/theme.h"
 
 #include <QApplication>
@@ -122,23 +123,6 @@ void FigureCanvas::paintEvent(QPaintEvent *) {
     }
 }
 
-void FigureCanvas::paintLabel(QPainter &painter, QPointF beside, const QString &text,
-                              const QColor &colour) const {
-    painter.setFont(themeFont(TextSize::tiny));
-    const QSizeF size(painter.fontMetrics().horizontalAdvance(text) + 12.0,
-                      painter.fontMetrics().height() + 4.0);
-    QRectF label(QPointF(beside.x() + 14, beside.y() - size.height() / 2), size);
-    if (label.right() > width() - 2)
-        label.moveRight(beside.x() - 14);
-    label.moveLeft(std::max(2.0, label.left()));
-    label.moveTop(std::clamp(label.top(), 2.0, std::max(2.0, height() - size.height() - 2)));
-    painter.setPen(QPen(colour, 1.2));
-    painter.setBrush(palette().color(QPalette::Base));
-    painter.drawRoundedRect(label, 3, 3);
-    painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(label, Qt::AlignCenter, text);
-}
-
 void FigureCanvas::paintHover(QPainter &painter) const {
     const auto place = m_selection.hovered();
     if (!place)
@@ -154,7 +138,7 @@ void FigureCanvas::paintHover(QPainter &painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(at, ring, ring);
     if (!m_hoverLabel.isEmpty())
-        paintLabel(painter, at, m_hoverLabel, accent);
+        paintCanvasLabel(painter, *this, at, m_hoverLabel, accent);
 }
 
 void FigureCanvas::paintMarking(QPainter &painter) const {
@@ -195,7 +179,7 @@ void FigureCanvas::paintMarking(QPainter &painter) const {
             beside.rx() -=
                 28 + QFontMetrics(themeFont(TextSize::tiny)).horizontalAdvance(m_marking.label) + 12;
     }
-    paintLabel(painter, beside, m_marking.label, colour);
+    paintCanvasLabel(painter, *this, beside, m_marking.label, colour);
 }
 
 // ---- Pointer and keys ------------------------------------------------------------------------------------

@@ -70,7 +70,6 @@ private:
     [[nodiscard]] const FigureReading *nearest(QPointF at) const;
     void paintMarking(QPainter &painter) const;
     void paintHover(QPainter &painter) const;
-    void paintLabel(QPainter &painter, QPointF beside, const QString &text, const QColor &colour) const;
 
     Selection &m_selection;
     std::optional<CurveFigure> m_figure;

@@ -4,6 +4,7 @@
 #include "report/explanation.h"
 #include "report/readingtable.h"
 #include "ui/elidedlabel.h"
+#include "ui/figures/circlefigureview.h"
 #include "ui/figures/exportfigure.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/ruling.h"
@@ -31,6 +32,12 @@ namespace {
 constexpr int pageMargin = 16;
 constexpr double deepestZoom = 1e-3; ///< of the whole range
 constexpr int clipboardDotsPerInch = 200;
+
+const CircularMeasurement *circularOf(const EvaluatedDocument &evaluated, std::size_t test) {
+    return test < evaluated.tests.size()
+               ? std::get_if<CircularMeasurement>(&evaluated.document->tests[test]->measurement)
+               : nullptr;
+}
 
 const PositioningMeasurement *measurementOf(const EvaluatedDocument &evaluated, std::size_t test) {
     return test < evaluated.tests.size()
@@ -86,6 +93,7 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     , m_title(new ElidedLabel(this))
     , m_note(new ElidedLabel(this))
     , m_canvas(new FigureCanvas(selection, this))
+    , m_circles(new CircleFigureView(selection, this))
     , m_marks(addButton(QStringLiteral("readingMarks"), QStringLiteral("dots")))
     , m_fit(addButton(QStringLiteral("fitFigure"), QStringLiteral("fit")))
     , m_copy(addButton(QStringLiteral("copyFigure"), QStringLiteral("copy")))
@@ -98,6 +106,7 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     m_marks->setChecked(m_readingMarks);
     connect(m_marks, &QToolButton::toggled, this, [this](bool on) {
         m_readingMarks = on;
+        m_circles->setContacts(on);
         refresh();
     });
     connect(m_fit, &QToolButton::clicked, this, &FigureView::fit);
@@ -107,6 +116,7 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     connect(m_maximise, &QToolButton::clicked, this, &FigureView::maximiseWanted);
     connect(m_canvas, &FigureCanvas::rangesWanted, this, &FigureView::showRanges);
     connect(m_canvas, &FigureCanvas::fitWanted, this, &FigureView::fit);
+    connect(m_circles, &CircleFigureView::figureChanged, this, &FigureView::refreshCircles);
     connect(&selection, &Selection::hoveredChanged, this, &FigureView::showHoverLabel);
     connect(&selection, &Selection::parameterChanged, this, &FigureView::mark);
 
@@ -123,6 +133,8 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     layout->setSpacing(2);
     layout->addLayout(head);
     layout->addWidget(m_canvas, 1);
+    layout->addWidget(m_circles, 1);
+    m_circles->hide();
     retranslate();
 }
 
@@ -141,12 +153,13 @@ void FigureView::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_test = test;
     if (other)
         m_shown.reset(); // zoom belongs to a test
-    refresh();
+    retranslate();
 }
 
 void FigureView::setLanguage(const Language &language) {
     m_language = language;
-    refresh();
+    m_circles->setLanguage(language);
+    retranslate();
 }
 
 void FigureView::standAlone() {
@@ -162,14 +175,24 @@ std::optional<CurveFigure> FigureView::figure() const {
 
 void FigureView::refresh() {
     const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
+    const bool circular = circularOf(m_evaluated, m_test);
     for (QToolButton *button : {m_marks, m_fit, m_copy, m_save, m_detach, m_maximise})
-        button->setEnabled(measurement != nullptr);
+        button->setEnabled(measurement || circular);
+    m_circles->setVisible(circular);
+    m_canvas->setVisible(!circular);
     if (!measurement) {
         m_whole.reset();
         m_shown.reset();
+        m_canvas->clear();
+        if (circular) {
+            m_circles->show(m_evaluated, m_test);
+            refreshCircles();
+            mark();
+            return;
+        }
+        m_circles->clear();
         m_title->clear();
         m_note->clear();
-        m_canvas->clear();
         return;
     }
     const Test &test = *m_evaluated.document->tests[m_test];
@@ -202,6 +225,28 @@ void FigureView::refresh() {
     showHoverLabel();
 }
 
+void FigureView::refreshCircles() {
+    const CircularMeasurement *measurement = circularOf(m_evaluated, m_test);
+    const auto figure = measurement ? m_circles->paperFigure() : std::nullopt;
+    if (!figure)
+        return;
+    m_title->setText(figure->title);
+    QStringList note;
+    if (measurement->feed)
+        note << QStringLiteral("F ") + m_language.quantity(*measurement->feed, Quantity::feed);
+    note << figure->centre;
+    m_note->setText(note.join(QStringLiteral(" · ")));
+}
+
+std::optional<FigureView::Leaving> FigureView::leaving() const {
+    if (circularOf(m_evaluated, m_test)) {
+        if (const auto figure = m_circles->paperFigure())
+            return Leaving{*figure, figure->title};
+        return std::nullopt;
+    }
+    return m_shown ? std::optional(Leaving{*m_shown, m_shown->title}) : std::nullopt;
+}
+
 void FigureView::showRanges(const Interval &x, const Interval &y) {
     if (!m_whole)
         return;
@@ -223,6 +268,7 @@ void FigureView::showRanges(const Interval &x, const Interval &y) {
 
 void FigureView::fit() {
     m_shown = m_whole;
+    m_circles->fit();
     refresh();
 }
 
@@ -233,13 +279,17 @@ void FigureView::mark() {
         explanation(m_evaluated, m_test, m_selection.parameter().toStdString(), m_language);
     if (measurement && explained && !explained->result.isEmpty()) {
         marking.label = explained->result;
-        for (const std::size_t target : rulingTargets(m_evaluated, m_test, m_selection.parameter()))
-            marking.positions.push_back(measurement->targets[target]);
+        for (const std::size_t target : rulingTargets(m_evaluated, m_test, m_selection.parameter())) {
+            if (target < m_whole->positions.size())
+                marking.positions.push_back(m_whole->positions[target]);
+        }
         const auto found = std::ranges::find(m_whole->dimensions, m_selection.parameter(), &Dimension::id);
         if (found != m_whole->dimensions.end())
             marking.dimension = *found;
     }
     m_canvas->setMarking(marking);
+    m_circles->setMarking(explained ? explained->result : QString(),
+                          explained ? explained->points : std::vector<RulingPoint>());
 }
 
 void FigureView::showHoverLabel() {
@@ -255,36 +305,39 @@ void FigureView::showHoverLabel() {
 }
 
 void FigureView::copy() {
-    if (!m_shown)
+    const auto shown = leaving();
+    if (!shown)
         return;
     auto *mime = new QMimeData;
-    mime->setData(QStringLiteral("image/svg+xml"), figureAsSvg(*m_shown, m_shown->title));
-    mime->setData(QStringLiteral("application/pdf"), figureAsPdf(*m_shown, m_shown->title));
-    mime->setImageData(QImage::fromData(figureAsPng(*m_shown, clipboardDotsPerInch)));
+    mime->setData(QStringLiteral("image/svg+xml"), figureAsSvg(shown->figure, shown->title));
+    mime->setData(QStringLiteral("application/pdf"), figureAsPdf(shown->figure, shown->title));
+    mime->setImageData(QImage::fromData(figureAsPng(shown->figure, clipboardDotsPerInch)));
     QGuiApplication::clipboard()->setMimeData(mime);
 }
 
 bool FigureView::saveTo(const QString &path) {
-    if (!m_shown)
+    const auto shown = leaving();
+    if (!shown)
         return false;
     const QString suffix = QFileInfo(path).suffix().toLower();
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return false;
-    file.write(suffix == QStringLiteral("svg")   ? figureAsSvg(*m_shown, m_shown->title)
-               : suffix == QStringLiteral("png") ? figureAsPng(*m_shown)
-                                                 : figureAsPdf(*m_shown, m_shown->title));
+    file.write(suffix == QStringLiteral("svg")   ? figureAsSvg(shown->figure, shown->title)
+               : suffix == QStringLiteral("png") ? figureAsPng(shown->figure)
+                                                 : figureAsPdf(shown->figure, shown->title));
     return file.commit();
 }
 
 void FigureView::askWhereToSave() {
-    if (!m_shown)
+    const auto shown = leaving();
+    if (!shown)
         return;
     const QStringList filters{tr("PDF, vectors (*.pdf)"), tr("SVG, vectors (*.svg)"),
                               tr("PNG, picture (*.png)")};
     QString chosen = filters.front();
     QString path =
-        QFileDialog::getSaveFileName(this, tr("Save figure"), m_shown->title + QStringLiteral(".pdf"),
+        QFileDialog::getSaveFileName(this, tr("Save figure"), shown->title + QStringLiteral(".pdf"),
                                      filters.join(QStringLiteral(";;")), &chosen);
     if (path.isEmpty())
         return;
@@ -305,7 +358,8 @@ void FigureView::retranslate() {
         button->setAccessibleName(text);
         button->setToolTip(keys.isEmpty() ? text : text + QStringLiteral(" (") + keys + u')');
     };
-    name(m_marks, tr("Show single readings"));
+    name(m_marks, circularOf(m_evaluated, m_test) ? tr("Show the points that rule the result")
+                                                  : tr("Show single readings"));
     name(m_fit, tr("Show the whole figure"), QStringLiteral("0"));
     name(m_copy, tr("Copy the figure"));
     name(m_save, tr("Save the figure as PDF, SVG or PNG"));

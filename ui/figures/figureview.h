@@ -13,6 +13,7 @@ class QToolButton;
 
 namespace palmer::ui {
 
+class CircleFigureView;
 class FigureCanvas;
 
 /// The figure of the test in view: reads values under the pointer, zooms, pans, copies and saves. Follows the
@@ -26,7 +27,7 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
 
-    /// The figure as it is shown, with the ranges zoomed to; nothing for a test without one.
+    /// The figure of a positioning test as it is shown, with the ranges zoomed to; nothing for other tests.
     [[nodiscard]] std::optional<CurveFigure> figure() const;
     void fit();
     /// Makes it a window of its own, which goes away when it is closed.
@@ -45,7 +46,15 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    struct Leaving {
+        Figure figure;
+        QString title;
+    };
+
     void refresh();
+    void refreshCircles();
+    /// What is copied and saved: the figure in view, for paper.
+    [[nodiscard]] std::optional<Leaving> leaving() const;
     void showRanges(const Interval &x, const Interval &y);
     void mark();
     void showHoverLabel();
@@ -63,6 +72,7 @@ private:
     QLabel *m_title;
     QLabel *m_note;
     FigureCanvas *m_canvas;
+    CircleFigureView *m_circles;
     QToolButton *m_marks;
     QToolButton *m_fit;
     QToolButton *m_copy;

@@ -41,6 +41,14 @@ constexpr std::array table{
     Row{FigureRole::reading,          0.15,  solid,                   0xffd97700, 0xffe07b00, 0xfff0a040},
     Row{FigureRole::dimension,        0.17,  solid,                   0xff000000, 0xff202428, 0xffe6e8ea},
     Row{FigureRole::leader,           0.11,  {{0.5, 0.4}},            0xff777777, 0xff777777, 0xff8b939a},
+    Row{FigureRole::counterclockwise, 0.52,  solid,                   0xff004488, 0xff004488, 0xff78aef0},
+    Row{FigureRole::clockwise,        0.24,  solid,                   0xffd97700, 0xffe07b00, 0xfff0a040},
+    Row{FigureRole::ring,             0.13,  solid,                   0xffd6d6d6, 0xffdcdfe2, 0xff34393e},
+    Row{FigureRole::nominal,          0.28,  solid,                   0xff000000, 0xff202428, 0xffe6e8ea},
+    Row{FigureRole::planeAxis,        0.2,   solid,                   0xff000000, 0xff3a4148, 0xffc9ced3},
+    Row{FigureRole::envelope,         0.24,  {{2.6, 0.8, 0.4, 0.8}},  0xff000000, 0xff202428, 0xffe6e8ea},
+    Row{FigureRole::limit,            0.32,  {{1.2, 0.8}},            0xff000000, 0xff202428, 0xffe6e8ea},
+    Row{FigureRole::centre,           0.5,   solid,                   0xff000000, 0xff202428, 0xffe6e8ea},
 };
 // clang-format on
 

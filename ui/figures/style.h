@@ -19,8 +19,8 @@ enum class FigureRole {
     grid,
     zeroLine,
     axis,
-    up,   ///< x̄↑; counterclockwise
-    down, ///< x̄↓; clockwise
+    up,   ///< x̄↑
+    down, ///< x̄↓
     mean,
     upEdge, ///< edges of the limits x̄ ± c·s
     downEdge,
@@ -29,6 +29,14 @@ enum class FigureRole {
     reading, ///< outline of the open marks
     dimension,
     leader,
+    counterclockwise,
+    clockwise,
+    ring, ///< divisions of a circle figure, and its spokes
+    nominal,
+    planeAxis, ///< of a circle figure
+    envelope,
+    limit,
+    centre, ///< the mark +
 };
 
 constexpr double pointsPerMillimetre = 72 / 25.4;

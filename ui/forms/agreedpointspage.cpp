@@ -1,13 +1,19 @@
 #include "ui/forms/agreedpointspage.h"
 
+#include "document/edits.h"
+#include "report/agreedtext.h"
 #include "ui/elidedlabel.h"
+#include "ui/model/documentmodel.h"
+#include "ui/model/editname.h"
 #include "ui/results/chip.h"
 #include "ui/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -21,10 +27,38 @@ constexpr int pageMargin = 16;
 constexpr int fieldHeight = 28;
 constexpr int letterWidth = 26;
 
+constexpr char context[] = "palmer::ui::AgreedPointsPage";
+
 } // namespace
 
-AgreedPointsPage::AgreedPointsPage(Selection &selection, QWidget *parent)
+/// The text of an agreement. Undo and redo are the window's.
+class AgreementEdit : public QLineEdit {
+public:
+    using QLineEdit::QLineEdit;
+
+    std::function<void()> begun;
+
+protected:
+    void focusInEvent(QFocusEvent *event) override {
+        begun();
+        QLineEdit::focusInEvent(event);
+    }
+
+    bool event(QEvent *event) override {
+        if (event->type() == QEvent::ShortcutOverride) {
+            const auto *key = static_cast<QKeyEvent *>(event);
+            if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+                event->ignore();
+                return false;
+            }
+        }
+        return QLineEdit::event(event);
+    }
+};
+
+AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, QWidget *parent)
     : QWidget(parent)
+    , m_model(model)
     , m_chip(new Chip(this))
     , m_source(new QLabel(this))
     , m_scroll(new QScrollArea(this)) {
@@ -52,7 +86,10 @@ AgreedPointsPage::AgreedPointsPage(Selection &selection, QWidget *parent)
     layout->setSpacing(0);
     layout->addLayout(bar);
     layout->addWidget(m_scroll, 1);
-    connect(&selection, &Selection::fieldChosen, this, [this](const QString &id) { focusField(id); });
+    connect(&selection, &Selection::fieldChosen, this, [this, &selection](const QString &id) {
+        if (selection.page() == Page::agreedPoints)
+            focusField(id);
+    });
 }
 
 void AgreedPointsPage::build(const Edition &edition) {
@@ -74,17 +111,29 @@ void AgreedPointsPage::build(const Edition &edition) {
                 new QToolButton(area),
                 new QToolButton(area),
                 new QToolButton(area),
-                new QLineEdit(area)};
+                new AgreementEdit(area),
+                new QPushButton(area)};
         row.name->setBuddy(row.text);
-        row.text->setReadOnly(true);
+        row.text->begun = [this] { ++m_visit; };
+        row.text->setProperty("helpTopic", QStringLiteral("agreedPoints"));
+        connect(row.text, &QLineEdit::textEdited, this,
+                [this, &point](const QString &text) { setText(point, text); });
+        row.take->setProperty("link", true);
+        row.take->setAutoDefault(false);
+        row.take->setIcon(lineIcon(QStringLiteral("link")));
+        row.take->setObjectName(QStringLiteral("take.") + QString::fromLatin1(point.point));
+        connect(row.take, &QPushButton::clicked, this, [this, &point] { takeFromConditions(point); });
         row.text->setFixedHeight(fieldHeight);
         row.text->setObjectName(QStringLiteral("field.agreedPoints.") + QString::fromLatin1(point.point));
         const QString places[]{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("last")};
         QToolButton *buttons[]{row.agreed, row.notAgreed, row.notApplicable};
+        constexpr AgreementState states[]{AgreementState::agreed, AgreementState::notAgreed,
+                                          AgreementState::notApplicable};
         auto *head = new QHBoxLayout;
         head->setSpacing(8);
         head->addWidget(row.letter);
         head->addWidget(row.name, 1);
+        head->addWidget(row.take);
         auto *body = new QHBoxLayout;
         body->setContentsMargins(letterWidth + 8, 0, 0, 0);
         body->setSpacing(0);
@@ -93,8 +142,10 @@ void AgreedPointsPage::build(const Edition &edition) {
         for (std::size_t k = 0; k < 3; ++k) {
             buttons[k]->setProperty("segment", places[k]);
             buttons[k]->setCheckable(true);
-            buttons[k]->setAttribute(Qt::WA_TransparentForMouseEvents); // shown here, changed nowhere yet
-            buttons[k]->setFocusPolicy(Qt::NoFocus);
+            buttons[k]->setFocusPolicy(Qt::StrongFocus);
+            buttons[k]->setObjectName(QStringLiteral("state%1.").arg(k) + QString::fromLatin1(point.point));
+            connect(buttons[k], &QToolButton::clicked, this,
+                    [this, &point, state = states[k]] { setState(point, state); });
             body->addWidget(buttons[k]);
         }
         auto *layout = new QVBoxLayout(area);
@@ -106,6 +157,57 @@ void AgreedPointsPage::build(const Edition &edition) {
         m_rows.push_back(row);
     }
     m_body->addStretch(1);
+}
+
+const AgreedPoint *AgreedPointsPage::agreed(const AgreementPoint &point) const {
+    const Document &document = *m_model.document();
+    if (m_test >= document.tests.size())
+        return nullptr;
+    const auto &points = document.tests[m_test]->agreedPoints;
+    const auto found = std::ranges::find(points, point.point, &AgreedPoint::point);
+    return found == points.end() ? nullptr : &*found;
+}
+
+void AgreedPointsPage::setState(const AgreementPoint &point, AgreementState state) {
+    const AgreedPoint *before = agreed(point);
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "change a point to agree"),
+                 [&, text = before ? before->text : std::string()](Document &document) {
+                     editTest(document, m_test,
+                              [&](Test &test) { setAgreedPoint(test, point.point, state, text); });
+                 });
+    refresh(); // the button is checked as the document says, whatever was clicked
+}
+
+/// A text for what was not agreed is its agreement; taken away again, it is not.
+void AgreedPointsPage::setText(const AgreementPoint &point, const QString &text) {
+    const AgreedPoint *before = agreed(point);
+    AgreementState state = before ? before->state : AgreementState::notAgreed;
+    const bool wasEmpty = !before || before->text.empty();
+    if (state == AgreementState::notAgreed && wasEmpty && !text.isEmpty())
+        state = AgreementState::agreed;
+    else if (state == AgreementState::agreed && !wasEmpty && text.isEmpty())
+        state = AgreementState::notAgreed;
+    m_model.edit(
+        changeOf(context, QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Text of an agreement"))
+            .constData(),
+        [&](Document &document) {
+            editTest(document, m_test,
+                     [&](Test &test) { setAgreedPoint(test, point.point, state, text.toStdString()); });
+        },
+        QStringLiteral("agreedPoint/%1/%2/%3")
+            .arg(QString::fromLatin1(point.point))
+            .arg(m_test)
+            .arg(m_visit));
+}
+
+void AgreedPointsPage::takeFromConditions(const AgreementPoint &point) {
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "take an agreement from the conditions"),
+                 [&](Document &document) {
+                     editTest(document, m_test, [&](Test &test) {
+                         const QString text = agreedTextFromConditions(test, point.point, m_language);
+                         setAgreedPoint(test, point.point, AgreementState::agreed, text.toStdString());
+                     });
+                 });
 }
 
 void AgreedPointsPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
@@ -148,8 +250,16 @@ void AgreedPointsPage::refresh() {
         row.agreed->setChecked(state == AgreementState::agreed);
         row.notAgreed->setChecked(state == AgreementState::notAgreed);
         row.notApplicable->setChecked(state == AgreementState::notApplicable);
-        row.text->setText(found == test.agreedPoints.end() ? QString() : QString::fromStdString(found->text));
-        row.text->setCursorPosition(0);
+        const QString text =
+            found == test.agreedPoints.end() ? QString() : QString::fromStdString(found->text);
+        if (row.text->text() != text) {
+            row.text->setText(text);
+            row.text->setCursorPosition(0);
+        }
+        row.take->setText(tr("take from the conditions"));
+        row.take->setFont(themeFont(TextSize::small));
+        row.take->setVisible(text.isEmpty() && state == AgreementState::notAgreed &&
+                             !agreedTextFromConditions(test, row.point->point, m_language).isEmpty());
         row.text->setPlaceholderText(tr("text of the agreement"));
         row.text->setAccessibleName(row.name->text());
         row.text->setAccessibleDescription(state == AgreementState::agreed      ? row.agreed->text()

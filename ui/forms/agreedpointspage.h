@@ -8,14 +8,16 @@
 #include <vector>
 
 class QLabel;
-class QLineEdit;
+class QPushButton;
 class QScrollArea;
 class QToolButton;
 class QVBoxLayout;
 
 namespace palmer::ui {
 
+class AgreementEdit;
 class Chip;
+class DocumentModel;
 
 /// The points to be agreed between supplier/manufacturer and user: each agreed, not agreed or not applicable,
 /// with its text.
@@ -23,7 +25,7 @@ class AgreedPointsPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit AgreedPointsPage(Selection &selection, QWidget *parent = nullptr);
+    AgreedPointsPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
@@ -41,12 +43,18 @@ private:
         QToolButton *agreed;
         QToolButton *notAgreed;
         QToolButton *notApplicable;
-        QLineEdit *text;
+        AgreementEdit *text;
+        QPushButton *take; ///< what the conditions say
     };
 
     void build(const Edition &edition);
+    [[nodiscard]] const AgreedPoint *agreed(const AgreementPoint &point) const;
+    void setState(const AgreementPoint &point, AgreementState state);
+    void setText(const AgreementPoint &point, const QString &text);
+    void takeFromConditions(const AgreementPoint &point);
     void refresh();
 
+    DocumentModel &m_model;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
@@ -56,6 +64,7 @@ private:
     QScrollArea *m_scroll;
     QVBoxLayout *m_body;
     std::vector<Row> m_rows;
+    int m_visit = 0; ///< counts the texts the focus came to
 };
 
 } // namespace palmer::ui

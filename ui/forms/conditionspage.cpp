@@ -1,286 +1,478 @@
 #include "ui/forms/conditionspage.h"
 
+#include "language/decimals.h"
+
+#include <QCheckBox>
 #include <QCoreApplication>
-#include <QStringList>
+#include <QPushButton>
+#include <algorithm>
+#include <array>
 
 namespace palmer::ui {
 
 namespace {
 
 constexpr char context[] = "palmer::ui::ConditionsPage";
-
-QString word(const char *source) {
-    return QCoreApplication::translate(context, source);
-}
-
-const PositioningMeasurement *positioning(const FormSource &source) {
-    return source.test ? std::get_if<PositioningMeasurement>(&source.test->measurement) : nullptr;
-}
+constexpr std::array kinds{SensorMeasures::air, SensorMeasures::machine, SensorMeasures::instrument};
 
 /// What positioning and circular tests state alike.
-const Conditions *common(const FormSource &source) {
-    if (const auto *measurement = positioning(source))
-        return &measurement->conditions.common;
-    const auto *circular =
-        source.test ? std::get_if<CircularMeasurement>(&source.test->measurement) : nullptr;
-    return circular ? &circular->conditions.common : nullptr;
-}
-
-template <std::string Conditions::*text>
-QString of(const FormSource &source) {
-    const Conditions *conditions = common(source);
-    return conditions ? stated(conditions->*text) : QString();
-}
-
-template <std::optional<bool> Conditions::*answer>
-QString yesOrNo(const FormSource &source) {
-    const Conditions *conditions = common(source);
-    if (!conditions || !(conditions->*answer).has_value())
-        return {};
-    return *(conditions->*answer) ? word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "yes"))
-                                  : word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "no"));
-}
-
-template <Point3 Conditions::*point, std::size_t axis>
-QString coordinate(const FormSource &source) {
-    const Conditions *conditions = common(source);
-    return conditions ? stated((conditions->*point)[axis], Quantity::position, source.language) : QString();
-}
-
-template <std::optional<double> PositioningConditions::*value, Quantity quantity>
-QString number(const FormSource &source) {
-    const auto *measurement = positioning(source);
-    return measurement ? stated(measurement->conditions.*value, quantity, source.language) : QString();
-}
-
-template <std::optional<double> Expansion::*value>
-QString expansion(const FormSource &source) {
-    const Conditions *conditions = common(source);
-    return conditions ? stated(conditions->expansion.*value, Quantity::expansion, source.language)
-                      : QString();
-}
-
-/// All sensors of a kind, one after the other.
-template <SensorMeasures what>
-QString eachSensor(const FormSource &source, QString (*value)(const Sensor &, const Language &)) {
-    QStringList values;
-    if (const Conditions *conditions = common(source)) {
-        for (const Sensor &sensor : conditions->sensors) {
-            if (sensor.measures == what)
-                values << value(sensor, source.language);
-        }
-    }
-    values.removeAll(QString());
-    return values.join(QStringLiteral(" / "));
-}
-
-template <SensorMeasures what>
-QString start(const FormSource &source) {
-    return eachSensor<what>(source, [](const Sensor &sensor, const Language &language) {
-        return stated(startTemperature(sensor), Quantity::temperature, language);
+template <auto member>
+auto common() {
+    return ofTest([](auto &test) {
+        auto *conditions = conditionsOf(test);
+        return conditions ? &(conditions->*member) : nullptr;
     });
 }
-template <SensorMeasures what>
-QString end(const FormSource &source) {
-    return eachSensor<what>(source, [](const Sensor &sensor, const Language &language) {
-        return stated(endTemperature(sensor), Quantity::temperature, language);
+
+template <auto part, auto member>
+auto commonPart() {
+    return ofTest([](auto &test) {
+        auto *conditions = conditionsOf(test);
+        return conditions ? &(conditions->*part.*member) : nullptr;
     });
 }
-template <SensorMeasures what>
-QString position(const FormSource &source) {
-    return eachSensor<what>(source,
-                            [](const Sensor &sensor, const Language &) { return stated(sensor.position); });
+
+template <auto point, std::size_t axis>
+auto coordinate() {
+    return ofTest([](auto &test) {
+        auto *conditions = conditionsOf(test);
+        return conditions ? &(conditions->*point)[axis] : nullptr;
+    });
 }
 
-QString date(const FormSource &source) {
-    if (!source.test)
-        return {};
-    QString text = statedDate(source.test->date, source.language);
-    if (source.test->time && !text.isEmpty())
-        text += u' ' + stated(*source.test->time);
-    return text;
+/// whole.*first.*second…
+template <class T>
+T &reach(T &whole) {
+    return whole;
+}
+template <class T, class Part, class... Rest>
+auto &reach(T &whole, Part part, Rest... rest) {
+    return reach(whole.*part, rest...);
 }
 
-QString axisName(const FormSource &source) {
-    const auto *measurement = positioning(source);
-    return measurement ? stated(measurement->axis.name) : QString();
-}
-QString axisTravel(const FormSource &source) {
-    const auto *measurement = positioning(source);
-    const bool linear = !measurement || measurement->axis.motion == Motion::linear;
-    if (!measurement || !measurement->axis.travel)
-        return {};
-    return source.language.quantity(*measurement->axis.travel, linear ? Quantity::position : Quantity::angle);
-}
-QString feedback(const FormSource &source) {
-    if (const auto *measurement = positioning(source))
-        return stated(measurement->axis.positionFeedback);
-    const auto *circular =
-        source.test ? std::get_if<CircularMeasurement>(&source.test->measurement) : nullptr;
-    return circular ? stated(circular->positionFeedback) : QString();
+/// A member of a positioning test, or of a part of it.
+template <auto... members>
+auto positioning() {
+    return ofTest([](auto &test) {
+        auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+        return measurement ? &reach(*measurement, members...) : nullptr;
+    });
 }
 
-QString targetChoice(const FormSource &source) {
-    const auto *measurement = positioning(source);
-    switch (measurement ? measurement->targetChoice.kind : TargetChoiceKind::notStated) {
-    case TargetChoiceKind::notStated:
-        return {};
-    case TargetChoiceKind::free:
-        return word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "chosen freely"));
-    case TargetChoiceKind::polygon:
-        return word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "faces of the polygon"));
-    case TargetChoiceKind::fixed:
-        return word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "given by the device"));
+template <auto... members>
+auto circular() {
+    return ofTest([](auto &test) {
+        auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
+        return measurement ? &reach(*measurement, members...) : nullptr;
+    });
+}
+
+/// A sensor's member; what is said first makes the sensor.
+template <auto member>
+auto ofSensor(SensorMeasures what, std::size_t ordinal) {
+    using T = std::remove_cvref_t<decltype(std::declval<Sensor &>().*member)>;
+    return Member<T>{[what, ordinal](const FormSource &source) {
+                         const Conditions *conditions = source.test ? conditionsOf(*source.test) : nullptr;
+                         const Sensor *sensor = conditions ? sensorOf(*conditions, what, ordinal) : nullptr;
+                         return sensor ? sensor->*member : T();
+                     },
+                     [what, ordinal](Document &document, std::size_t index, const T &value) {
+                         editTest(document, index, [&](Test &test) {
+                             if (Conditions *conditions = conditionsOf(test))
+                                 editSensor(*conditions, what, ordinal,
+                                            [&](Sensor &sensor) { sensor.*member = value; });
+                         });
+                     }};
+}
+
+/// Start or end, which a series says where nothing else does.
+Member<std::optional<double>> startOf(SensorMeasures what, std::size_t ordinal) {
+    auto member = ofSensor<&Sensor::start>(what, ordinal);
+    member.read = [what, ordinal](const FormSource &source) {
+        const Conditions *conditions = source.test ? conditionsOf(*source.test) : nullptr;
+        const Sensor *sensor = conditions ? sensorOf(*conditions, what, ordinal) : nullptr;
+        return sensor ? startTemperature(*sensor) : std::nullopt;
+    };
+    return member;
+}
+Member<std::optional<double>> endOf(SensorMeasures what, std::size_t ordinal) {
+    auto member = ofSensor<&Sensor::end>(what, ordinal);
+    member.read = [what, ordinal](const FormSource &source) {
+        const Conditions *conditions = source.test ? conditionsOf(*source.test) : nullptr;
+        const Sensor *sensor = conditions ? sensorOf(*conditions, what, ordinal) : nullptr;
+        return sensor ? endTemperature(*sensor) : std::nullopt;
+    };
+    return member;
+}
+
+struct SensorLabels {
+    const char *start;
+    const char *end;
+};
+SensorLabels labelsOf(SensorMeasures what, bool another) {
+    switch (what) {
+    case SensorMeasures::air:
+        return another ? SensorLabels{QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air %1, start"),
+                                      QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air %1, end")}
+                       : SensorLabels{QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air, start"),
+                                      QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air, end")};
+    case SensorMeasures::machine:
+        return another ? SensorLabels{QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine %1, start"),
+                                      QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine %1, end")}
+                       : SensorLabels{QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, start"),
+                                      QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, end")};
+    case SensorMeasures::instrument:
+        break;
     }
-    return {};
+    return another ? SensorLabels{QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument %1, start"),
+                                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument %1, end")}
+                   : SensorLabels{QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, start"),
+                                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, end")};
 }
 
-QString correction(const FormSource &source) {
-    const Conditions *conditions = common(source);
-    switch (conditions ? conditions->correctionTo20 : CorrectionTo20::notStated) {
-    case CorrectionTo20::notStated:
-        return {};
-    case CorrectionTo20::notApplied:
-        return word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not applied"));
-    case CorrectionTo20::appliedByInstrument:
-        return word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the instrument"));
-    case CorrectionTo20::appliedHere:
-        return word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "applied here"));
-    }
-    return {};
-}
-
-QString warmUp(const FormSource &source) {
-    const Conditions *conditions = common(source);
-    if (!conditions || conditions->warmUp.kind == WarmUpKind::notStated)
-        return {};
-    const QString text = stated(conditions->warmUp.text);
-    if (conditions->warmUp.kind == WarmUpKind::procedure && !text.isEmpty())
-        return text;
-    const QString kind =
-        conditions->warmUp.kind == WarmUpKind::procedure
-            ? word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreed or the maker's procedure"))
-        : conditions->warmUp.kind == WarmUpKind::dryRun
-            ? word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "dry run"))
-            : word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "set-up movements only"));
-    return text.isEmpty() ? kind : kind + QStringLiteral(", ") + text;
-}
-
-QString feed(const FormSource &source) {
-    if (const auto *circular =
-            source.test ? std::get_if<CircularMeasurement>(&source.test->measurement) : nullptr)
-        return stated(circular->feed, Quantity::feed, source.language);
-    const auto *measurement = positioning(source);
-    if (!measurement)
-        return {};
-    if (measurement->conditions.feedMode == FeedMode::rapid)
-        return word(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rapid"));
-    if (!measurement->conditions.feed)
-        return {};
-    return source.language.quantity(*measurement->conditions.feed, measurement->axis.motion == Motion::linear
-                                                                       ? Quantity::feed
-                                                                       : Quantity::angularFeed);
+std::size_t shownSensors(const Conditions &conditions, SensorMeasures what) {
+    return std::max<std::size_t>(1, countSensors(conditions, what));
 }
 
 } // namespace
 
-ConditionsPage::ConditionsPage(Selection &selection, QWidget *parent)
-    : Form(context, Page::conditions, parent) {
+ConditionsPage::ConditionsPage(DocumentModel &model, Selection &selection, QWidget *parent)
+    : Form(context, Page::conditions, model, parent) {
     follow(selection);
     setObjectName(QStringLiteral("conditionsPage"));
-    const QString celsius = QStringLiteral("°C");
-    const QString alpha = QStringLiteral("µm/(m·°C)");
-    const QString mm = QStringLiteral("mm");
-    constexpr auto air = SensorMeasures::air;
-    constexpr auto machine = SensorMeasures::machine;
-    constexpr auto instrument = SensorMeasures::instrument;
+    refresh();
+}
 
+void ConditionsPage::prepare() {
+    const Test *shown = shownTest();
+    const Conditions *conditions = shown ? conditionsOf(*shown) : nullptr;
+    const auto *measurement = shown ? std::get_if<PositioningMeasurement>(&shown->measurement) : nullptr;
+    const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
+    const Edition *edition = shown ? findEdition(shown->edition) : nullptr;
+    QString wanted = measurement ? QStringLiteral("positioning") : QStringLiteral("circular");
+    if (!conditions) {
+        wanted = QStringLiteral("none");
+    } else {
+        wanted += rotary ? QStringLiteral(" rotary") : QString();
+        wanted += edition && edition->rangeMethod ? QStringLiteral(" range") : QString();
+        for (const SensorMeasures what : kinds)
+            wanted += u' ' + QString::number(shownSensors(*conditions, what));
+        for (const Instrument &instrument : evaluated().document->instruments)
+            wanted += u' ' + QString::fromStdString(instrument.id);
+    }
+    if (wanted == m_built)
+        return;
+    m_built = wanted;
+    m_instruments.clear();
+    clear();
+    if (!conditions)
+        return;
+    addTemperatures(*shown);
+    addLoad(measurement != nullptr, rotary);
+    addPositions(measurement != nullptr);
+    addTestAndAxis(measurement);
+    addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks"));
+    beginRow();
+    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks on the test"),
+                ofTest([](auto &test) { return &test.remarks; }));
+    addStretch();
+}
+
+void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
+    beginRow();
+    const SensorLabels labels = labelsOf(what, ordinal > 0);
+    const QString argument = ordinal > 0 ? QString::number(ordinal + 1) : QString();
+    addNumber("sensors", labels.start, Quantity::temperature, startOf(what, ordinal), 2)
+        ->setLabelArgument(argument);
+    addNumber("sensors", labels.end, Quantity::temperature, endOf(what, ordinal), 2)
+        ->setLabelArgument(argument);
+    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
+            ofSensor<&Sensor::position>(what, ordinal), 3);
+}
+
+void ConditionsPage::addTemperatures(const Test &test) {
+    const Conditions &conditions = *conditionsOf(test);
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperatures"));
+    for (const SensorMeasures what : kinds) {
+        const std::size_t count = shownSensors(conditions, what);
+        for (std::size_t ordinal = 0; ordinal < count; ++ordinal) {
+            addSensor(what, ordinal);
+            if (ordinal > 0) {
+                addButton(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remove the sensor"),
+                          [this, what, ordinal] {
+                              edit(QT_TRANSLATE_NOOP("edits", "remove a sensor"), [&](Document &document) {
+                                  editTest(document, this->test(), [&](Test &changed) {
+                                      removeSensor(*conditionsOf(changed), what, ordinal);
+                                  });
+                              });
+                          });
+            } else if (what == SensorMeasures::machine) {
+                addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
+                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::machine>(), 3);
+            } else if (what == SensorMeasures::instrument) {
+                addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
+                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::instrument>(),
+                          3);
+            } else {
+                addChoice("correctionTo20",
+                          QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Correction to 20 °C"),
+                          {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+                           QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not applied"),
+                           QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the instrument"),
+                           QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "applied here")},
+                          choiceOf<CorrectionTo20>(common<&Conditions::correctionTo20>(),
+                                                   {CorrectionTo20::notStated, CorrectionTo20::notApplied,
+                                                    CorrectionTo20::appliedByInstrument,
+                                                    CorrectionTo20::appliedHere}),
+                          true, 3);
+            }
+        }
+    }
     beginRow();
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air, start"), celsius, start<air>,
-              2);
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air, end"), celsius, end<air>, 2);
-    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
-            position<air>, 3);
-    addText("correctionTo20", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Correction to 20 °C"),
-            correction, 3);
-    beginRow();
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, start"), celsius,
-              start<machine>, 2);
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, end"), celsius,
-              end<machine>, 2);
-    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
-            position<machine>, 3);
-    addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"), alpha,
-              expansion<&Expansion::machine>, 3);
-    beginRow();
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, start"), celsius,
-              start<instrument>, 2);
-    addNumber("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, end"), celsius,
-              end<instrument>, 2);
-    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
-            position<instrument>, 3);
-    addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"), alpha,
-              expansion<&Expansion::instrument>, 3);
+    const auto addOne = [this](const char *text, SensorMeasures what, const QString &name) {
+        addButton(text, [this, what] {
+            edit(QT_TRANSLATE_NOOP("edits", "add a sensor"), [&](Document &document) {
+                editTest(document, this->test(), [&](Test &changed) {
+                    Conditions &kept = *conditionsOf(changed);
+                    Sensor sensor;
+                    sensor.measures = what;
+                    // The first row stands there without a sensor.
+                    const std::size_t rows = shownSensors(kept, what) + 1;
+                    while (countSensors(kept, what) < rows)
+                        kept.sensors.push_back(sensor);
+                });
+            });
+        })->setObjectName(name);
+    };
+    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another sensor of the air"), SensorMeasures::air,
+           QStringLiteral("addAirSensor"));
+    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "… of the machine"), SensorMeasures::machine,
+           QStringLiteral("addMachineSensor"));
+    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "… of the instrument"), SensorMeasures::instrument,
+           QStringLiteral("addInstrumentSensor"));
+    addWidget(new QWidget(body()));
+    if (!std::holds_alternative<PositioningMeasurement>(test.measurement))
+        return;
+    constexpr auto conditionsMember = &PositioningMeasurement::conditions;
     beginRow();
     addNumber("airPressure", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air pressure"),
-              QStringLiteral("hPa"), number<&PositioningConditions::airPressure, Quantity::pressure>);
+              Quantity::pressure, positioning<conditionsMember, &PositioningConditions::airPressure>());
     addNumber("airHumidity", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Relative humidity"),
-              QStringLiteral("%"), number<&PositioningConditions::airHumidity, Quantity::percent>);
+              Quantity::percent, positioning<conditionsMember, &PositioningConditions::airHumidity>());
     addNumber("gradientPerHour", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperature gradient"),
-              QStringLiteral("°C/h"), number<&PositioningConditions::gradientPerHour, Quantity::gradient>);
+              Quantity::gradient, positioning<conditionsMember, &PositioningConditions::gradientPerHour>());
+}
 
+void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Cycle and load"));
     beginRow();
-    addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Feed rate"), {}, feed);
-    addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"),
-              QStringLiteral("s"), number<&PositioningConditions::dwell, Quantity::time>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), of<&Conditions::load>);
+    if (isPositioning) {
+        constexpr auto conditionsMember = &PositioningMeasurement::conditions;
+        addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Feed rate"),
+                  rotary ? Quantity::angularFeed : Quantity::feed,
+                  positioning<conditionsMember, &PositioningConditions::feed>());
+        addChoice("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Kind of feed"),
+                  {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "programmed"),
+                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rapid")},
+                  choiceOf<FeedMode>(positioning<conditionsMember, &PositioningConditions::feedMode>(),
+                                     {FeedMode::programmed, FeedMode::rapid}),
+                  false);
+        addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"),
+                  Quantity::time, positioning<conditionsMember, &PositioningConditions::dwell>());
+        addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Approach distance"),
+                  rotary ? Quantity::angle : Quantity::position,
+                  positioning<conditionsMember, &PositioningConditions::approachDistance>());
+    } else {
+        addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed"), Quantity::feed,
+                  circular<&CircularMeasurement::feed>());
+        addText("smoothing", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Data smoothing"),
+                circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>());
+        addYesNo("recentredBetweenRuns",
+                 QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Re-centred between the runs"),
+                 circular<&CircularMeasurement::conditions, &CircularConditions::recentredBetweenRuns>());
+    }
     beginRow();
-    addText("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up"), warmUp);
+    addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreed or the maker's procedure"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "dry run"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "set-up movements only")},
+              choiceOf<WarmUpKind>(
+                  commonPart<&Conditions::warmUp, &WarmUp::kind>(),
+                  {WarmUpKind::notStated, WarmUpKind::procedure, WarmUpKind::dryRun, WarmUpKind::setUpOnly}),
+              true, 2);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details"),
+            commonPart<&Conditions::warmUp, &WarmUp::text>(), 3);
+    beginRow();
     addText("compensation", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Active compensation"),
-            of<&Conditions::compensation>);
+            common<&Conditions::compensation>());
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), common<&Conditions::load>());
     beginRow();
-    addText("complete", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Complete, in working order"),
-            yesOrNo<&Conditions::complete>);
-    addText("levelled", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Levelled and aligned"),
-            yesOrNo<&Conditions::levelled>);
-    addText("unloaded", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Unloaded"),
-            yesOrNo<&Conditions::unloaded>);
+    addYesNo("complete", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Complete, in working order"),
+             common<&Conditions::complete>());
+    addYesNo("levelled", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Levelled and aligned"),
+             common<&Conditions::levelled>());
+    addYesNo("unloaded", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Unloaded"),
+             common<&Conditions::unloaded>());
+    beginRow();
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Soaking time"), common<&Conditions::soak>());
+    addYesNo("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Shielded from draughts and radiation"),
+             common<&Conditions::shielded>());
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Thermal guidelines of the maker"),
+            common<&Conditions::thermalGuidelines>());
+}
 
+void ConditionsPage::addPositions(bool isPositioning) {
+    constexpr auto mm = Quantity::position;
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the instrument"),
-            of<&Conditions::instrumentPosition>);
+            common<&Conditions::instrumentPosition>());
     addText("otherAxes", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axes not under test"),
-            of<&Conditions::otherAxes>);
+            common<&Conditions::otherAxes>());
     beginRow();
     addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, X"), mm,
-              coordinate<&Conditions::toolOffset, 0>);
+              coordinate<&Conditions::toolOffset, 0>());
     addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Y"), mm,
-              coordinate<&Conditions::toolOffset, 1>);
+              coordinate<&Conditions::toolOffset, 1>());
     addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Z"), mm,
-              coordinate<&Conditions::toolOffset, 2>);
+              coordinate<&Conditions::toolOffset, 2>());
     beginRow();
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, X"),
-              mm, coordinate<&Conditions::workpieceOffset, 0>);
+              mm, coordinate<&Conditions::workpieceOffset, 0>());
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Y"),
-              mm, coordinate<&Conditions::workpieceOffset, 1>);
+              mm, coordinate<&Conditions::workpieceOffset, 1>());
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Z"),
-              mm, coordinate<&Conditions::workpieceOffset, 2>);
+              mm, coordinate<&Conditions::workpieceOffset, 2>());
+    if (isPositioning)
+        return;
+    const auto centre = []<std::size_t axis>() {
+        return ofTest([](auto &test) {
+            auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
+            return measurement ? &measurement->conditions.centre[axis] : nullptr;
+        });
+    };
+    beginRow();
+    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, X"), mm,
+              centre.operator()<0>());
+    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Y"), mm,
+              centre.operator()<1>());
+    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Z"), mm,
+              centre.operator()<2>());
+    beginRow();
+    addText("startPoint", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Start point"),
+            circular<&CircularMeasurement::conditions, &CircularConditions::startPoint>());
+    addText("stopPoint", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Stop point"),
+            circular<&CircularMeasurement::conditions, &CircularConditions::stopPoint>());
+}
 
+void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test and axis"));
     beginRow();
-    addText("date", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Date of test"), date);
-    addText("name", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis"), axisName);
-    addText("travel", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis travel"), axisTravel);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Title of the test"),
+            ofTest([](auto &test) { return &test.title; }), 2);
+    addDate("date", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Date of test"),
+            ofTest([](auto &test) { return &test.date; }));
+    addTime("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Time"),
+            ofTest([](auto &test) { return &test.time; }));
+    addInstruments();
+    if (!measurement) {
+        beginRow();
+        addText("positionFeedback",
+                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
+                circular<&CircularMeasurement::positionFeedback>());
+        return;
+    }
+    using Measurement = PositioningMeasurement;
+    const Quantity position = positionQuantity(measurement->axis);
+    beginRow();
+    addText("name", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis"),
+            positioning<&Measurement::axis, &Axis::name>());
+    addChoice(
+        "", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Motion"),
+        {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "linear"),
+         QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rotary")},
+        choiceOf<Motion>(positioning<&Measurement::axis, &Axis::motion>(), {Motion::linear, Motion::rotary}),
+        false);
+    addNumber("travel", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis travel"), position,
+              positioning<&Measurement::axis, &Axis::travel>(), 1, Allowed::positive);
+    addInterval("ends", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Ends of the axis"), position,
+                positioning<&Measurement::axis, &Axis::range>(), 2);
     beginRow();
     addText("positionFeedback",
-            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"), feedback);
-    addText("targetChoice", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Choice of targets"),
-            targetChoice);
-    addStretch();
-    refresh();
+            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
+            positioning<&Measurement::axis, &Axis::positionFeedback>());
+    addInterval("zone", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed working zone"), position,
+                positioning<&Measurement::zone>());
+    addNumber("referencePosition",
+              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Zero of the displacement"), position,
+              positioning<&Measurement::conditions, &PositioningConditions::referencePosition>());
+    beginRow();
+    addChoice("targetChoice", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Choice of targets"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "chosen freely"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "faces of the polygon"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "given by the device")},
+              choiceOf<TargetChoiceKind>(positioning<&Measurement::targetChoice, &TargetChoice::kind>(),
+                                         {TargetChoiceKind::notStated, TargetChoiceKind::free,
+                                          TargetChoiceKind::polygon, TargetChoiceKind::fixed}),
+              true);
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Nominal interval"), position,
+              positioning<&Measurement::targetChoice, &TargetChoice::interval>());
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Period of the error"), position,
+              positioning<&Measurement::targetChoice, &TargetChoice::period>());
+    beginRow();
+    addChoice("cycle", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test cycle"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "standard test cycle"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "step cycle")},
+              choiceOf<Cycle>(positioning<&Measurement::cycle>(), {Cycle::standard, Cycle::step}), false);
+    if (m_built.contains(QStringLiteral(" range"))) {
+        addChoice("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Standard deviation"),
+                  {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by calculation"),
+                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the range method")},
+                  choiceOf<DeviationMethod>(positioning<&Measurement::standardDeviation>(),
+                                            {DeviationMethod::calculation, DeviationMethod::range}),
+                  false);
+    } else {
+        addWidget(new QWidget(body()));
+    }
+}
+
+/// Which instruments of the file the test was made with.
+void ConditionsPage::addInstruments() {
+    const auto &instruments = evaluated().document->instruments;
+    if (instruments.empty())
+        return;
+    beginRow();
+    for (const Instrument &instrument : instruments) {
+        auto *box = new QCheckBox(body());
+        box->setObjectName(QStringLiteral("uses.") + QString::fromStdString(instrument.id));
+        addWidget(box, 0);
+        m_instruments.push_back(box);
+        connect(box, &QCheckBox::clicked, this, [this, id = instrument.id](bool used) {
+            edit(QT_TRANSLATE_NOOP("edits", "change the instruments of the test"), [&](Document &document) {
+                editTest(document, this->test(), [&](Test &changed) {
+                    std::erase(changed.instruments, id);
+                    if (used)
+                        changed.instruments.push_back(id);
+                });
+            });
+        });
+    }
+    addWidget(new QWidget(body()));
+}
+
+void ConditionsPage::refreshOthers() {
+    const Test *shown = shownTest();
+    const auto &instruments = evaluated().document->instruments;
+    for (std::size_t i = 0; shown && i < m_instruments.size() && i < instruments.size(); ++i) {
+        const QString name = QString::fromStdString(
+            instruments[i].description.empty() ? instruments[i].id : instruments[i].description);
+        m_instruments[i]->setText(
+            tr("Measured with: %1").arg(QString(name).replace(u'&', QStringLiteral("&&"))));
+        m_instruments[i]->setChecked(std::ranges::find(shown->instruments, instruments[i].id) !=
+                                     shown->instruments.end());
+    }
 }
 
 } // namespace palmer::ui

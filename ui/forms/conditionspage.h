@@ -2,14 +2,31 @@
 
 #include "ui/forms/form.h"
 
+class QCheckBox;
+
 namespace palmer::ui {
 
-/// Under which conditions a test was made: temperatures, cycle, positions.
+/// Under which conditions a test was made: temperatures, cycle, positions, the axis and its targets.
 class ConditionsPage : public Form {
     Q_OBJECT
 
 public:
-    explicit ConditionsPage(Selection &selection, QWidget *parent = nullptr);
+    ConditionsPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
+
+protected:
+    void prepare() override;
+    void refreshOthers() override;
+
+private:
+    void addTemperatures(const Test &test);
+    void addSensor(SensorMeasures what, std::size_t ordinal);
+    void addLoad(bool positioning, bool rotary);
+    void addPositions(bool positioning);
+    void addTestAndAxis(const PositioningMeasurement *measurement);
+    void addInstruments();
+
+    QString m_built; ///< for what kind of test there are fields
+    std::vector<QCheckBox *> m_instruments;
 };
 
 } // namespace palmer::ui

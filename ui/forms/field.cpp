@@ -3,10 +3,15 @@
 #include "ui/elidedlabel.h"
 #include "ui/theme.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPainter>
+#include <QPlainTextEdit>
+#include <QStyle>
 #include <QVBoxLayout>
 
 namespace palmer::ui {
@@ -14,10 +19,12 @@ namespace palmer::ui {
 namespace {
 
 constexpr int fieldHeight = 28;
+constexpr int linesHeight = 66;
 constexpr int labelHeight = 16;
 constexpr int labelGap = 4;
 constexpr int barWidth = 4;
 constexpr int margin = 8;
+constexpr int iconSize = 16;
 
 void colour(QWidget *widget, QPalette::ColorRole role, const QColor &colour) {
     QPalette palette = widget->palette();
@@ -36,27 +43,77 @@ protected:
     }
 };
 
+/// The mark before the reason of a refusal.
+class RefusedMark : public QWidget {
+public:
+    explicit RefusedMark(QWidget *parent)
+        : QWidget(parent) {
+        setFixedSize(iconSize, iconSize);
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override {
+        QPainter painter(this);
+        drawLineIcon(painter, rect(), QStringLiteral("warn"), token(Token::bad, palette()));
+    }
+};
+
+/// A property that the style sheet looks at.
+void setStyled(QWidget *widget, const char *name, bool value) {
+    if (widget->property(name).toBool() == value)
+        return;
+    widget->setProperty(name, value);
+    widget->style()->unpolish(widget); // lets the rules be matched anew
+    widget->style()->polish(widget);
+}
+
 } // namespace
 
 Field::Field(Kind kind, QWidget *parent)
     : QWidget(parent)
     , m_kind(kind)
     , m_label(new ElidedLabel(this))
-    , m_mark(new QLabel(this))
-    , m_edit(new QLineEdit(this))
-    , m_unit(new QLabel(m_edit))
-    , m_bar(new RequiredBar(m_edit)) {
+    , m_mark(new QLabel(this)) {
+    QWidget *edit = nullptr;
+    if (kind == Kind::choice) {
+        edit = m_choice = new QComboBox(this);
+        m_choice->setFixedHeight(fieldHeight);
+        m_choice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        connect(m_choice, &QComboBox::activated, this, &Field::entered);
+    } else if (kind == Kind::longText) {
+        edit = m_lines = new QPlainTextEdit(this);
+        m_lines->setFixedHeight(linesHeight);
+        m_lines->setTabChangesFocus(true);
+        m_lines->setUndoRedoEnabled(false); // the window undoes
+        connect(m_lines, &QPlainTextEdit::textChanged, this, &Field::typed);
+    } else {
+        edit = m_line = new QLineEdit(this);
+        m_line->setFixedHeight(fieldHeight);
+        m_line->setAlignment((kind == Kind::number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        connect(m_line, &QLineEdit::textEdited, this, &Field::typed);
+        connect(m_line, &QLineEdit::returnPressed, this, &Field::finish);
+    }
+    edit->installEventFilter(this);
+    m_unit = new QLabel(edit);
+    m_bar = new RequiredBar(edit);
     m_label->setFixedHeight(labelHeight);
     m_label->setProperty("secondary", true);
     m_label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_mark->setFixedHeight(labelHeight);
-    m_label->setBuddy(m_edit);
-    m_edit->setFixedHeight(fieldHeight);
-    m_edit->setReadOnly(true);
-    m_edit->setAlignment((kind == Kind::number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    m_label->setBuddy(edit);
     m_unit->setProperty("secondary", true);
     m_unit->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_bar->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_reasonRow = new QWidget(this);
+    m_reason = new QLabel(m_reasonRow);
+    m_reason->setObjectName(QStringLiteral("refusal"));
+    m_reason->setWordWrap(true);
+    auto *reasonLayout = new QHBoxLayout(m_reasonRow);
+    reasonLayout->setContentsMargins(0, 0, 0, 0);
+    reasonLayout->setSpacing(4);
+    reasonLayout->addWidget(new RefusedMark(m_reasonRow), 0, Qt::AlignTop);
+    reasonLayout->addWidget(m_reason, 1);
+    m_reasonRow->hide();
     auto *head = new QHBoxLayout;
     head->setContentsMargins(0, 0, 0, 0);
     head->addWidget(m_label, 1);
@@ -65,9 +122,29 @@ Field::Field(Kind kind, QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(labelGap);
     layout->addLayout(head);
-    layout->addWidget(m_edit);
-    setFocusProxy(m_edit);
+    layout->addWidget(edit);
+    layout->addWidget(m_reasonRow);
+    layout->addStretch(); // a neighbour with a reason below is taller
+    setFocusProxy(edit);
     retranslate();
+}
+
+QWidget *Field::edit() const {
+    return m_line ? static_cast<QWidget *>(m_line) : m_lines ? static_cast<QWidget *>(m_lines) : m_choice;
+}
+
+QString Field::text() const {
+    if (m_choice)
+        return m_none && m_choice->currentIndex() <= 0 ? QString() : m_choice->currentText();
+    return m_line ? m_line->text() : m_lines->toPlainText();
+}
+
+int Field::choice() const {
+    return m_choice ? m_choice->currentIndex() : -1;
+}
+
+QString Field::refusal() const {
+    return m_refusal.isEmpty() ? QString() : m_reason->text();
 }
 
 void Field::setLabel(const QString &label) {
@@ -85,19 +162,91 @@ void Field::setUnit(const QString &unit) {
     placeParts();
 }
 
+void Field::setReader(Reader reader) {
+    m_reader = std::move(reader);
+}
+
+void Field::setChoices(const QStringList &words, bool none) {
+    m_none = none;
+    const int current = m_choice->currentIndex();
+    m_choice->clear();
+    m_choice->addItems(words);
+    m_choice->setCurrentIndex(current);
+}
+
+Field::Reading Field::read(const QString &text) const {
+    return m_reader ? m_reader(text) : Reading{text, {}};
+}
+
+void Field::setText(const QString &text) {
+    if (m_line) {
+        m_line->setText(text);
+        m_line->setCursorPosition(m_line->hasFocus() ? static_cast<int>(text.size()) : 0);
+        m_line->setToolTip(text.size() > 30 ? text : QString());
+    } else if (m_lines && m_lines->toPlainText() != text) {
+        const QSignalBlocker quiet(m_lines);
+        m_lines->setPlainText(text);
+    }
+}
+
 void Field::show(const QString &value, bool required) {
-    m_edit->setText(value);
-    m_edit->setCursorPosition(0);
-    m_edit->setToolTip(value.size() > 30 ? value : QString());
+    const bool kept = isRefused() ? value == m_shown : m_isTyped && read(text()).canonical == value;
+    if (!kept) {
+        setText(value);
+        m_refusal.clear();
+        m_isTyped = false;
+    }
+    m_shown = value;
     m_required = required;
     retranslate();
 }
 
+void Field::showChoice(int index, bool required) {
+    m_choice->setCurrentIndex(index);
+    m_required = required;
+    retranslate();
+}
+
+void Field::forget() {
+    m_isTyped = false;
+    m_refusal.clear();
+}
+
+void Field::typed() {
+    m_isTyped = true;
+    const Reading reading = read(text());
+    m_refusal = reading.refusal;
+    if (isRefused())
+        m_shown = m_atFocus;
+    retranslate();
+    emit entered();
+}
+
+/// Leaves the field: what was read is written as the field writes it.
+void Field::finish() {
+    if (!m_isTyped || isRefused())
+        return;
+    const QString canonical = read(text()).canonical;
+    m_isTyped = false;
+    if (m_line && canonical != m_line->text())
+        setText(canonical);
+}
+
+/// Esc: back to what was there when the focus came.
+void Field::restore() {
+    setText(m_atFocus);
+    typed();
+    m_isTyped = false;
+}
+
 void Field::placeParts() {
+    QWidget *shown = edit();
+    const int height = m_lines ? linesHeight : fieldHeight;
     const int unitWidth = m_unit->text().isEmpty() ? 0 : m_unit->sizeHint().width() + 6;
-    m_edit->setTextMargins(m_required ? barWidth : 0, 0, unitWidth, 0);
-    m_unit->setGeometry(m_edit->width() - unitWidth - margin + 4, 0, unitWidth, fieldHeight);
-    m_bar->setGeometry(1, 1, barWidth, fieldHeight - 2);
+    if (m_line)
+        m_line->setTextMargins(m_required ? barWidth : 0, 0, unitWidth, 0);
+    m_unit->setGeometry(shown->width() - unitWidth - margin + 4, 0, unitWidth, height);
+    m_bar->setGeometry(1, 1, barWidth, height - 2);
     m_bar->setVisible(m_required);
     // Where label and word have no room beside each other, the mark stands alone; the bar and the placeholder
     // say the same.
@@ -113,20 +262,60 @@ void Field::retranslate() {
     m_label->setFont(themeFont(TextSize::small));
     m_unit->setFont(themeFont(TextSize::small));
     m_mark->setFont(themeFont(TextSize::tiny));
+    m_reason->setFont(themeFont(TextSize::small));
     const QString label = m_labelArgument.isEmpty() || m_labelSource.isEmpty()
                               ? m_labelSource
                               : m_labelSource.arg(m_labelArgument);
     m_label->setText(label);
     m_mark->setVisible(m_required);
-    m_edit->setPlaceholderText(m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
-                                                                                   : tr("not stated"));
-    m_edit->setAccessibleName(label);
-    m_edit->setAccessibleDescription(m_required                 ? tr("required, not stated")
-                                     : m_edit->text().isEmpty() ? tr("not stated")
-                                                                : m_unit->text());
-    const QColor unsure = token(Token::unsure, palette());
-    colour(m_mark, QPalette::WindowText, unsure);
+    const QString placeholder =
+        m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–") : tr("not stated");
+    if (m_line)
+        m_line->setPlaceholderText(placeholder);
+    if (m_lines)
+        m_lines->setPlaceholderText(placeholder);
+    const QString kept = m_shown.isEmpty()          ? QString()
+                         : m_unit->text().isEmpty() ? m_shown
+                                                    : m_shown + QChar(u'\u00A0') + m_unit->text();
+    if (isRefused()) {
+        QString reason = m_refusal;
+        reason[0] = reason[0].toUpper();
+        m_reason->setText(kept.isEmpty() ? tr("%1.").arg(reason) : tr("%1; %2 kept.").arg(reason, kept));
+    }
+    m_reasonRow->setVisible(isRefused());
+    QWidget *shown = edit();
+    setStyled(shown, "refused", isRefused());
+    shown->setAccessibleName(label);
+    shown->setAccessibleDescription(isRefused()        ? m_reason->text()
+                                    : m_required       ? tr("required, not stated")
+                                    : text().isEmpty() ? tr("not stated")
+                                                       : m_unit->text());
+    colour(m_mark, QPalette::WindowText, token(Token::unsure, palette()));
+    colour(m_reason, QPalette::WindowText, token(Token::bad, palette()));
     placeParts();
+}
+
+bool Field::eventFilter(QObject *watched, QEvent *event) {
+    if (event->type() == QEvent::FocusIn) {
+        m_atFocus = m_shown;
+        emit begun();
+    } else if (event->type() == QEvent::FocusOut) {
+        finish();
+    } else if (event->type() == QEvent::ShortcutOverride) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        // Undo and redo are the window's: one stack for everything.
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    } else if (event->type() == QEvent::KeyPress && !m_choice) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->key() == Qt::Key_Escape && (m_isTyped || isRefused())) {
+            restore();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void Field::changeEvent(QEvent *event) {

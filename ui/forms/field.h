@@ -1,51 +1,103 @@
 #pragma once
 
-#include <QLineEdit>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
+#include <functional>
 
+class QComboBox;
 class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
 
 namespace palmer::ui {
 
 /// A field of a form: label above, unit inside at the right, and where something required is missing a mark
-/// and a bar. Empty means not stated.
+/// and a bar. Empty means not stated. What is typed is read at once: what can be read is told by entered(),
+/// what cannot stays in red with a short reason below, and the value before it is kept.
 class Field : public QWidget {
     Q_OBJECT
 
 public:
-    enum class Kind { text, number };
+    enum class Kind { text, longText, number, choice };
+
+    /// What a text typed says: as the field writes it, or why it is refused ("not a number").
+    struct Reading {
+        QString canonical;
+        QString refusal;
+    };
+    using Reader = std::function<Reading(const QString &)>;
 
     explicit Field(Kind kind, QWidget *parent = nullptr);
 
     void setLabel(const QString &label);
     /// Stands for %1 in the label.
     void setLabelArgument(const QString &argument);
+    [[nodiscard]] QString labelArgument() const { return m_labelArgument; }
     void setUnit(const QString &unit);
-    /// Shows a value; `required`: it is missing and the report needs it.
-    void show(const QString &value, bool required);
+    /// How texts are read; without one, every text is as it stands.
+    void setReader(Reader reader);
+    /// The words of a choice; `none`: the first of them says that nothing is stated.
+    void setChoices(const QStringList &words, bool none);
 
-    [[nodiscard]] QLineEdit *edit() const { return m_edit; }
-    [[nodiscard]] QString text() const { return m_edit->text(); }
+    /// Shows a value; `required`: it is missing and the report needs it. What is being typed and says the
+    /// same stays as it is typed; what was refused stays until the value changes.
+    void show(const QString &value, bool required);
+    void showChoice(int index, bool required);
+    /// Forgets what was typed and refused: another test, another document.
+    void forget();
+
+    /// The part that takes the focus.
+    [[nodiscard]] QWidget *edit() const;
+    /// What is in the field; empty for a choice that states nothing.
+    [[nodiscard]] QString text() const;
+    /// The text that is the value: what is in the field, or what was there before it was refused.
+    [[nodiscard]] QString valueText() const { return isRefused() ? m_atFocus : text(); }
+    [[nodiscard]] int choice() const;
     [[nodiscard]] bool isRequired() const { return m_required; }
+    [[nodiscard]] bool isRefused() const { return !m_refusal.isEmpty(); }
+    /// The sentence below a refused text.
+    [[nodiscard]] QString refusal() const;
+
+signals:
+    /// A text was typed, which valueText() tells where it can be read; or a word was chosen.
+    void entered();
+    /// The focus came: what is typed from now on is a step of its own.
+    void begun();
 
 protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    [[nodiscard]] Reading read(const QString &text) const;
+    void setText(const QString &text);
+    void typed();
+    void finish();
+    void restore();
     void retranslate();
     void placeParts();
 
     Kind m_kind;
+    Reader m_reader;
     bool m_required = false;
+    bool m_none = false;    ///< the first choice states nothing
+    bool m_isTyped = false; ///< since the field was shown or left
+    QString m_shown;        ///< the value as it was shown last
+    QString m_atFocus;      ///< the value when the focus came
+    QString m_refusal;      ///< why the text in the field is no value; empty: it is one
     QString m_labelSource;
     QString m_labelArgument;
     QLabel *m_label;
     QLabel *m_mark;
-    QLineEdit *m_edit;
+    QLineEdit *m_line = nullptr;
+    QPlainTextEdit *m_lines = nullptr;
+    QComboBox *m_choice = nullptr;
     QLabel *m_unit;
     QWidget *m_bar;
+    QWidget *m_reasonRow;
+    QLabel *m_reason;
 };
 
 } // namespace palmer::ui

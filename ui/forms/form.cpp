@@ -1,5 +1,7 @@
 #include "ui/forms/form.h"
 
+#include "ui/model/documentmodel.h"
+#include "ui/model/editname.h"
 #include "ui/results/chip.h"
 #include "ui/theme.h"
 
@@ -8,8 +10,11 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -19,15 +24,31 @@ constexpr int pageMargin = 16;
 constexpr int fieldGap = 12;
 constexpr int sectionGap = 18;
 
+constexpr Text negative = REPORT_TEXT("report", "a negative number");
+constexpr Text notPositive = REPORT_TEXT("report", "not greater than 0");
+constexpr Text notWhole = REPORT_TEXT("report", "not a whole number");
+
+/// Takes a widget out of the page at once; it may be in one of its own signals.
+void dispose(QWidget *widget) {
+    widget->hide();
+    widget->setParent(nullptr);
+    widget->deleteLater();
+}
+
 } // namespace
 
-Form::Form(const char *context, Page page, QWidget *parent)
+Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent)
     : QWidget(parent)
     , m_context(context)
     , m_page(page)
+    , m_model(model)
     , m_chip(new Chip(this))
+    , m_next(new QPushButton(this))
     , m_scroll(new QScrollArea(this)) {
     m_chip->setObjectName(QStringLiteral("missingChip"));
+    m_next->setObjectName(QStringLiteral("nextMissingButton"));
+    m_next->setAutoDefault(false);
+    connect(m_next, &QPushButton::clicked, this, &Form::nextWanted);
     auto *content = new QWidget(m_scroll);
     content->setProperty("ground", QStringLiteral("base"));
     m_body = new QVBoxLayout(content);
@@ -41,20 +62,57 @@ Form::Form(const char *context, Page page, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    auto *bar = new QHBoxLayout;
-    bar->setContentsMargins(pageMargin, 8, pageMargin, 4);
-    bar->addWidget(m_chip);
-    bar->addStretch();
-    layout->addLayout(bar);
+    m_bar = new QHBoxLayout;
+    m_bar->setContentsMargins(pageMargin, 8, pageMargin, 4);
+    m_bar->setSpacing(8);
+    m_bar->addWidget(m_chip);
+    m_bar->addStretch();
+    m_bar->addWidget(m_next);
+    layout->addLayout(m_bar);
     layout->addWidget(m_scroll, 1);
 }
 
-void Form::addSection(const char *title) {
+void Form::addToBar(QWidget *widget) {
+    m_bar->addWidget(widget);
+}
+
+QString Form::word(const char *source) const {
+    return QCoreApplication::translate(m_context, source);
+}
+
+void Form::addSection(const char *title, const QString &argument) {
     if (!m_titles.empty())
         m_body->addSpacing(sectionGap - fieldGap);
-    auto *label = new QLabel(m_scroll->widget());
-    m_body->addWidget(label);
-    m_titles.push_back({label, title});
+    auto *label = new QLabel(body());
+    m_head = new QHBoxLayout;
+    m_head->addWidget(label);
+    m_head->addStretch();
+    m_body->addLayout(m_head);
+    m_titles.push_back({label, title, argument});
+}
+
+QPushButton *Form::addSectionButton(const char *text, std::function<void()> pressed) {
+    auto *button = new QPushButton(body());
+    button->setProperty("link", true);
+    button->setAutoDefault(false);
+    connect(button, &QPushButton::clicked, this, [pressed = std::move(pressed)] { pressed(); });
+    m_head->addWidget(button);
+    m_buttons.push_back({button, text});
+    return button;
+}
+
+QPushButton *Form::addButton(const char *text, std::function<void()> pressed) {
+    auto *button = new QPushButton(body());
+    button->setAutoDefault(false);
+    connect(button, &QPushButton::clicked, this, [pressed = std::move(pressed)] { pressed(); });
+    m_row->addWidget(button, 0, m_column++, Qt::AlignLeft | Qt::AlignBottom);
+    m_buttons.push_back({button, text});
+    return button;
+}
+
+void Form::addWidget(QWidget *widget, int weight) {
+    m_row->addWidget(widget, 0, m_column);
+    m_row->setColumnStretch(m_column++, weight);
 }
 
 void Form::beginRow() {
@@ -64,39 +122,212 @@ void Form::beginRow() {
     m_body->addLayout(m_row);
 }
 
-Field *Form::add(Field::Kind kind, const char *key, const char *label, const QString &unit, Value value,
-                 int weight) {
-    auto *field = new Field(kind, m_scroll->widget());
+Field *Form::add(Field::Kind kind, const char *key, const char *label, const QString &unit, int weight) {
+    auto *field = new Field(kind, body());
     field->setUnit(unit);
     field->edit()->setObjectName(QStringLiteral("field.") + QString::fromLatin1(key) + u'.' +
                                  QString::number(m_entries.size()));
-    m_row->addWidget(field, 0, m_column);
-    m_row->setColumnStretch(m_column++, weight);
-    m_entries.push_back({field, key, label, std::move(value)});
+    field->edit()->setProperty("helpTopic", QString::fromLatin1(key));
+    addWidget(field, weight);
+    connect(field, &Field::begun, this, [this] { ++m_visit; });
+    connect(field, &Field::entered, this, [this, field] { commit(field); });
+    m_entries.push_back({field, key, label, {}, {}, false, {}, {}, {}});
     return field;
 }
 
-Field *Form::addText(const char *key, const char *label, Value value, int weight) {
-    return add(Field::Kind::text, key, label, {}, std::move(value), weight);
+Field *Form::addText(const char *key, const char *label, Member<std::string> member, int weight) {
+    Field *field = add(Field::Kind::text, key, label, {}, weight);
+    last().value = [read = member.read](const FormSource &source) { return stated(read(source)); };
+    last().change = [this, field, write = std::move(member.write)]() -> Change {
+        return [write, test = m_test, text = field->valueText().toStdString()](Document &document) {
+            write(document, test, text);
+        };
+    };
+    return field;
 }
 
-Field *Form::addNumber(const char *key, const char *label, const QString &unit, Value value, int weight) {
-    return add(Field::Kind::number, key, label, unit, std::move(value), weight);
+Field *Form::addLongText(const char *key, const char *label, Member<std::string> member, int weight) {
+    Field *field = add(Field::Kind::longText, key, label, {}, weight);
+    last().value = [read = member.read](const FormSource &source) { return stated(read(source)); };
+    last().change = [this, field, write = std::move(member.write)]() -> Change {
+        return [write, test = m_test, text = field->valueText().toStdString()](Document &document) {
+            write(document, test, text);
+        };
+    };
+    return field;
+}
+
+Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Member<Amount> member,
+                       int weight, Allowed allowed) {
+    Field *field = add(Field::Kind::number, key, label, m_language.unit(quantity), weight);
+    last().quantity = quantity;
+    const auto shown = [this, quantity, allowed](const Amount &value) {
+        // Years and seeds are names more than numbers: no groups.
+        return value && allowed == Allowed::whole ? QString::number(*value, 'f', 0)
+                                                  : stated(value, quantity, m_language);
+    };
+    field->setReader([this, quantity, allowed, shown](const QString &typed) -> Field::Reading {
+        const NumberEntry entry = enteredNumber(typed, quantity, m_language.units());
+        if (entry.refusal)
+            return {{}, m_language.text(*entry.refusal)};
+        if (entry.value && allowed == Allowed::positive && !(*entry.value > 0))
+            return {{}, m_language.text(notPositive)};
+        if (entry.value && allowed == Allowed::notNegative && *entry.value < 0)
+            return {{}, m_language.text(negative)};
+        if (entry.value && allowed == Allowed::whole &&
+            (std::trunc(*entry.value) != *entry.value || std::abs(*entry.value) > 1e9))
+            return {{}, m_language.text(notWhole)};
+        return {shown(entry.value), {}};
+    });
+    last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };
+    last().change = [this, field, quantity, write = std::move(member.write)]() -> Change {
+        return [write, test = m_test,
+                value = enteredNumber(field->valueText(), quantity, m_language.units()).value](
+                   Document &document) { write(document, test, value); };
+    };
+    return field;
+}
+
+Field *Form::addInterval(const char *key, const char *label, Quantity quantity,
+                         Member<std::optional<Interval>> member, int weight) {
+    Field *field = add(Field::Kind::number, key, label, m_language.unit(quantity), weight);
+    last().quantity = quantity;
+    const auto shown = [this, quantity](const std::optional<Interval> &interval) {
+        return interval ? QStringLiteral("%1 … %2").arg(m_language.number(interval->from, quantity),
+                                                        m_language.number(interval->to, quantity))
+                        : QString();
+    };
+    field->setReader([this, quantity, shown](const QString &typed) -> Field::Reading {
+        const IntervalEntry entry = enteredInterval(typed, quantity, m_language.units());
+        return entry.refusal ? Field::Reading{{}, m_language.text(*entry.refusal)}
+                             : Field::Reading{shown(entry.value), {}};
+    });
+    last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };
+    last().change = [this, field, quantity, write = std::move(member.write)]() -> Change {
+        return [write, test = m_test,
+                value = enteredInterval(field->valueText(), quantity, m_language.units()).value](
+                   Document &document) { write(document, test, value); };
+    };
+    return field;
+}
+
+Field *Form::addDate(const char *key, const char *label, Member<Moment> member, int weight) {
+    Field *field = add(Field::Kind::text, key, label, {}, weight);
+    field->setReader([this](const QString &typed) -> Field::Reading {
+        const MomentEntry entry = enteredDate(typed);
+        return entry.refusal ? Field::Reading{{}, m_language.text(*entry.refusal)}
+                             : Field::Reading{statedDate(entry.value, m_language), {}};
+    });
+    last().value = [read = member.read](const FormSource &source) {
+        return statedDate(read(source), source.language);
+    };
+    last().change = [this, field, write = std::move(member.write)]() -> Change {
+        return [write, test = m_test, value = enteredDate(field->valueText()).value](Document &document) {
+            write(document, test, value);
+        };
+    };
+    return field;
+}
+
+Field *Form::addTime(const char *key, const char *label, Member<Moment> member, int weight) {
+    Field *field = add(Field::Kind::text, key, label, {}, weight);
+    field->setReader([this](const QString &typed) -> Field::Reading {
+        const MomentEntry entry = enteredTime(typed);
+        return entry.refusal ? Field::Reading{{}, m_language.text(*entry.refusal)}
+                             : Field::Reading{stated(entry.value.value_or(std::string())), {}};
+    });
+    last().value = [read = member.read](const FormSource &source) {
+        return stated(read(source).value_or(std::string()));
+    };
+    last().change = [this, field, write = std::move(member.write)]() -> Change {
+        return [write, test = m_test, value = enteredTime(field->valueText()).value](Document &document) {
+            write(document, test, value);
+        };
+    };
+    return field;
+}
+
+Field *Form::addChoice(const char *key, const char *label, std::vector<const char *> words,
+                       Member<int> member, bool none, int weight) {
+    Field *field = add(Field::Kind::choice, key, label, {}, weight);
+    last().words = std::move(words);
+    last().none = none;
+    last().choice = std::move(member.read);
+    last().change = [this, field, write = std::move(member.write)]() -> Change {
+        return [write, test = m_test, index = field->choice()](Document &document) {
+            write(document, test, index);
+        };
+    };
+    return field;
+}
+
+Field *Form::addYesNo(const char *key, const char *label, Member<std::optional<bool>> member, int weight) {
+    using Answer = std::optional<bool>;
+    return addChoice(
+        key, label,
+        {QT_TRANSLATE_NOOP("palmer::ui::Form", "not stated"), QT_TRANSLATE_NOOP("palmer::ui::Form", "yes"),
+         QT_TRANSLATE_NOOP("palmer::ui::Form", "no")},
+        choiceOf<Answer>(std::move(member), {Answer(), Answer(true), Answer(false)}), true, weight);
 }
 
 void Form::addStretch() {
     m_body->addStretch(1);
 }
 
+void Form::edit(const char *name, const std::function<void(Document &)> &change, const QString &mergeKey) {
+    m_model.edit(name, change, mergeKey);
+}
+
+void Form::commit(const Field *field) {
+    const auto entry =
+        std::ranges::find_if(m_entries, [&](const Entry &candidate) { return candidate.field == field; });
+    if (entry == m_entries.end() || !m_evaluated.document)
+        return;
+    // The edit shows the page anew, which may remove the field.
+    const Change change = entry->change();
+    const QByteArray name = changeOf(m_context, entry->label, field->labelArgument());
+    QString key; // words are chosen one by one, texts grow letter by letter
+    if (!entry->choice)
+        key = QStringLiteral("%1/%2/%3/%4")
+                  .arg(objectName(), field->edit()->objectName())
+                  .arg(m_test)
+                  .arg(m_visit);
+    edit(name.constData(), change, key);
+}
+
 void Form::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    const bool another = test != m_test;
     m_evaluated = evaluated;
     m_test = test;
-    refresh();
+    if (another) {
+        for (const Entry &entry : m_entries)
+            entry.field->forget();
+    }
+    // Pages out of view cost nothing while something else is typed.
+    m_isStale = parentWidget() && !isVisibleTo(window());
+    if (!m_isStale)
+        refresh();
+}
+
+void Form::showEvent(QShowEvent *event) {
+    if (std::exchange(m_isStale, false))
+        refresh();
+    QWidget::showEvent(event);
 }
 
 void Form::setLanguage(const Language &language) {
     m_language = language;
+    for (const Entry &entry : m_entries) {
+        if (entry.quantity)
+            entry.field->setUnit(m_language.unit(*entry.quantity));
+    }
     refresh();
+}
+
+const Test *Form::shownTest() const {
+    return m_evaluated.document && m_test < m_evaluated.document->tests.size()
+               ? m_evaluated.document->tests[m_test].get()
+               : nullptr;
 }
 
 bool Form::isMissingHere(const char *key) const {
@@ -109,43 +340,79 @@ bool Form::isMissingHere(const char *key) const {
     });
 }
 
+void Form::removeItems(QLayout &layout) {
+    while (QLayoutItem *item = layout.takeAt(0)) {
+        if (QLayout *inner = item->layout())
+            removeItems(*inner);
+        if (QWidget *widget = item->widget())
+            dispose(widget);
+        delete item;
+    }
+}
+
 void Form::clear() {
+    const QWidget *focused = QWidget::focusWidget();
+    m_focused =
+        focused && body()->isAncestorOf(focused) && focused->hasFocus() ? focused->objectName() : QString();
     m_entries.clear();
     m_titles.clear();
+    m_buttons.clear();
     m_row = nullptr;
-    while (QLayoutItem *item = m_body->takeAt(0)) {
-        if (QLayout *row = item->layout()) {
-            while (QLayoutItem *part = row->takeAt(0)) {
-                delete part->widget();
-                delete part;
-            }
+    m_head = nullptr;
+    removeItems(*m_body);
+}
+
+void Form::refreshTexts() {
+    m_next->setText(tr("Next  F8"));
+    for (const Title &title : m_titles) {
+        const QString text = word(title.source);
+        title.shown->setText(title.argument.isEmpty() ? text : text.arg(title.argument));
+        title.shown->setFont(themeFont(TextSize::head));
+    }
+    for (const Button &button : m_buttons)
+        button.shown->setText(word(button.source));
+    for (const Entry &entry : m_entries) {
+        entry.field->setLabel(word(entry.label));
+        if (entry.words.empty())
+            continue;
+        QStringList words;
+        for (const char *source : entry.words) {
+            const QString own = word(source);
+            words << (own == QString::fromUtf8(source)
+                          ? QCoreApplication::translate("palmer::ui::Form", source)
+                          : own);
         }
-        delete item->widget();
-        delete item;
+        entry.field->setChoices(words, entry.none);
     }
 }
 
 void Form::refresh() {
     prepare();
-    for (const Title &title : m_titles) {
-        title.shown->setText(QCoreApplication::translate(m_context, title.source));
-        title.shown->setFont(themeFont(TextSize::head));
-    }
-    for (const Entry &entry : m_entries)
-        entry.field->setLabel(QCoreApplication::translate(m_context, entry.label));
+    refreshTexts();
     if (!m_evaluated.document) {
         m_chip->hide();
+        m_next->hide();
         return;
     }
-    const bool hasTest = m_test < m_evaluated.tests.size();
-    const FormSource source{*m_evaluated.document,
-                            hasTest ? m_evaluated.document->tests[m_test].get() : nullptr, m_language};
+    const FormSource source{*m_evaluated.document, shownTest(), m_language};
     for (const Entry &entry : m_entries) {
-        const QString value = entry.value(source);
-        entry.field->show(value, value.isEmpty() && isMissingHere(entry.key));
+        if (entry.choice) {
+            const int index = entry.choice(source);
+            entry.field->showChoice(index, entry.none && index <= 0 && isMissingHere(entry.key));
+        } else {
+            const QString value = entry.value(source);
+            entry.field->show(value, value.isEmpty() && isMissingHere(entry.key));
+        }
     }
-    const int missing = hasTest ? countMissing(*m_evaluated.tests[m_test], m_page) : 0;
+    refreshOthers();
+    if (!m_focused.isEmpty()) {
+        if (auto *field = findChild<QWidget *>(std::exchange(m_focused, QString())))
+            field->setFocus(Qt::OtherFocusReason);
+    }
+    const int missing =
+        m_test < m_evaluated.tests.size() ? countMissing(*m_evaluated.tests[m_test], m_page) : 0;
     m_chip->setVisible(missing > 0);
+    m_next->setVisible(missing > 0);
     if (missing > 0)
         m_chip->setContent(missingText(missing), QStringLiteral("warn"), Token::unsure, Token::unsureGround);
 }
@@ -167,6 +434,8 @@ QString Form::missingText(int count) const {
 }
 
 bool Form::focusField(const QString &id) {
+    if (std::exchange(m_isStale, false))
+        refresh();
     const auto has = [&](const Entry &entry) { return id == QLatin1StringView(entry.key); };
     auto found = std::ranges::find_if(
         m_entries, [&](const Entry &entry) { return has(entry) && entry.field->isRequired(); });

@@ -1,46 +1,43 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "language/entry.h"
 #include "language/language.h"
 #include "ui/forms/field.h"
+#include "ui/forms/member.h"
 #include "ui/model/selection.h"
 
 #include <QScrollArea>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
 
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace palmer::ui {
 
 class Chip;
-
-/// What a field may look at to say its value.
-struct FormSource {
-    const Document &document;
-    const Test *test; ///< null outside of tests
-    const Language &language;
-};
+class DocumentModel;
 
 // What is stated, as fields show it; empty for what is not.
 [[nodiscard]] QString stated(const std::string &text);
 [[nodiscard]] QString stated(const std::optional<double> &value, Quantity quantity, const Language &language);
 [[nodiscard]] QString statedDate(const std::optional<std::string> &date, const Language &language);
 
-/// A page of fields in sections, filled from the document without signals. Texts of labels are sources of the
-/// context given.
+/// A page of fields in sections, filled from the document without signals. What is typed changes the document
+/// at once, as one step to undo for every visit of a field. Texts of labels are sources of the context given.
 class Form : public QWidget {
     Q_OBJECT
 
 public:
-    using Value = std::function<QString(const FormSource &)>;
-
     /// `context`: of the labels, the name of the page's class. `page`: whose missing statements are marked.
-    Form(const char *context, Page page, QWidget *parent = nullptr);
+    Form(const char *context, Page page, DocumentModel &model, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
@@ -49,58 +46,118 @@ public:
     /// Moves the focus to fields that are chosen while the page is in view.
     void follow(Selection &selection);
 
+signals:
+    /// The next missing statement is asked for.
+    void nextWanted();
+
 protected:
+    using Amount = std::optional<double>;
+    using Moment = std::optional<std::string>;
+    /// What the file format demands of a number.
+    enum class Allowed { any, notNegative, positive, whole };
+
     // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP
     // of the context.
-    void addSection(const char *title);
+    void addSection(const char *title, const QString &argument = {});
+    /// A button at the right of the title added last.
+    QPushButton *addSectionButton(const char *text, std::function<void()> pressed);
     /// Begins a row; its fields share the width by their weights.
     void beginRow();
     /// `key`: id of the findings that say it is missing, which is the key in the file; empty: never asked
     /// for.
-    Field *addText(const char *key, const char *label, Value value, int weight = 1);
-    Field *addNumber(const char *key, const char *label, const QString &unit, Value value, int weight = 1);
+    Field *addText(const char *key, const char *label, Member<std::string> member, int weight = 1);
+    Field *addLongText(const char *key, const char *label, Member<std::string> member, int weight = 1);
+    /// `unit`: empty takes that of the quantity.
+    Field *addNumber(const char *key, const char *label, Quantity quantity, Member<Amount> member,
+                     int weight = 1, Allowed allowed = Allowed::any);
+    Field *addInterval(const char *key, const char *label, Quantity quantity,
+                       Member<std::optional<Interval>> member, int weight = 1);
+    Field *addDate(const char *key, const char *label, Member<Moment> member, int weight = 1);
+    Field *addTime(const char *key, const char *label, Member<Moment> member, int weight = 1);
+    /// `none`: the first word says that nothing is stated.
+    Field *addChoice(const char *key, const char *label, std::vector<const char *> words, Member<int> member,
+                     bool none, int weight = 1);
+    Field *addYesNo(const char *key, const char *label, Member<std::optional<bool>> member, int weight = 1);
+    /// A button below the rows, or in one.
+    QPushButton *addButton(const char *text, std::function<void()> pressed);
+    void addWidget(QWidget *widget, int weight = 1);
     void addStretch();
-    void clear(); ///< removes everything that was added
+    void addToBar(QWidget *widget); ///< at the right of the bar above the page
+    void clear();                   ///< removes everything that was added but for the bar
+
+    /// Changes the document as one step; `name` is a source of the context "edits".
+    void edit(const char *name, const std::function<void(Document &)> &change, const QString &mergeKey = {});
+
     [[nodiscard]] const EvaluatedDocument &evaluated() const { return m_evaluated; }
     [[nodiscard]] std::size_t test() const { return m_test; }
+    /// The test in view; null where there is none.
+    [[nodiscard]] const Test *shownTest() const;
     [[nodiscard]] const Language &language() const { return m_language; }
+    [[nodiscard]] QString word(const char *source) const;
+    [[nodiscard]] QWidget *body() const { return m_scroll->widget(); }
 
     /// Called before the fields are filled, for pages whose fields depend on the document.
     virtual void prepare() {}
+    /// Called after the fields are filled.
+    virtual void refreshOthers() {}
     /// The words of the chip at the top; empty: no chip.
     [[nodiscard]] virtual QString missingText(int count) const;
 
     void refresh();
     void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
 
 private:
+    using Change = std::function<void(Document &)>;
+
     struct Entry {
         Field *field;
         const char *key;
         const char *label;
-        Value value;
+        std::optional<Quantity> quantity;                 ///< of a number: its unit may change
+        std::vector<const char *> words;                  ///< of a choice
+        bool none;                                        ///< the first of them states nothing
+        std::function<QString(const FormSource &)> value; ///< of all but choices
+        std::function<int(const FormSource &)> choice;
+        std::function<Change()> change; ///< made of what is in the field now
     };
     struct Title {
         QLabel *shown;
         const char *source;
+        QString argument;
+    };
+    struct Button {
+        QPushButton *shown;
+        const char *source;
     };
 
-    Field *add(Field::Kind kind, const char *key, const char *label, const QString &unit, Value value,
-               int weight);
+    Field *add(Field::Kind kind, const char *key, const char *label, const QString &unit, int weight);
+    Entry &last() { return m_entries.back(); }
+    void commit(const Field *field);
+    void refreshTexts();
+    void removeItems(class QLayout &layout);
     [[nodiscard]] bool isMissingHere(const char *key) const;
 
     const char *m_context;
     Page m_page;
+    DocumentModel &m_model;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
     Chip *m_chip;
+    QPushButton *m_next;
+    QHBoxLayout *m_bar;
     QScrollArea *m_scroll;
     QVBoxLayout *m_body;
+    QHBoxLayout *m_head = nullptr; ///< of the section added last
     QGridLayout *m_row = nullptr;
     int m_column = 0;
+    bool m_isStale = false; ///< not filled since the document changed: out of view
+    int m_visit = 0;        ///< counts the fields the focus came to
+    QString m_focused;
     std::vector<Entry> m_entries;
     std::vector<Title> m_titles;
+    std::vector<Button> m_buttons;
 };
 
 } // namespace palmer::ui

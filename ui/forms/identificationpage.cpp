@@ -1,89 +1,219 @@
 #include "ui/forms/identificationpage.h"
 
+#include "ui/forms/templatebutton.h"
+#include "ui/pdf/logo.h"
+
+#include <QCheckBox>
 #include <QCoreApplication>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPainter>
+#include <QPushButton>
+#include <algorithm>
 
 namespace palmer::ui {
 
 namespace {
 
 constexpr char context[] = "palmer::ui::IdentificationPage";
+constexpr QSize pictureRoom(180, 48);
+constexpr qint64 largestPicture = 4 * 1024 * 1024; ///< bytes; it stands in every file and every report
 
-template <std::string ReportHead::*text>
-QString of(const FormSource &source) {
-    return stated(source.document.report.*text);
+template <auto member>
+auto ofReport() {
+    return ofDocument([](auto &document) -> auto & { return document.report.*member; });
 }
 
-template <std::optional<std::string> ReportHead::*date>
-QString dateOf(const FormSource &source) {
-    return statedDate(source.document.report.*date, source.language);
+template <auto part, auto member>
+auto within() {
+    return ofDocument([](auto &document) -> auto & { return document.report.*part.*member; });
 }
 
-template <auto part, auto text>
-QString within(const FormSource &source) {
-    return stated(source.document.report.*part.*text);
-}
+struct SignerWord {
+    Signer signer;
+    const char *word;
+};
+constexpr SignerWord signerWords[] = {
+    {Signer::operatorSigns, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator")},
+    {Signer::laboratory, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Laboratory")},
+    {Signer::supplier, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Supplier")},
+    {Signer::customer, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer")},
+};
 
 } // namespace
 
-IdentificationPage::IdentificationPage(QWidget *parent)
-    : Form(context, Page::identification, parent) {
+IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selection, QWidget *parent)
+    : Form(context, Page::identification, model, parent) {
     setObjectName(QStringLiteral("identificationPage"));
+    follow(selection);
+    addToBar(new TemplateButton(TemplateButton::Kind::laboratory, model, selection, this));
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Report"));
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Title"), of<&ReportHead::title>);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Title"), ofReport<&ReportHead::title>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Number"), of<&ReportHead::number>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Revision"), of<&ReportHead::revision>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Replaces"), of<&ReportHead::replaces>);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Number"),
+            ofReport<&ReportHead::number>());
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Revision"),
+            ofReport<&ReportHead::revision>());
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Replaces"),
+            ofReport<&ReportHead::replaces>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Date of issue"),
-            dateOf<&ReportHead::date>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Performed from"),
-            dateOf<&ReportHead::performedFrom>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "to"), dateOf<&ReportHead::performedTo>);
+    addDate("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Date of issue"),
+            ofReport<&ReportHead::date>());
+    addDate("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Performed from"),
+            ofReport<&ReportHead::performedFrom>());
+    addDate("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "to"),
+            ofReport<&ReportHead::performedTo>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Place"), of<&ReportHead::place>);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Place"), ofReport<&ReportHead::place>());
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator"),
-            of<&ReportHead::operatorName>);
+            ofReport<&ReportHead::operatorName>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Order"), of<&ReportHead::order>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Procedure"), of<&ReportHead::procedure>);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Order"), ofReport<&ReportHead::order>());
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Procedure"),
+            ofReport<&ReportHead::procedure>());
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Laboratory"));
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Name"),
-            within<&ReportHead::laboratory, &Laboratory::name>);
+            within<&ReportHead::laboratory, &Laboratory::name>());
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Accreditation"),
-            within<&ReportHead::laboratory, &Laboratory::accreditation>);
+            within<&ReportHead::laboratory, &Laboratory::accreditation>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address"),
-            within<&ReportHead::laboratory, &Laboratory::address>);
+    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address"),
+                within<&ReportHead::laboratory, &Laboratory::address>());
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Authorised by"),
-            within<&ReportHead::authorisedBy, &Authorisation::name>);
+            within<&ReportHead::authorisedBy, &Authorisation::name>());
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Function"),
-            within<&ReportHead::authorisedBy, &Authorisation::function>);
+            within<&ReportHead::authorisedBy, &Authorisation::function>());
+
+    addPicture(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Logo"),
+               QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Choose the logo…"),
+               QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remove the logo"), &Laboratory::logo);
+    addPicture(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Mark of the accreditation body"),
+               QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Choose the mark…"),
+               QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remove the mark"), &Laboratory::mark);
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer and supplier"));
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer"),
-            within<&ReportHead::customer, &Party::name>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the customer"),
-            within<&ReportHead::customer, &Party::address>);
+            within<&ReportHead::customer, &Party::name>());
+    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the customer"),
+                within<&ReportHead::customer, &Party::address>());
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Supplier"),
-            within<&ReportHead::supplier, &Party::name>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the supplier"),
-            within<&ReportHead::supplier, &Party::address>);
+            within<&ReportHead::supplier, &Party::name>());
+    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the supplier"),
+                within<&ReportHead::supplier, &Party::address>());
+
+    addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Signatures"));
+    addSigners();
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"));
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Adjustments made"),
-            of<&ReportHead::adjustments>);
+    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Adjustments made"),
+                ofReport<&ReportHead::adjustments>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"), of<&ReportHead::remarks>);
+    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"),
+                ofReport<&ReportHead::remarks>());
     addStretch();
     refresh();
+}
+
+void IdentificationPage::addPicture(const char *label, const char *choose, const char *remove,
+                                    Picture picture) {
+    beginRow();
+    auto *shown = new QLabel(body());
+    shown->setObjectName(QString::fromLatin1(label));
+    shown->setMinimumHeight(pictureRoom.height());
+    addWidget(shown);
+    addButton(choose, [this, picture] { choosePicture(picture); });
+    QPushButton *button = addButton(remove, [this, picture] {
+        edit(QT_TRANSLATE_NOOP("edits", "remove the picture"),
+             [&](Document &document) { (document.report.laboratory.*picture).reset(); });
+    });
+    m_pictures.push_back({picture, shown, button, {}, false});
+}
+
+void IdentificationPage::choosePicture(Picture picture) {
+    QFileDialog dialog(this, tr("Choose a picture"));
+    dialog.setObjectName(QStringLiteral("pictureDialog"));
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    dialog.setNameFilters({tr("Pictures (*.png *.svg)"), tr("All files (*)")});
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    QFile file(dialog.selectedFiles().constFirst());
+    QString problem;
+    QByteArray bytes;
+    if (!file.open(QIODevice::ReadOnly))
+        problem = tr("The file cannot be read.");
+    else if (file.size() > largestPicture)
+        problem = tr("The picture is larger than 4 MB: it stands in every report. Choose a smaller one.");
+    else if (bytes = file.readAll(); Logo(bytes).empty())
+        problem = tr("This is no picture that a report can show. Choose a PNG or an SVG.");
+    if (!problem.isEmpty()) {
+        QMessageBox box(QMessageBox::Warning, tr("Choose a picture"), problem, QMessageBox::Ok, this);
+        box.setObjectName(QStringLiteral("pictureBox"));
+        box.exec();
+        return;
+    }
+    edit(QT_TRANSLATE_NOOP("edits", "choose a picture"),
+         [&](Document &document) { document.report.laboratory.*picture = bytes.toBase64().toStdString(); });
+}
+
+void IdentificationPage::addSigners() {
+    beginRow();
+    for (const SignerWord &row : signerWords) {
+        auto *box = new QCheckBox(body());
+        box->setObjectName(QStringLiteral("signs.") + QString::fromLatin1(row.word));
+        addWidget(box);
+        m_signers.emplace_back(row.signer, box);
+        connect(box, &QCheckBox::clicked, this, [this, signer = row.signer](bool signs) {
+            edit(QT_TRANSLATE_NOOP("edits", "change who signs"), [&](Document &document) {
+                // In the order the report prints them.
+                std::vector<Signer> &signers = document.report.signatures;
+                std::erase(signers, signer);
+                if (signs)
+                    signers.push_back(signer);
+                std::ranges::sort(signers);
+            });
+        });
+    }
+}
+
+void IdentificationPage::refreshOthers() {
+    for (std::size_t i = 0; i < m_signers.size(); ++i) {
+        const auto &[signer, box] = m_signers[i];
+        box->setText(word(signerWords[i].word));
+        const auto &signers = evaluated().document->report.signatures;
+        box->setChecked(std::ranges::find(signers, signer) != signers.end());
+    }
+    for (PictureRow &row : m_pictures) {
+        const auto &picture = evaluated().document->report.laboratory.*row.picture;
+        const QString name = word(row.shown->objectName().toUtf8().constData());
+        row.remove->setVisible(picture.has_value());
+        row.shown->setAccessibleName(name);
+        if (!picture)
+            row.shown->setText(tr("%1: none").arg(name));
+        if (row.isDrawn && row.drawn == picture)
+            continue;
+        row.isDrawn = true;
+        row.drawn = picture;
+        const Logo logo(picture ? QByteArray::fromBase64(QByteArray::fromStdString(*picture)) : QByteArray());
+        if (logo.empty())
+            continue;
+        QPixmap pixmap(pictureRoom * devicePixelRatio());
+        pixmap.setDevicePixelRatio(devicePixelRatio());
+        pixmap.fill(Qt::white); // as on paper
+        QPainter painter(&pixmap);
+        const QSizeF size = logo.size(pictureRoom);
+        logo.draw(painter, QRectF(QPointF(0, (pictureRoom.height() - size.height()) / 2), size));
+        painter.end();
+        row.shown->setPixmap(pixmap);
+    }
 }
 
 } // namespace palmer::ui

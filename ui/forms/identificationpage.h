@@ -2,14 +2,37 @@
 
 #include "ui/forms/form.h"
 
+class QCheckBox;
+class QLabel;
+
 namespace palmer::ui {
 
-/// The head of the report: number, dates, laboratory, customer, who signs.
+/// The head of the report: number, dates, laboratory with its logo, customer, who signs.
 class IdentificationPage : public Form {
     Q_OBJECT
 
 public:
-    explicit IdentificationPage(QWidget *parent = nullptr);
+    IdentificationPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
+
+protected:
+    void refreshOthers() override;
+
+private:
+    using Picture = std::optional<std::string> Laboratory::*;
+    struct PictureRow {
+        Picture picture;
+        QLabel *shown;
+        QPushButton *remove;
+        std::optional<std::string> drawn; ///< base64 of what is shown
+        bool isDrawn = false;
+    };
+
+    void addPicture(const char *label, const char *choose, const char *remove, Picture picture);
+    void choosePicture(Picture picture);
+    void addSigners();
+
+    std::vector<PictureRow> m_pictures;
+    std::vector<std::pair<Signer, QCheckBox *>> m_signers;
 };
 
 } // namespace palmer::ui

@@ -1,7 +1,10 @@
 #include "ui/forms/instrumentspage.h"
 
+#include "ui/forms/templatebutton.h"
+#include "ui/model/documentmodel.h"
+
 #include <QCoreApplication>
-#include <algorithm>
+#include <QPushButton>
 
 namespace palmer::ui {
 
@@ -9,70 +12,118 @@ namespace {
 
 constexpr char context[] = "palmer::ui::InstrumentsPage";
 
-/// A member of the instrument of that index.
-template <std::string Instrument::*text>
-Form::Value of(std::size_t index) {
-    return [index](const FormSource &source) {
-        const auto &instruments = source.document.instruments;
-        return index < instruments.size() ? stated(instruments[index].*text) : QString();
-    };
+/// A member of the instrument of that index. Where there is none, the first thing said makes it.
+template <auto member>
+auto ofInstrument(std::size_t index) {
+    using T = std::remove_cvref_t<decltype(std::declval<Instrument &>().*member)>;
+    return Member<T>{[index](const FormSource &source) {
+                         const auto &instruments = source.document.instruments;
+                         return index < instruments.size() ? instruments[index].*member : T();
+                     },
+                     [index](Document &document, std::size_t, const T &value) {
+                         if (index < document.instruments.size()) {
+                             document.instruments[index].*member = value;
+                         } else if (value != T()) {
+                             Instrument instrument;
+                             instrument.*member = value;
+                             addInstrument(document, std::move(instrument));
+                         }
+                     }};
 }
 
-template <std::optional<std::string> Instrument::*date>
-Form::Value dateOf(std::size_t index) {
-    return [index](const FormSource &source) {
-        const auto &instruments = source.document.instruments;
-        return index < instruments.size() ? statedDate(instruments[index].*date, source.language) : QString();
+/// The id, which the tests name as well. One that is taken is refused by the field.
+Member<std::string> idOf(std::size_t index) {
+    Member<std::string> member = ofInstrument<&Instrument::id>(index);
+    member.write = [index, write = member.write](Document &document, std::size_t test,
+                                                 const std::string &id) {
+        if (index < document.instruments.size())
+            renameInstrument(document, index, id);
+        else
+            write(document, test, id);
     };
+    return member;
 }
 
 } // namespace
 
-InstrumentsPage::InstrumentsPage(QWidget *parent)
-    : Form(context, Page::instruments, parent) {
+InstrumentsPage::InstrumentsPage(DocumentModel &model, Selection &selection, QWidget *parent)
+    : Form(context, Page::instruments, model, parent)
+    , m_documents(model)
+    , m_selection(selection) {
     setObjectName(QStringLiteral("instrumentsPage"));
+    follow(selection);
+    addToBar(new TemplateButton(TemplateButton::Kind::instrument, model, selection, this));
     refresh();
 }
 
 /// Fields for each instrument; one empty set where there is none.
 void InstrumentsPage::prepare() {
-    const std::size_t count =
-        evaluated().document ? std::max<std::size_t>(1, evaluated().document->instruments.size()) : 1;
-    if (m_built == count)
+    const std::size_t count = evaluated().document ? evaluated().document->instruments.size() : 0;
+    const QString wanted = QString::number(std::max<std::size_t>(1, count)) + (count == 0 ? u'-' : u'+');
+    // The empty set stays as it is while its first field is being typed.
+    const bool sameFields = !m_built.isEmpty() && m_built.chopped(1) == wanted.chopped(1) && count <= 1;
+    if (m_built == wanted || (sameFields && isAncestorOf(focusWidget())))
         return;
-    m_built = count;
+    m_built = wanted;
     clear();
-    for (std::size_t k = 0; k < count; ++k) {
-        addSection(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Instrument"));
-        beginRow();
-        addText("instruments", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Description"),
-                of<&Instrument::description>(k), 2);
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Short name"), of<&Instrument::id>(k));
-        beginRow();
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Manufacturer"),
-                of<&Instrument::manufacturer>(k));
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Type"), of<&Instrument::model>(k));
-        addText("serialNumber", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Serial number"),
-                of<&Instrument::serialNumber>(k));
-        beginRow();
-        addText("certificate", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration certificate"),
-                of<&Instrument::certificate>(k));
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated by"),
-                of<&Instrument::calibratedBy>(k));
-        beginRow();
-        addText("calibrationDate", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated on"),
-                dateOf<&Instrument::calibrationDate>(k));
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration due"),
-                dateOf<&Instrument::calibrationDue>(k));
-        addNumber("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Resolution"), QStringLiteral("µm"),
-                  [k](const FormSource &source) {
-                      const auto &instruments = source.document.instruments;
-                      return k < instruments.size()
-                                 ? stated(instruments[k].resolution, Quantity::deviation, source.language)
-                                 : QString();
-                  });
-    }
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, count); ++k)
+        addFields(k);
+    beginRow();
+    addButton(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Add an instrument"), [this] {
+        edit(QT_TRANSLATE_NOOP("edits", "add an instrument"),
+             [](Document &document) { addInstrument(document, Instrument()); });
+    })->setObjectName(QStringLiteral("addInstrument"));
     addStretch();
+}
+
+void InstrumentsPage::addFields(std::size_t k) {
+    const bool several = m_built.chopped(1).toInt() > 1;
+    if (several)
+        addSection(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Instrument %1"), QString::number(k + 1));
+    else
+        addSection(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Instrument"));
+    if (m_built.endsWith(u'+')) {
+        addSectionButton(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Remove the instrument"), [this,
+                                                                                                     k] {
+            edit(QT_TRANSLATE_NOOP("edits", "remove an instrument"),
+                 [k](Document &document) { removeInstrument(document, k); });
+        })->setObjectName(QStringLiteral("removeInstrument%1").arg(k));
+    }
+    beginRow();
+    addText("instruments", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Description"),
+            ofInstrument<&Instrument::description>(k), 2);
+    Field *id = addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Short name"), idOf(k));
+    id->edit()->setObjectName(QStringLiteral("field.id.%1").arg(k));
+    id->setReader([this, k](const QString &typed) -> Field::Reading {
+        const auto &instruments = m_documents.document()->instruments;
+        const std::string wanted = typed.toStdString();
+        for (std::size_t i = 0; i < instruments.size(); ++i) {
+            if (i != k && instruments[i].id == wanted)
+                return {{}, tr("another instrument is called so")};
+        }
+        if (typed.isEmpty() && k < instruments.size())
+            return {{}, tr("the tests name the instrument so: it cannot be empty")};
+        return {typed, {}};
+    });
+    beginRow();
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Manufacturer"),
+            ofInstrument<&Instrument::manufacturer>(k));
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Type"),
+            ofInstrument<&Instrument::model>(k));
+    addText("serialNumber", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Serial number"),
+            ofInstrument<&Instrument::serialNumber>(k));
+    beginRow();
+    addText("certificate", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration certificate"),
+            ofInstrument<&Instrument::certificate>(k));
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated by"),
+            ofInstrument<&Instrument::calibratedBy>(k));
+    beginRow();
+    addDate("calibrationDate", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated on"),
+            ofInstrument<&Instrument::calibrationDate>(k));
+    addDate("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration due"),
+            ofInstrument<&Instrument::calibrationDue>(k));
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Resolution"), Quantity::deviation,
+              ofInstrument<&Instrument::resolution>(k), 1, Allowed::notNegative);
 }
 
 } // namespace palmer::ui

@@ -9,13 +9,17 @@ class InstrumentsPage : public Form {
     Q_OBJECT
 
 public:
-    explicit InstrumentsPage(QWidget *parent = nullptr);
+    InstrumentsPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 
 protected:
     void prepare() override;
 
 private:
-    std::size_t m_built = 0; ///< instruments that have fields
+    void addFields(std::size_t index);
+
+    DocumentModel &m_documents;
+    Selection &m_selection;
+    QString m_built; ///< which instruments have fields
 };
 
 } // namespace palmer::ui

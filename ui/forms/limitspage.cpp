@@ -1,8 +1,12 @@
 #include "ui/forms/limitspage.h"
 
+#include "kernel/evaluation/iso230_4/circularcase.h"
 #include "report/resulttable.h"
+#include "ui/forms/templatebutton.h"
 
 #include <QCoreApplication>
+#include <QPushButton>
+#include <algorithm>
 
 namespace palmer::ui {
 
@@ -10,86 +14,126 @@ namespace {
 
 constexpr char context[] = "palmer::ui::LimitsPage";
 
-const Limit *limitOf(const FormSource &source, const std::string &id) {
-    if (!source.test)
-        return nullptr;
-    const auto found = source.test->limits.find(id);
-    return found == source.test->limits.end() ? nullptr : &found->second;
+/// A member of the limit of a parameter; one that says nothing more goes.
+template <auto member>
+auto ofLimit(const std::string &id) {
+    using T = std::remove_cvref_t<decltype(std::declval<Limit &>().*member)>;
+    return Member<T>{[id](const FormSource &source) {
+                         if (!source.test)
+                             return T();
+                         const auto found = source.test->limits.find(id);
+                         return found == source.test->limits.end() ? T() : found->second.*member;
+                     },
+                     [id](Document &document, std::size_t index, const T &value) {
+                         editTest(document, index, [&](Test &test) {
+                             editLimit(test, id, [&](Limit &limit) { limit.*member = value; });
+                         });
+                     }};
 }
 
-QString rule(const FormSource &source) {
-    if (!source.test)
-        return {};
-    switch (source.test->decisionRule.rule) {
-    case Rule::simpleAcceptance:
-        return QCoreApplication::translate(context,
-                                           QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "simple acceptance"));
-    case Rule::iso14253_1:
-        return QCoreApplication::translate(
-            context, QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "ISO 14253-1: conformity is to be proven"));
-    case Rule::rejectionProven:
-        return QCoreApplication::translate(
-            context, QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "non-conformity is to be proven"));
+struct LimitRow {
+    std::string id;
+    QString symbol;
+};
+
+/// What limits can be agreed for: the parameters of the edition, and those the test has limits for already.
+std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
+    std::vector<LimitRow> rows;
+    const auto add = [&](const Term &term) {
+        if (std::ranges::find(rows, term.id, &LimitRow::id) == rows.end())
+            rows.push_back({term.id, symbolFormula(term.symbol).plain()});
+    };
+    for (const Row &row : edition.rows)
+        add(row.term);
+    if (edition.circles) {
+        for (const CircularRow &row : edition.circles->rows) {
+            add(row.term);
+            // F: the larger of both in size
+            if (row.quantity == std::string_view("F") &&
+                std::ranges::find(rows, "F", &LimitRow::id) == rows.end())
+                rows.insert(rows.end() - 1, {"F", QStringLiteral("F")});
+        }
     }
-    return {};
+    for (const auto &[id, limit] : test.limits) {
+        if (std::ranges::find(rows, id, &LimitRow::id) == rows.end())
+            rows.push_back({id, QString::fromStdString(id)});
+    }
+    return rows;
 }
 
 } // namespace
 
-LimitsPage::LimitsPage(Selection &selection, QWidget *parent)
-    : Form(context, Page::limits, parent) {
+LimitsPage::LimitsPage(DocumentModel &model, Selection &selection, QWidget *parent)
+    : Form(context, Page::limits, model, parent) {
     follow(selection);
     setObjectName(QStringLiteral("limitsPage"));
+    addToBar(new TemplateButton(TemplateButton::Kind::limits, model, selection, this));
     refresh();
 }
 
 /// A row of fields for each parameter that the edition of the test knows.
 void LimitsPage::prepare() {
-    const Test *shown =
-        test() < evaluated().tests.size() ? evaluated().document->tests[test()].get() : nullptr;
+    const Test *shown = shownTest();
     const Edition *edition = shown ? findEdition(shown->edition) : nullptr;
-    const auto *measurement = shown ? std::get_if<PositioningMeasurement>(&shown->measurement) : nullptr;
-    const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
-    if (!edition || (edition == m_built && rotary == m_rotary))
+    if (!edition) {
+        if (!m_built.isEmpty())
+            clear();
+        m_built.clear();
         return;
-    m_built = edition;
-    m_rotary = rotary;
+    }
+    const auto *measurement = std::get_if<PositioningMeasurement>(&shown->measurement);
+    const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
+    const std::vector<LimitRow> rows = rowsOf(*edition, *shown);
+    QStringList wanted{QString::fromUtf8(edition->word), rotary ? QStringLiteral("°") : QStringLiteral("mm")};
+    for (const LimitRow &row : rows)
+        wanted << QString::fromStdString(row.id);
+    // A limit of another edition that is being emptied keeps its row until the page is shown anew.
+    const bool onlyLess =
+        wanted.size() < m_built.size() && isAncestorOf(focusWidget()) &&
+        std::ranges::all_of(wanted, [&](const QString &id) { return m_built.contains(id); });
+    if (wanted == m_built || onlyLess)
+        return;
+    m_built = wanted;
     clear();
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Decision rule"));
     beginRow();
-    addText("decisionRule", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Rule"), rule, 2);
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Guard band, times U"), {},
-              [](const FormSource &source) {
-                  return source.test
-                             ? source.language.number(source.test->decisionRule.guardFactor, Quantity::number)
-                             : QString();
-              });
+    addChoice("decisionRule", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Rule"),
+              {QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "simple acceptance"),
+               QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "ISO 14253-1: conformity is to be proven"),
+               QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "non-conformity is to be proven")},
+              choiceOf<Rule>(ofTest([](auto &test) { return &test.decisionRule.rule; }),
+                             {Rule::simpleAcceptance, Rule::iso14253_1, Rule::rejectionProven}),
+              false, 2);
+    Member<double> guard = ofTest([](auto &test) { return &test.decisionRule.guardFactor; });
+    addNumber("guardFactor", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Guard band, times U"),
+              Quantity::number,
+              converted<Amount, double>(
+                  std::move(guard), [](const double &factor) { return Amount(factor); },
+                  [](const Amount &factor) { return factor.value_or(DecisionRule().guardFactor); }),
+              1, Allowed::notNegative);
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed limits"));
-    const Quantity quantity = rotary ? Quantity::angularDeviation : Quantity::deviation;
-    for (const Row &row : edition->rows) {
-        const std::string id = row.term.id;
-        beginRow();
-        Field *limit =
-            addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"),
-                      language().unit(quantity), [id, quantity](const FormSource &source) {
-                          const Limit *agreed = limitOf(source, id);
-                          return agreed ? stated(agreed->value, quantity, source.language) : QString();
-                      });
-        limit->setLabelArgument(symbolFormula(row.term.symbol).plain());
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed for edition"),
-                [id](const FormSource &source) {
-                    const Limit *agreed = limitOf(source, id);
-                    return agreed ? stated(agreed->edition.value_or(source.test->edition)) : QString();
-                });
-        addText(
-            "", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source"),
-            [id](const FormSource &source) {
-                const Limit *agreed = limitOf(source, id);
-                return agreed ? stated(agreed->source) : QString();
-            },
-            2);
-    }
+    for (const LimitRow &row : rows)
+        addLimit(row.id, row.symbol, rotary ? Quantity::angularDeviation : Quantity::deviation,
+                 edition->kind);
     addStretch();
+}
+
+void LimitsPage::addLimit(const std::string &id, const QString &symbol, Quantity quantity, Kind kind) {
+    beginRow();
+    Field *limit = addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"), quantity,
+                             ofLimit<&Limit::value>(id), 2);
+    limit->setLabelArgument(symbol);
+    std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "that of the test")};
+    std::vector<std::optional<std::string>> values{std::nullopt};
+    for (const Edition *edition : editions()) {
+        if (edition->kind != kind)
+            continue;
+        words.push_back(edition->word);
+        values.emplace_back(edition->word);
+    }
+    addChoice("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed for edition"), words,
+              choiceOf(ofLimit<&Limit::edition>(id), values), false, 3);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source"), ofLimit<&Limit::source>(id), 4);
 }
 
 } // namespace palmer::ui

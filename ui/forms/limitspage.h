@@ -9,14 +9,15 @@ class LimitsPage : public Form {
     Q_OBJECT
 
 public:
-    explicit LimitsPage(Selection &selection, QWidget *parent = nullptr);
+    LimitsPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 
 protected:
     void prepare() override;
 
 private:
-    const Edition *m_built = nullptr; ///< whose parameters have fields
-    bool m_rotary = false;
+    void addLimit(const std::string &id, const QString &symbol, Quantity quantity, Kind kind);
+
+    QStringList m_built; ///< for which edition and parameters there are fields
 };
 
 } // namespace palmer::ui

@@ -1,5 +1,7 @@
 #include "ui/forms/machinepage.h"
 
+#include "ui/forms/templatebutton.h"
+
 #include <QCoreApplication>
 
 namespace palmer::ui {
@@ -8,37 +10,43 @@ namespace {
 
 constexpr char context[] = "palmer::ui::MachinePage";
 
-template <std::string Machine::*text>
-QString of(const FormSource &source) {
-    return stated(source.document.machine.*text);
+template <auto member>
+auto ofMachine() {
+    return ofDocument([](auto &document) -> auto & { return document.machine.*member; });
 }
 
 } // namespace
 
-MachinePage::MachinePage(QWidget *parent)
-    : Form(context, Page::machine, parent) {
+MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *parent)
+    : Form(context, Page::machine, model, parent) {
     setObjectName(QStringLiteral("machinePage"));
+    follow(selection);
+    addToBar(new TemplateButton(TemplateButton::Kind::machine, model, selection, this));
     addSection(QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Machine"));
     beginRow();
-    addText("name", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Name"), of<&Machine::name>);
+    addText("name", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Name"), ofMachine<&Machine::name>());
     beginRow();
     addText("manufacturer", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Manufacturer"),
-            of<&Machine::manufacturer>);
-    addText("model", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Type"), of<&Machine::model>);
+            ofMachine<&Machine::manufacturer>());
+    addText("model", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Type"), ofMachine<&Machine::model>());
     beginRow();
     addText("serialNumber", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Serial number"),
-            of<&Machine::serialNumber>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Year of construction"),
-            [](const FormSource &source) {
-                const auto &year = source.document.machine.year;
-                return year ? QString::number(*year) : QString();
-            });
+            ofMachine<&Machine::serialNumber>());
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Year of construction"), Quantity::count,
+              converted<Amount, std::optional<int>>(
+                  ofMachine<&Machine::year>(),
+                  [](const std::optional<int> &year) { return year ? Amount(*year) : Amount(); },
+                  [](const Amount &year) {
+                      return year ? std::optional<int>(static_cast<int>(*year)) : std::nullopt;
+                  }),
+              1, Allowed::whole);
     beginRow();
     addText("controller", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Numerical control"),
-            of<&Machine::controller>);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Location"), of<&Machine::location>);
+            ofMachine<&Machine::controller>());
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Location"), ofMachine<&Machine::location>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Condition"), of<&Machine::condition>);
+    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Condition"),
+                ofMachine<&Machine::condition>());
     addStretch();
     refresh();
 }

@@ -9,7 +9,7 @@ class MachinePage : public Form {
     Q_OBJECT
 
 public:
-    explicit MachinePage(QWidget *parent = nullptr);
+    MachinePage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 };
 
 } // namespace palmer::ui

@@ -10,15 +10,16 @@
 
 namespace palmer::ui {
 
-ReportPages::ReportPages(QWidget *parent)
+ReportPages::ReportPages(DocumentModel &model, Selection &selection, QWidget *parent)
     : QStackedWidget(parent)
-    , m_identification(new IdentificationPage(this))
-    , m_machine(new MachinePage(this))
-    , m_instruments(new InstrumentsPage(this)) {
+    , m_identification(new IdentificationPage(model, selection, this))
+    , m_machine(new MachinePage(model, selection, this))
+    , m_instruments(new InstrumentsPage(model, selection, this)) {
     setObjectName(QStringLiteral("reportPages"));
     for (Form *page : std::initializer_list<Form *>{m_identification, m_machine, m_instruments}) {
         page->setLanguage(windowLanguage());
         addWidget(page);
+        connect(page, &Form::nextWanted, this, &ReportPages::nextWanted);
     }
 }
 

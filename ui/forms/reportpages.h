@@ -7,21 +7,27 @@
 
 namespace palmer::ui {
 
+class DocumentModel;
 class IdentificationPage;
 class InstrumentsPage;
 class MachinePage;
+class Selection;
 
 /// The pages of the report that belong to no test: identification, machine, instruments.
 class ReportPages : public QStackedWidget {
     Q_OBJECT
 
 public:
-    explicit ReportPages(QWidget *parent = nullptr);
+    ReportPages(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated);
     void showPage(Page page);
     /// What the report is called, for the head of the page; empty where it has no title.
     [[nodiscard]] QString subtitle() const;
+
+signals:
+    /// The next missing statement is asked for.
+    void nextWanted();
 
 protected:
     void changeEvent(QEvent *event) override;

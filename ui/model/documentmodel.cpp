@@ -23,10 +23,12 @@ bool DocumentModel::isModified() const {
     return !m_stack->isClean();
 }
 
-void DocumentModel::setDocument(Document document, const QString &path) {
+void DocumentModel::setDocument(Document document, const QString &path, bool modified) {
     m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath();
     m_document = std::make_shared<const Document>(std::move(document));
     m_stack->clear();
+    if (modified)
+        m_stack->resetClean();
     emit changed();
     emit fileChanged();
 }

@@ -30,12 +30,12 @@ public:
     [[nodiscard]] QUndoStack *undoStack() { return m_stack; }
 
     /// Puts another document in place, as opened from `path` (empty: from no file of the user's). Nothing of
-    /// the former can be undone.
-    void setDocument(Document document, const QString &path);
+    /// the former can be undone. `modified`: the file, if there is one, does not say the same.
+    void setDocument(Document document, const QString &path, bool modified = false);
 
     /// Lets `change` alter a copy of the document and makes it the current one, as one step to undo. `text`
-    /// names the step: the English source of a text of the context "edits". A change that changes nothing is
-    /// dropped; steps in succession with the same `mergeKey` (not empty) become one.
+    /// names the step, as editName reads it. A change that changes nothing is dropped; steps in succession
+    /// with the same `mergeKey` (not empty) become one.
     void edit(const char *text, const std::function<void(Document &)> &change, const QString &mergeKey = {});
 
     /// Writes the file and takes its path. Throws Error and changes nothing when that fails.

@@ -1,7 +1,10 @@
 #include "ui/model/page.h"
 
+#include "kernel/evaluation/iso230_4/circularcase.h"
+
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace palmer::ui {
@@ -10,16 +13,31 @@ namespace {
 
 constexpr std::string_view agreedPointPrefix = "agreedPoints.";
 
-/// The statement a finding says is missing; null for all other findings.
-const Statement *missingStatement(const Finding &finding, const Edition *edition) {
+/// The place of the statement a finding says is missing among those of the edition; nothing for all other
+/// findings.
+std::optional<std::size_t> missingStatement(const Finding &finding, const Edition *edition) {
     if (!edition || finding.message.arguments.size() != 1)
-        return nullptr;
+        return std::nullopt;
     const auto *name = std::get_if<Text>(&finding.message.arguments.front());
     if (!name)
-        return nullptr;
-    const auto found = std::ranges::find_if(
-        edition->statements, [&](const Statement &row) { return finding.id == row.id && *name == row.name; });
-    return found == edition->statements.end() ? nullptr : &*found;
+        return std::nullopt;
+    const auto placeIn = [&](const auto &statements) -> std::optional<std::size_t> {
+        const auto found = std::ranges::find_if(
+            statements, [&](const auto &row) { return finding.id == row.id && *name == row.name; });
+        if (found == statements.end())
+            return std::nullopt;
+        return static_cast<std::size_t>(found - statements.begin());
+    };
+    return edition->circles ? placeIn(edition->circles->statements) : placeIn(edition->statements);
+}
+
+/// The place of the first statement of that id.
+std::size_t firstStatement(std::string_view id, const Edition &edition) {
+    const auto placeIn = [&](const auto &statements) {
+        const auto found = std::ranges::find_if(statements, [&](const auto &row) { return row.id == id; });
+        return static_cast<std::size_t>(found - statements.begin());
+    };
+    return edition.circles ? placeIn(edition.circles->statements) : placeIn(edition.statements);
 }
 
 bool isAgreedPoint(const Finding &finding) {
@@ -35,25 +53,22 @@ bool isOneOf(const std::array<std::string_view, size> &ids, std::string_view id)
 constexpr std::array<std::string_view, 4> ofMachine{"manufacturer", "model", "controller", "machine"};
 constexpr std::array<std::string_view, 3> ofInstruments{"instruments", "certificate", "calibrationDate"};
 constexpr std::array<std::string_view, 2> ofLimits{"limits", "decisionRule"};
-constexpr std::array<std::string_view, 22> ofConditions{
-    "date",        "name",    "travel",          "positionFeedback", "targetChoice", "toolOffset",
-    "otherAxes",   "sensors", "workpieceOffset", "correctionTo20",   "expansion",    "airPressure",
-    "airHumidity", "warmUp",  "gradientPerHour", "compensation",     "complete",     "levelled",
-    "unloaded",    "feed",    "dwell",           "temperature"};
+constexpr std::array<std::string_view, 30> ofConditions{
+    "date",        "name",    "travel",          "positionFeedback",     "targetChoice", "toolOffset",
+    "otherAxes",   "sensors", "workpieceOffset", "correctionTo20",       "expansion",    "airPressure",
+    "airHumidity", "warmUp",  "gradientPerHour", "compensation",         "complete",     "levelled",
+    "unloaded",    "feed",    "dwell",           "temperature",          "centre",       "startPoint",
+    "stopPoint",   "cycle",   "smoothing",       "recentredBetweenRuns", "zone",         "ends"};
 
 } // namespace
 
 Page pageOf(const Finding &finding, const Edition *edition) {
     if (isAgreedPoint(finding))
         return Page::agreedPoints;
-    const Statement *statement = missingStatement(finding, edition);
+    const auto statement = missingStatement(finding, edition);
     // Machine and instruments both have a serial number; the machine's comes first.
-    if (statement && finding.id == "serialNumber") {
-        const auto first = std::ranges::find_if(edition->statements, [](const Statement &row) {
-            return std::string_view(row.id) == "serialNumber";
-        });
-        return statement == &*first ? Page::machine : Page::instruments;
-    }
+    if (statement && finding.id == "serialNumber")
+        return *statement == firstStatement("serialNumber", *edition) ? Page::machine : Page::instruments;
     if (isOneOf(ofMachine, finding.id))
         return Page::machine;
     if (isOneOf(ofInstruments, finding.id))
@@ -66,7 +81,7 @@ Page pageOf(const Finding &finding, const Edition *edition) {
 }
 
 bool isMissing(const Finding &finding, const Edition *edition) {
-    return isAgreedPoint(finding) || missingStatement(finding, edition);
+    return isAgreedPoint(finding) || missingStatement(finding, edition).has_value();
 }
 
 int countMissing(const TestEvaluation &evaluation, Page page) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernel/measurement/readingplace.h"
 #include "ui/model/page.h"
 
 #include <QObject>
@@ -9,13 +10,7 @@
 
 namespace palmer::ui {
 
-/// A place among the readings of a positioning test: indices of run and target as in the measurement, from 0.
-struct ReadingPlace {
-    std::size_t run = 0;
-    std::size_t target = 0;
-
-    bool operator==(const ReadingPlace &) const = default;
-};
+using palmer::ReadingPlace;
 
 /// What the user points at in one window: shared by its pages, figure and results, so that a choice made in
 /// one shows in the others. Not part of the document, and nothing of it can be undone. Setting what is set

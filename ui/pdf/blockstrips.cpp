@@ -49,6 +49,9 @@ constexpr TextStyle paragraphStyle{9, false, black, 1.35};
 constexpr TextStyle labelStyle{8.5, false, labelGrey, 1.28};
 constexpr TextStyle valueStyle{9, false, black, 1.28};
 constexpr TextStyle missingStyle{9, false, dashGrey, 1.28};
+constexpr TextStyle narrowLabelStyle{8, false, labelGrey, 1.28};
+constexpr TextStyle narrowValueStyle{8.5, false, black, 1.28};
+constexpr TextStyle narrowMissingStyle{8.5, false, dashGrey, 1.28};
 
 Strip strip(double height, std::function<void(QPainter &, QPointF)> draw) {
     Strip result;
@@ -93,14 +96,17 @@ Strips lineStrips(const TextBlock &block) {
 }
 
 Strips keyValueStrips(const KeyValues &values, double width) {
-    constexpr double labelGap = 3 * mm;
-    constexpr double rowGap = 0.75 * mm;
+    const double labelGap = (values.narrow ? 1.5 : 3.0) * mm;
+    const double rowGap = (values.narrow ? 0.45 : 0.75) * mm;
+    const TextStyle &labels = values.narrow ? narrowLabelStyle : labelStyle;
+    const TextStyle &stated = values.narrow ? narrowValueStyle : valueStyle;
+    const TextStyle &dashes = values.narrow ? narrowMissingStyle : missingStyle;
     const double left = values.labelWidth * mm + labelGap;
     Strips result;
     for (const KeyValue &row : values.rows) {
         const bool missing = row.value.isEmpty();
-        const TextBlock label(row.key, labelStyle, values.labelWidth * mm + labelGap / 2);
-        const TextBlock value(missing ? thinDash : row.value, missing ? missingStyle : valueStyle,
+        const TextBlock label(row.key, labels, values.labelWidth * mm + labelGap / 2);
+        const TextBlock value(missing ? thinDash : row.value, missing ? dashes : stated,
                               std::max(width - left, 20.0));
         // Label and value on one base line.
         const double drop = value.ascent() - label.ascent();

@@ -279,14 +279,15 @@ public:
     TableHead(const Table &table, const std::vector<Place> &places, double width)
         : m_width(width) {
         double below = 0; // height of the titles and units
+        const bool units =
+            std::ranges::any_of(table.columns, [](const Column &column) { return !column.unit.isEmpty(); });
         for (std::size_t i = 0; i < table.columns.size(); ++i) {
             const Column &column = table.columns[i];
             const Place &place = places[i];
             const auto last =
                 std::min(i + static_cast<std::size_t>(std::max(column.titleSpan, 1)), places.size()) - 1;
             const bool right = column.alignment != Alignment::left; // may stand out to the left
-            const double room =
-                places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding);
+            const double room = places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding);
             Title title;
             if (!column.title.plain().isEmpty())
                 title.name = headText(column.title, room);
@@ -295,7 +296,10 @@ public:
             title.alignment = textAlignment(column.alignment);
             title.x = place.left;
             title.width = places[last].right() - place.left;
-            below = std::max(below, title.name.height() + title.unit.height());
+            // Above numbers the line of the units stays free.
+            const bool free = units && right && title.unit.empty() && !title.name.empty();
+            below = std::max(below, title.name.height() +
+                                        (free ? textSize * cellStyle.leading : title.unit.height()));
             m_titles.push_back(std::move(title));
         }
         const bool spanned = !table.spanners.empty();

@@ -3,6 +3,8 @@
 #include "ui/readings/readingsmodel.h"
 #include "ui/theme.h"
 
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QPainter>
 #include <algorithm>
 
@@ -12,6 +14,7 @@ namespace {
 
 constexpr int textMargin = 8;
 constexpr int rulingBar = 3;
+constexpr int cornerSize = 7;
 
 /// A thin colour over a ground, opaque.
 QColor tint(const QColor &colour, const QColor &ground, double strength) {
@@ -19,6 +22,19 @@ QColor tint(const QColor &colour, const QColor &ground, double strength) {
     return QColor(mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
                   mix(colour.blue(), ground.blue()));
 }
+
+/// The mark of a reading worth a second look: shape and place tell it, not the colour alone.
+void paintCorner(QPainter &painter, const QRect &cell, const QColor &colour) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    const QPoint corner = cell.topRight() + QPoint(0, 1);
+    painter.drawPolygon(QPolygon({corner, corner - QPoint(cornerSize, 0), corner + QPoint(0, cornerSize)}));
+    painter.restore();
+}
+
+constexpr auto initialText = "initialText";
 
 } // namespace
 
@@ -53,6 +69,9 @@ void ReadingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
         painter->fillRect(QRect(cell.left(), cell.top(), rulingBar, cell.height()),
                           token(Token::explanation, palette));
 
+    const bool refused = !index.data(ReadingsModel::refusedRole).toString().isEmpty();
+    if (refused && !ruling)
+        painter->fillRect(cell.adjusted(0, 0, -1, -1), token(Token::badGround, palette));
     const bool excluded = index.data(ReadingsModel::excludedRole).toBool();
     const bool missing = index.data(ReadingsModel::missingRole).toBool();
     QFont font = option.font;
@@ -61,21 +80,93 @@ void ReadingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
     painter->setFont(font);
     const bool secondary =
         excluded || missing || computed || (index.column() == ReadingsModel::numberColumn && !ruling);
-    painter->setPen(secondary ? token(Token::secondaryText, palette) : palette.color(QPalette::Text));
-    painter->drawText(cell.adjusted(2, 0, -textMargin, 0), Qt::AlignRight | Qt::AlignVCenter,
-                      index.data(Qt::DisplayRole).toString());
+    painter->setPen(refused     ? token(Token::bad, palette)
+                    : secondary ? token(Token::secondaryText, palette)
+                                : palette.color(QPalette::Text));
+    const QRect textArea = cell.adjusted(2, 0, -textMargin, 0);
+    const QString text = index.data(Qt::DisplayRole).toString();
+    painter->drawText(textArea, Qt::AlignRight | Qt::AlignVCenter,
+                      refused ? painter->fontMetrics().elidedText(text, Qt::ElideRight, textArea.width())
+                              : text);
+    if (index.data(ReadingsModel::outlierRole).toBool())
+        paintCorner(*painter, cell, token(Token::unsure, palette));
 
     const bool hovered = m_hovered == index;
-    if (!current && !hovered)
+    const bool next = m_next == index && !current;
+    if (!current && !hovered && !next)
         return;
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     const double width = current ? 2 : 1;
-    painter->setPen(QPen(accent, width));
+    painter->setPen(QPen(accent, width, next && !hovered ? Qt::DashLine : Qt::SolidLine));
     painter->setBrush(Qt::NoBrush);
     const double inset = current ? 1 : 1.5;
     painter->drawRoundedRect(QRectF(cell).adjusted(inset, inset, -inset - 1, -inset - 1), 3, 3);
     painter->restore();
+}
+
+QWidget *ReadingsDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &,
+                                        const QModelIndex &) const {
+    auto *field = new QLineEdit(parent);
+    field->setObjectName(QStringLiteral("readingField"));
+    field->setProperty("cell", true);
+    field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return field;
+}
+
+void ReadingsDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const {
+    auto *field = static_cast<QLineEdit *>(editor);
+    // Other data may arrive while somebody types: what he types stays.
+    if (field->property(initialText).isValid())
+        return;
+    const QString text = index.data(Qt::EditRole).toString();
+    field->setProperty(initialText, text);
+    field->setText(text);
+    field->selectAll();
+}
+
+void ReadingsDelegate::setModelData(QWidget *editor, QAbstractItemModel *, const QModelIndex &index) const {
+    const QString text = static_cast<QLineEdit *>(editor)->text();
+    if (text != editor->property(initialText).toString())
+        emit typed(index, text);
+}
+
+void ReadingsDelegate::updateEditorGeometry(QWidget *editor, const QStyleOptionViewItem &option,
+                                            const QModelIndex &) const {
+    editor->setGeometry(option.rect);
+}
+
+bool ReadingsDelegate::eventFilter(QObject *watched, QEvent *event) {
+    auto *editor = qobject_cast<QWidget *>(watched);
+    if (!editor || event->type() != QEvent::KeyPress)
+        return QStyledItemDelegate::eventFilter(watched, event);
+    const auto *key = static_cast<QKeyEvent *>(event);
+    const bool shift = key->modifiers().testFlag(Qt::ShiftModifier);
+    Step step = Step::stay;
+    switch (key->key()) {
+    case Qt::Key_Enter:
+    case Qt::Key_Return:
+        step = shift ? Step::previous : Step::next;
+        break;
+    case Qt::Key_Tab:
+        step = Step::right;
+        break;
+    case Qt::Key_Backtab:
+        step = Step::left;
+        break;
+    case Qt::Key_Up:
+        step = Step::up;
+        break;
+    case Qt::Key_Down:
+        step = Step::down;
+        break;
+    default:
+        return QStyledItemDelegate::eventFilter(watched, event);
+    }
+    emit commitData(editor);
+    emit closeEditor(editor, NoHint);
+    emit stepWanted(step);
+    return true;
 }
 
 } // namespace palmer::ui

@@ -5,24 +5,45 @@
 
 namespace palmer::ui {
 
-/// Draws a cell of the readings: numbers, rules, and the marks of what is current, pointed at, set aside or
-/// ruling.
+/// Draws a cell of the readings: numbers, rules, and the marks of what is current, next, pointed at, set
+/// aside, refused or ruling. Makes the field a cell is typed in, and tells what was typed and where to go.
 class ReadingsDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
+    /// Where the current cell goes after typing.
+    enum class Step { stay, next, previous, right, left, up, down };
+    Q_ENUM(Step)
+
     using QStyledItemDelegate::QStyledItemDelegate;
 
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override;
+    [[nodiscard]] QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option,
+                                        const QModelIndex &index) const override;
+    void setEditorData(QWidget *editor, const QModelIndex &index) const override;
+    void setModelData(QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const override;
+    void updateEditorGeometry(QWidget *editor, const QStyleOptionViewItem &option,
+                              const QModelIndex &index) const override;
 
     void setHovered(const QModelIndex &index) { m_hovered = index; }
     void setCurrent(const QModelIndex &index) { m_current = index; }
+    /// The next cell of the measuring cycle.
+    void setNext(const QModelIndex &index) { m_next = index; }
     void setRuling(std::vector<int> rows) { m_ruling = std::move(rows); }
+
+signals:
+    /// What was typed into a cell; not where the text is what it was.
+    void typed(const QModelIndex &index, const QString &text) const;
+    void stepWanted(palmer::ui::ReadingsDelegate::Step step);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     QPersistentModelIndex m_hovered;
     QPersistentModelIndex m_current;
+    QPersistentModelIndex m_next;
     std::vector<int> m_ruling;
 };
 

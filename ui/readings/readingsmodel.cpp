@@ -1,22 +1,64 @@
 #include "ui/readings/readingsmodel.h"
 
+#include "editing/editreadings.h"
+#include "editing/outliers.h"
+#include "editing/typedreading.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "language/decimals.h"
 
 #include <algorithm>
 
 namespace palmer::ui {
 
+namespace {
+
+constexpr std::size_t mostHinted = 20'000; ///< readings; more would be felt at every edit
+
+} // namespace
+
+bool ReadingsModel::hasSameCells(const PositioningMeasurement *measurement,
+                                 const TestEvaluation *evaluation) const {
+    if (!measurement || !m_measurement || measurement->targets.size() != m_measurement->targets.size() ||
+        readingColumns(*measurement, m_grouping) != m_readings)
+        return false;
+    return std::ranges::equal(statisticColumns(*evaluation, m_language), m_statistics, {},
+                              &StatisticColumn::id, &StatisticColumn::id);
+}
+
 void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
-    beginResetModel();
-    m_document = evaluated.document;
-    m_measurement = nullptr;
-    m_evaluation = nullptr;
+    TestEvaluationPointer evaluation;
+    const PositioningMeasurement *measurement = nullptr;
     if (test < evaluated.tests.size()) {
-        m_evaluation = evaluated.tests[test];
-        m_measurement = std::get_if<PositioningMeasurement>(&m_document->tests[test]->measurement);
+        evaluation = evaluated.tests[test];
+        measurement = std::get_if<PositioningMeasurement>(&evaluated.document->tests[test]->measurement);
     }
+    const bool same = hasSameCells(measurement, evaluation.get());
+    if (!same)
+        beginResetModel();
+    m_document = evaluated.document;
+    m_evaluation = std::move(evaluation);
+    m_measurement = measurement;
     rebuild();
-    endResetModel();
+    if (!same) {
+        m_refusedTarget.reset();
+        endResetModel();
+    } else if (rowCount() > 0) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+        emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+    }
+}
+
+void ReadingsModel::setRefusedTarget(std::optional<std::size_t> target, const QString &text,
+                                     const QString &reason) {
+    const auto before = std::exchange(m_refusedTarget, target);
+    m_refusedTargetText = text;
+    m_refusedTargetReason = reason;
+    for (const auto &changed : {before, target}) {
+        if (changed && static_cast<int>(*changed) < rowCount()) {
+            const QModelIndex cell = index(static_cast<int>(*changed), positionColumn);
+            emit dataChanged(cell, cell);
+        }
+    }
 }
 
 void ReadingsModel::setLanguage(const Language &language) {
@@ -51,8 +93,13 @@ void ReadingsModel::rebuild() {
     m_statistics.clear();
     m_heads.clear();
     m_texts.reset();
+    m_outliers.clear();
     if (!m_measurement)
         return;
+    if (m_measurement->targets.size() * m_measurement->runs.size() <= mostHinted) {
+        for (const OutlierHint &hint : outlierHints(*m_measurement))
+            m_outliers.insert(hint.place);
+    }
     m_texts.emplace(*m_measurement, m_language, m_unit);
     m_readings = readingColumns(*m_measurement, m_grouping);
     m_statistics = statisticColumns(*m_evaluation, m_language);
@@ -111,13 +158,60 @@ QString ReadingsModel::text(const QModelIndex &index) const {
     if (index.column() == numberColumn)
         return QString::number(index.row() + 1);
     if (index.column() == positionColumn)
-        return m_texts->position(row);
-    if (const auto place = placeAt(index))
-        return m_texts->reading(place->run, place->target).text;
+        return m_refusedTarget == row ? m_refusedTargetText : m_texts->position(row);
+    if (const auto place = placeAt(index)) {
+        const RefusedReading *refused = refusedAt(*m_measurement, *place);
+        return refused ? QString::fromStdString(refused->text)
+                       : m_texts->reading(place->run, place->target).text;
+    }
     const auto &results = std::get<PositioningResults>(m_evaluation->results);
     const auto column = static_cast<std::size_t>(index.column() - computedColumn());
     return m_texts->statistic(targetValue(m_statistics[column].id, results.targets[row],
                                           m_evaluation->edition ? m_evaluation->edition->c : 0));
+}
+
+std::vector<std::size_t> ReadingsModel::runs() const {
+    std::vector<std::size_t> result;
+    for (const ReadingColumn &column : m_readings)
+        result.push_back(column.run);
+    return result;
+}
+
+QString ReadingsModel::plainText(const QModelIndex &index) const {
+    if (!index.isValid() || !m_texts)
+        return {};
+    const auto row = static_cast<std::size_t>(index.row());
+    const auto plain = [this](double value, Quantity quantity) {
+        QString text = m_language.number(value, quantity);
+        return text.remove(u'\u202F').replace(u'\u2212', u'-');
+    };
+    if (index.column() == positionColumn && m_refusedTarget != row)
+        return plain(m_measurement->targets[row], positionQuantity(m_measurement->axis));
+    const auto place = placeAt(index);
+    if (!place)
+        return text(index).remove(u'\u202F').replace(u'\u2212', u'-');
+    if (const RefusedReading *refused = refusedAt(*m_measurement, *place))
+        return QString::fromStdString(refused->text);
+    const auto deviation = readingAt(*m_measurement, *place);
+    if (!deviation)
+        return {};
+    if (m_unit == ReadingUnit::deviations)
+        return plain(*deviation, deviationQuantity(m_measurement->axis));
+    const double target = m_measurement->targets[row];
+    return plain(target + deviationFrom(0, *deviation), positionQuantity(m_measurement->axis));
+}
+
+/// Why the cell is red; empty: it is not.
+QString ReadingsModel::refusal(const QModelIndex &index) const {
+    if (index.column() == positionColumn && m_refusedTarget == static_cast<std::size_t>(index.row()))
+        return m_refusedTargetReason;
+    const auto place = placeAt(index);
+    const RefusedReading *refused = place ? refusedAt(*m_measurement, *place) : nullptr;
+    if (!refused)
+        return {};
+    // Of what a pasted block calls no number, a typed text may be one: with the other decimal mark.
+    const auto problem = enteredNumber(QString::fromStdString(refused->text), Quantity::number).refusal;
+    return problem ? m_language.text(*problem) : tr("other decimal mark");
 }
 
 QVariant ReadingsModel::data(const QModelIndex &index, int role) const {
@@ -129,7 +223,17 @@ QVariant ReadingsModel::data(const QModelIndex &index, int role) const {
         return text(index);
     case Qt::TextAlignmentRole:
         return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::EditRole:
+        return plainText(index);
+    case refusedRole:
+        return refusal(index);
+    case outlierRole:
+        return place && m_outliers.contains(*place);
     case Qt::ToolTipRole:
+        if (const QString reason = refusal(index); !reason.isEmpty())
+            return tr("%1: not taken, the reading is missing").arg(reason);
+        if (place && m_outliers.contains(*place))
+            return tr("Far from the other readings here: a typing error?");
         if (place) {
             const ShownReading reading = m_texts->reading(place->run, place->target);
             if (reading.excluded)
@@ -140,6 +244,8 @@ QVariant ReadingsModel::data(const QModelIndex &index, int role) const {
     case Qt::AccessibleTextRole: {
         const QString where =
             tr("target %1, %2").arg(QString::number(index.row() + 1), head(index.column()).name);
+        if (const QString reason = refusal(index); !reason.isEmpty())
+            return where + QStringLiteral(": ") + text(index) + QStringLiteral(", ") + reason;
         if (place && m_texts->reading(place->run, place->target).missing)
             return where + QStringLiteral(": ") + tr("no reading");
         return where + QStringLiteral(": ") + text(index);
@@ -147,7 +253,7 @@ QVariant ReadingsModel::data(const QModelIndex &index, int role) const {
     case excludedRole:
         return place && m_texts->reading(place->run, place->target).excluded;
     case missingRole:
-        return place && m_texts->reading(place->run, place->target).missing;
+        return place && refusal(index).isEmpty() && m_texts->reading(place->run, place->target).missing;
     case groupEndRole:
         return index.column() == positionColumn ||
                (place && m_readings[static_cast<std::size_t>(index.column() - firstReadingColumn)].endsGroup);
@@ -177,7 +283,8 @@ QVariant ReadingsModel::headerData(int section, Qt::Orientation orientation, int
 Qt::ItemFlags ReadingsModel::flags(const QModelIndex &index) const {
     if (!index.isValid())
         return Qt::NoItemFlags;
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+    const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+    return index.column() == positionColumn || placeAt(index) ? flags | Qt::ItemIsEditable : flags;
 }
 
 QString ReadingsModel::summary(const QModelIndexList &indexes) const {

@@ -7,12 +7,14 @@
 
 #include <QAbstractTableModel>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace palmer::ui {
 
 /// The readings of a positioning test as a table: one row a target; columns i, P, the runs, and what is
-/// computed of them. Shows a document, changes none.
+/// computed of them. Shows a document, changes none: what is typed goes to the ReadingsEditor. Without a
+/// change of rows and columns only their data change, so that whoever types stays where he is.
 class ReadingsModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -21,6 +23,8 @@ public:
         excludedRole = Qt::UserRole + 1, ///< bool: set aside
         missingRole,                     ///< bool
         groupEndRole,                    ///< bool: a stronger rule follows the column
+        refusedRole,                     ///< text: why what was typed is no number; empty: it is one
+        outlierRole,                     ///< bool: worth a second look
     };
     enum Column { numberColumn, positionColumn, firstReadingColumn };
 
@@ -38,6 +42,8 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
     void setUnit(ReadingUnit unit);
+    [[nodiscard]] ReadingUnit unit() const { return m_unit; }
+    [[nodiscard]] const Language &language() const { return m_language; }
     void setGrouping(ReadingGrouping grouping);
     void retranslate(); ///< the words of the head
 
@@ -47,6 +53,14 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
 
+    [[nodiscard]] const PositioningMeasurement *measurement() const { return m_measurement; }
+    /// The runs in the order of the columns, from firstReadingColumn on.
+    [[nodiscard]] std::vector<std::size_t> runs() const;
+    /// The text of a cell for a spreadsheet or a field: all its digits, not grouped.
+    [[nodiscard]] QString plainText(const QModelIndex &index) const;
+    /// A target position that was typed and cannot be one: shown until it is put right. Null: none.
+    void setRefusedTarget(std::optional<std::size_t> target, const QString &text = {},
+                          const QString &reason = {});
     [[nodiscard]] const Head &head(int column) const { return m_heads[static_cast<std::size_t>(column)]; }
     [[nodiscard]] int computedColumn() const; ///< the first that is computed
     [[nodiscard]] std::optional<ReadingPlace> placeAt(const QModelIndex &index) const;
@@ -57,9 +71,12 @@ public:
     [[nodiscard]] QStringList widestTexts(int column) const;
 
 private:
+    [[nodiscard]] bool hasSameCells(const PositioningMeasurement *measurement,
+                                    const TestEvaluation *evaluation) const;
     void rebuild();
     [[nodiscard]] bool holds(const ReadingPlace &place) const;
     [[nodiscard]] QString text(const QModelIndex &index) const;
+    [[nodiscard]] QString refusal(const QModelIndex &index) const;
 
     std::shared_ptr<const Document> m_document; ///< owns the measurement
     TestEvaluationPointer m_evaluation;
@@ -71,6 +88,10 @@ private:
     std::vector<ReadingColumn> m_readings;
     std::vector<StatisticColumn> m_statistics;
     std::vector<Head> m_heads;
+    std::set<ReadingPlace> m_outliers;
+    std::optional<std::size_t> m_refusedTarget;
+    QString m_refusedTargetText;
+    QString m_refusedTargetReason;
 };
 
 } // namespace palmer::ui

@@ -1,11 +1,18 @@
 #include "ui/readings/readingspage.h"
 
+#include "document/documenterror.h"
+#include "ui/readings/pastebar.h"
 #include "ui/readings/readingsview.h"
 #include "ui/ruling.h"
+#include "ui/theme.h"
 
+#include <QAction>
 #include <QButtonGroup>
+#include <QClipboard>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -18,11 +25,16 @@ constexpr int barHeight = 44;
 
 } // namespace
 
-ReadingsPage::ReadingsPage(Selection &selection, QWidget *parent)
+ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_selection(selection)
-    , m_view(new ReadingsView(m_model, selection, this)) {
+    , m_editor(model)
+    , m_view(new ReadingsView(m_model, m_editor, selection, this))
+    , m_pasteBar(new PasteBar(this))
+    , m_pasteButton(new QToolButton(this))
+    , m_addRunButton(new QToolButton(this)) {
     setObjectName(QStringLiteral("readingsPage"));
+    setFocusProxy(m_view);
     auto *units = new QButtonGroup(this);
     auto *groupings = new QButtonGroup(this);
     m_deviations = addSegment(units, "first", static_cast<int>(ReadingUnit::deviations));
@@ -40,6 +52,18 @@ ReadingsPage::ReadingsPage(Selection &selection, QWidget *parent)
     connect(groupings, &QButtonGroup::idClicked, this,
             [this](int id) { m_model.setGrouping(static_cast<ReadingGrouping>(id)); });
 
+    makeActions();
+    m_pasteButton->setObjectName(QStringLiteral("pasteButton"));
+    m_pasteButton->setIcon(lineIcon(QStringLiteral("paste")));
+    m_pasteButton->setProperty("iconOnly", true);
+    m_addRunButton->setObjectName(QStringLiteral("addRunButton"));
+    m_addRunButton->setIcon(lineIcon(QStringLiteral("plus")));
+    m_addRunButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    for (QToolButton *button : {m_pasteButton, m_addRunButton})
+        button->setFocusPolicy(Qt::TabFocus);
+    connect(m_pasteButton, &QToolButton::clicked, m_paste, &QAction::trigger);
+    connect(m_addRunButton, &QToolButton::clicked, m_addRuns, &QAction::trigger);
+
     auto *bar = new QHBoxLayout;
     bar->setContentsMargins(0, 0, 0, 0);
     bar->setSpacing(0);
@@ -49,6 +73,9 @@ ReadingsPage::ReadingsPage(Selection &selection, QWidget *parent)
     bar->addWidget(m_byRun);
     bar->addWidget(m_byDirection);
     bar->addStretch();
+    bar->addWidget(m_pasteButton);
+    bar->addSpacing(8);
+    bar->addWidget(m_addRunButton);
     auto *barArea = new QWidget(this);
     barArea->setFixedHeight(barHeight);
     barArea->setLayout(bar);
@@ -57,10 +84,21 @@ ReadingsPage::ReadingsPage(Selection &selection, QWidget *parent)
     layout->setContentsMargins(pageMargin, 0, pageMargin, 8);
     layout->setSpacing(0);
     layout->addWidget(barArea);
+    layout->addWidget(m_pasteBar);
     layout->addWidget(m_view);
 
     connect(m_view, &ReadingsView::summaryChanged, this, &ReadingsPage::summaryChanged);
+    connect(m_view, &ReadingsView::summaryChanged, this, &ReadingsPage::enableActions);
+    connect(m_view, &ReadingsView::typed, m_pasteBar, &QWidget::hide);
     connect(&m_selection, &Selection::parameterChanged, this, &ReadingsPage::markRuling);
+    connect(m_pasteBar, &PasteBar::decimalMarkChosen, this, [this](DecimalMark mark) {
+        m_blockChoices.decimalMark = mark;
+        pasteAgain();
+    });
+    connect(m_pasteBar, &PasteBar::contentChosen, this, [this](BlockContent content) {
+        m_blockChoices.content = content;
+        pasteAgain();
+    });
     retranslate();
 }
 
@@ -77,11 +115,199 @@ ReadingsPage::~ReadingsPage() {
     delete m_view;
 }
 
+QAction *ReadingsPage::addAction(QList<QAction *> &list, const QString &name, const QKeySequence &shortcut) {
+    auto *action = new QAction(this);
+    action->setObjectName(name);
+    action->setShortcut(shortcut);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    list << action;
+    m_view->addAction(action); // also its context menu
+    return action;
+}
+
+void ReadingsPage::addSeparator(QList<QAction *> &list) {
+    auto *separator = new QAction(this);
+    separator->setSeparator(true);
+    list << separator;
+    m_view->addAction(separator);
+}
+
+void ReadingsPage::makeActions() {
+    m_copy = addAction(m_editActions, QStringLiteral("copyReadings"), QKeySequence::Copy);
+    m_paste = addAction(m_editActions, QStringLiteral("pasteReadings"), QKeySequence::Paste);
+    m_clear = addAction(m_editActions, QStringLiteral("clearReadings"), QKeySequence(Qt::Key_Delete));
+    m_fillDown = addAction(m_editActions, QStringLiteral("fillDown"), QKeySequence(Qt::CTRL | Qt::Key_D));
+    m_fillRight = addAction(m_editActions, QStringLiteral("fillRight"), QKeySequence(Qt::CTRL | Qt::Key_R));
+    addSeparator(m_editActions);
+    m_setAside = addAction(m_editActions, QStringLiteral("setAside"), QKeySequence(Qt::CTRL | Qt::Key_E));
+    m_bringBack =
+        addAction(m_editActions, QStringLiteral("bringBack"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E));
+    addSeparator(m_editActions);
+    m_insertAbove = addAction(m_testActions, QStringLiteral("insertTargetAbove"),
+                              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Plus));
+    m_insertBelow =
+        addAction(m_testActions, QStringLiteral("insertTargetBelow"), QKeySequence(Qt::CTRL | Qt::Key_Plus));
+    m_removeTargets =
+        addAction(m_testActions, QStringLiteral("removeTargets"), QKeySequence(Qt::CTRL | Qt::Key_Minus));
+    addSeparator(m_testActions);
+    m_addRuns = addAction(m_testActions, QStringLiteral("addRuns"));
+    m_insertRun = addAction(m_testActions, QStringLiteral("insertRun"));
+    m_removeRuns = addAction(m_testActions, QStringLiteral("removeRuns"));
+    m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
+
+    connect(m_copy, &QAction::triggered, this, [this] { QGuiApplication::clipboard()->setText(copied()); });
+    connect(m_paste, &QAction::triggered, this, &ReadingsPage::paste);
+    connect(m_clear, &QAction::triggered, this, [this] { m_editor.clear(m_view->selectedPlaces()); });
+    connect(m_fillDown, &QAction::triggered, this, [this] { fill(true); });
+    connect(m_fillRight, &QAction::triggered, this, [this] { fill(false); });
+    connect(m_setAside, &QAction::triggered, this, &ReadingsPage::askReason);
+    connect(m_bringBack, &QAction::triggered, this, [this] { m_editor.bringBack(m_view->selectedPlaces()); });
+    const auto currentRow = [this] {
+        return static_cast<std::size_t>(std::max(0, m_view->currentIndex().row()));
+    };
+    connect(m_insertAbove, &QAction::triggered, this,
+            [this, currentRow] { m_editor.insertTarget(currentRow()); });
+    connect(m_insertBelow, &QAction::triggered, this,
+            [this, currentRow] { m_editor.insertTarget(currentRow() + 1); });
+    connect(m_removeTargets, &QAction::triggered, this, [this] {
+        const std::vector<int> rows = m_view->selectedRows();
+        m_editor.removeTargets({rows.begin(), rows.end()});
+    });
+    connect(m_addRuns, &QAction::triggered, this, [this] { m_editor.addRuns(); });
+    connect(m_insertRun, &QAction::triggered, this, [this] {
+        if (const auto place = m_model.placeAt(m_view->currentIndex()))
+            m_editor.insertRun(place->run, m_model.measurement()->runs[place->run].approach);
+    });
+    connect(m_removeRuns, &QAction::triggered, this, [this] {
+        std::vector<std::size_t> runs;
+        for (const int column : m_view->selectedColumns()) {
+            if (const auto place = m_model.placeAt(m_model.index(0, column)))
+                runs.push_back(place->run);
+        }
+        m_editor.removeRuns(runs);
+    });
+}
+
+void ReadingsPage::enableActions() {
+    const std::vector<ReadingPlace> places = m_view->selectedPlaces();
+    const PositioningMeasurement *measurement = m_model.measurement();
+    const bool any = !places.empty() && measurement;
+    const auto rows = m_view->selectedRows();
+    m_copy->setEnabled(!rows.empty());
+    m_paste->setEnabled(measurement);
+    m_clear->setEnabled(any);
+    m_fillDown->setEnabled(any && rows.size() > 1);
+    m_fillRight->setEnabled(any && m_view->selectedColumns().size() > 1);
+    m_setAside->setEnabled(any && std::ranges::any_of(places, [&](const ReadingPlace &place) {
+                               return readingAt(*measurement, place).has_value();
+                           }));
+    m_bringBack->setEnabled(any && std::ranges::any_of(places, [&](const ReadingPlace &place) {
+                                return excludedAt(*measurement, place);
+                            }));
+    m_insertAbove->setEnabled(measurement);
+    m_insertBelow->setEnabled(measurement);
+    m_removeTargets->setEnabled(!rows.empty());
+    m_addRuns->setEnabled(measurement);
+    m_insertRun->setEnabled(any);
+    m_removeRuns->setEnabled(any);
+}
+
+QString ReadingsPage::copied() const {
+    const std::vector<int> rows = m_view->selectedRows();
+    const std::vector<int> columns = m_view->selectedColumns();
+    QStringList lines;
+    for (const int row : rows) {
+        QStringList cells;
+        for (const int column : columns) {
+            const QModelIndex cell = m_model.index(row, column);
+            cells << (m_view->selectionModel()->isSelected(cell) ? m_model.plainText(cell) : QString());
+        }
+        lines << cells.join(u'\t');
+    }
+    return lines.isEmpty() ? QString() : lines.join(u'\n') + u'\n';
+}
+
+void ReadingsPage::paste() {
+    m_block = QGuiApplication::clipboard()->text();
+    const QModelIndex current = m_view->currentIndex();
+    m_blockPlace = {static_cast<std::size_t>(std::max(0, current.row())),
+                    static_cast<std::size_t>(current.isValid() ? current.column()
+                                                               : int{ReadingsModel::firstReadingColumn}),
+                    m_model.runs()};
+    // A block is put on the upper left corner of what is selected.
+    const auto rows = m_view->selectedRows();
+    const auto columns = m_view->selectedColumns();
+    if (!rows.empty()) {
+        m_blockPlace.row = static_cast<std::size_t>(rows.front());
+        m_blockPlace.column = static_cast<std::size_t>(columns.front());
+    }
+    m_blockChoices = {m_model.unit() == ReadingUnit::positions ? BlockContent::positions
+                                                               : BlockContent::deviations,
+                      std::nullopt, std::nullopt, m_model.language().units()};
+    try {
+        if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices)) {
+            m_blockChoices.delimiter = pasted->delimiter; // another decimal mark does not part the cells anew
+            showPasted(*pasted);
+        }
+    } catch (const Error &error) {
+        PastedBlock nothing;
+        nothing.remarks.push_back(error.message);
+        showPasted(nothing);
+    }
+}
+
+void ReadingsPage::pasteAgain() {
+    if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices, true))
+        showPasted(*pasted);
+}
+
+void ReadingsPage::showPasted(const PastedBlock &pasted) {
+    m_pasteBar->show(pasted, m_blockChoices, m_model.language());
+}
+
+void ReadingsPage::fill(bool down) {
+    std::vector<std::vector<ReadingPlace>> lists;
+    const auto add = [&](const std::vector<int> &outer, const std::vector<int> &inner, const auto &cell) {
+        for (const int first : outer) {
+            lists.emplace_back();
+            for (const int second : inner) {
+                if (const auto place = m_model.placeAt(cell(first, second)))
+                    lists.back().push_back(*place);
+            }
+        }
+    };
+    if (down)
+        add(m_view->selectedColumns(), m_view->selectedRows(),
+            [this](int column, int row) { return m_model.index(row, column); });
+    else
+        add(m_view->selectedRows(), m_view->selectedColumns(),
+            [this](int row, int column) { return m_model.index(row, column); });
+    m_editor.fill(lists);
+}
+
+void ReadingsPage::askReason() {
+    auto *dialog = new QInputDialog(this);
+    dialog->setObjectName(QStringLiteral("reasonDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Set aside"));
+    dialog->setLabelText(
+        tr("Why? The reading stays visible, struck through, and is printed with the reason."));
+    connect(dialog, &QInputDialog::textValueSelected, this,
+            [this, places = m_view->selectedPlaces()](const QString &reason) {
+                m_editor.setAside(places, reason);
+            });
+    dialog->open();
+}
+
 void ReadingsPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    if (test != m_test)
+        m_pasteBar->hide();
     m_evaluated = evaluated;
     m_test = test;
+    m_editor.setTest(test);
     m_model.show(evaluated, test);
-    retranslate();
+    nameUnits();
+    enableActions();
     markRuling();
 }
 
@@ -94,14 +320,22 @@ void ReadingsPage::markRuling() {
     m_view->setRuling(rulingTargets(m_evaluated, m_test, m_selection.parameter()));
 }
 
-void ReadingsPage::retranslate() {
+/// The units of the axis and of the choice of the user.
+void ReadingsPage::nameUnits() {
     const auto *measurement =
         m_test < m_evaluated.tests.size()
             ? std::get_if<PositioningMeasurement>(&m_evaluated.document->tests[m_test]->measurement)
             : nullptr;
     const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
-    m_deviations->setText(rotary ? tr("Deviations ″") : tr("Deviations µm"));
-    m_positions->setText(rotary ? tr("Positions °") : tr("Positions mm"));
+    const Language &language = m_model.language();
+    m_deviations->setText(tr("Deviations %1", "unit")
+                              .arg(language.unit(rotary ? Quantity::angularDeviation : Quantity::deviation)));
+    m_positions->setText(
+        tr("Positions %1", "unit").arg(language.unit(rotary ? Quantity::angle : Quantity::position)));
+}
+
+void ReadingsPage::retranslate() {
+    nameUnits();
     m_byRun->setText(tr("By run"));
     m_byDirection->setText(tr("By direction"));
     m_deviations->setToolTip(tr("Show deviations from the target positions"));
@@ -109,6 +343,26 @@ void ReadingsPage::retranslate() {
     m_byRun->setToolTip(tr("Runs side by side, both directions of a run together"));
     m_byDirection->setToolTip(tr("All runs of one direction side by side"));
     m_view->setAccessibleName(tr("Readings"));
+    m_copy->setText(tr("&Copy"));
+    m_paste->setText(tr("&Paste"));
+    m_clear->setText(tr("Cl&ear"));
+    m_fillDown->setText(tr("Fill do&wn"));
+    m_fillRight->setText(tr("Fill ri&ght"));
+    m_setAside->setText(tr("&Set aside…"));
+    m_bringBack->setText(tr("&Take back"));
+    m_insertAbove->setText(tr("Insert target abo&ve"));
+    m_insertBelow->setText(tr("Insert target be&low"));
+    m_removeTargets->setText(tr("&Delete targets"));
+    m_addRuns->setText(tr("Add a &run each way"));
+    m_insertRun->setText(tr("&Insert a run before"));
+    m_removeRuns->setText(tr("Delete r&uns"));
+    m_addRunButton->setText(tr("Run"));
+    m_addRunButton->setToolTip(tr("Add a run each way"));
+    m_addRunButton->setAccessibleName(tr("Add a run each way"));
+    m_pasteButton->setToolTip(
+        tr("Paste a block (%1)").arg(m_paste->shortcut().toString(QKeySequence::NativeText)));
+    m_pasteButton->setAccessibleName(tr("Paste a block"));
+    enableActions();
 }
 
 void ReadingsPage::changeEvent(QEvent *event) {

@@ -2,28 +2,42 @@
 
 #include "document/evaluateddocument.h"
 #include "language/language.h"
+#include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
+#include "ui/readings/readingseditor.h"
 #include "ui/readings/readingsmodel.h"
 
 #include <QWidget>
 
 class QButtonGroup;
+class QMenu;
 class QToolButton;
 
 namespace palmer::ui {
 
+class PasteBar;
 class ReadingsView;
 
-/// The page "Readings" of a positioning test: what is shown and how it is grouped, and the table.
+/// The page "Readings" of a positioning test: what is shown and how it is grouped, and the table in which
+/// readings are typed, pasted, set aside; targets and runs come and go.
 class ReadingsPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ReadingsPage(Selection &selection, QWidget *parent = nullptr);
+    ReadingsPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
     ~ReadingsPage() override; ///< the table goes before the model it looks at
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
+
+    /// What can be done here, with separators, for the menus of the window. Shortcuts work in the table.
+    [[nodiscard]] const QList<QAction *> &editActions() const { return m_editActions; }
+    [[nodiscard]] const QList<QAction *> &testActions() const { return m_testActions; }
+
+    /// Puts the text of the clipboard in, from the current cell on.
+    void paste();
+    /// The selected cells as a spreadsheet takes them: tabs, the decimal mark of the window's language.
+    [[nodiscard]] QString copied() const;
 
 signals:
     /// Mean and range of the readings selected, for the status bar; empty: nothing selected.
@@ -33,19 +47,50 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    QAction *addAction(QList<QAction *> &list, const QString &name, const QKeySequence &shortcut = {});
+    void addSeparator(QList<QAction *> &list);
+    void makeActions();
     void retranslate();
+    void nameUnits();
     void markRuling();
+    void enableActions();
+    void pasteAgain();
+    void showPasted(const PastedBlock &pasted);
+    void fill(bool down);
+    void askReason();
     QToolButton *addSegment(QButtonGroup *group, const char *name, int id);
 
     Selection &m_selection;
+    ReadingsEditor m_editor;
     ReadingsModel m_model;
     ReadingsView *m_view;
+    PasteBar *m_pasteBar;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
+    QString m_block; ///< what was pasted last
+    BlockPlace m_blockPlace;
+    BlockChoices m_blockChoices;
     QToolButton *m_deviations;
     QToolButton *m_positions;
     QToolButton *m_byRun;
     QToolButton *m_byDirection;
+    QToolButton *m_pasteButton;
+    QToolButton *m_addRunButton;
+    QList<QAction *> m_editActions;
+    QList<QAction *> m_testActions;
+    QAction *m_copy;
+    QAction *m_paste;
+    QAction *m_clear;
+    QAction *m_fillDown;
+    QAction *m_fillRight;
+    QAction *m_setAside;
+    QAction *m_bringBack;
+    QAction *m_insertAbove;
+    QAction *m_insertBelow;
+    QAction *m_removeTargets;
+    QAction *m_addRuns;
+    QAction *m_insertRun;
+    QAction *m_removeRuns;
 };
 
 } // namespace palmer::ui

@@ -1,17 +1,21 @@
 #include "ui/readings/readingsview.h"
 
+#include "editing/measuringcycle.h"
 #include "ui/formulatext.h"
-#include "ui/readings/readingsdelegate.h"
+#include "ui/readings/readingseditor.h"
 #include "ui/readings/readingsheader.h"
 #include "ui/theme.h"
 
 #include <QCoreApplication>
 #include <QEvent>
 #include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QScreen>
 #include <QScrollBar>
 #include <algorithm>
+#include <set>
 
 namespace palmer::ui {
 
@@ -33,11 +37,14 @@ ReadingsDelegate *delegateOf(const QAbstractItemView *view) {
 
 } // namespace
 
-ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *parent)
+ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selection &selection,
+                           QWidget *parent)
     : QTableView(parent)
     , m_model(model)
+    , m_editor(editor)
     , m_selection(selection)
-    , m_frozen(new QTableView(this)) {
+    , m_frozen(new QTableView(this))
+    , m_reason(new QLabel(viewport())) {
     setObjectName(QStringLiteral("readings"));
     m_frozen->setObjectName(QStringLiteral("frozenReadings"));
     m_frozen->setFocusPolicy(Qt::NoFocus);
@@ -47,8 +54,6 @@ ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
         view->setItemDelegate(new ReadingsDelegate(view)); // both before a model: it tells its current cell
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen}) {
-        view->setItemDelegate(
-            new ReadingsDelegate(view)); // before the model, which tells of its current cell
         view->setModel(&model);
         view->setHorizontalHeader(new ReadingsHeader(model, view));
         view->verticalHeader()->hide();
@@ -59,9 +64,20 @@ ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *
         view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
         view->setMouseTracking(true);
         view->setCornerButtonEnabled(false);
-        view->setEditTriggers(QAbstractItemView::NoEditTriggers);
+        view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                              QAbstractItemView::AnyKeyPressed);
+        view->setTabKeyNavigation(true);
         connect(view, &QAbstractItemView::entered, this, &ReadingsView::hover);
+        connect(delegateOf(view), &ReadingsDelegate::typed, this, &ReadingsView::take);
+        connect(delegateOf(view), &ReadingsDelegate::stepWanted, this, &ReadingsView::step);
     }
+    m_reason->setObjectName(QStringLiteral("reason"));
+    m_reason->setFont(themeFont(TextSize::small));
+    m_reason->setTextFormat(Qt::PlainText);
+    m_reason->setProperty("reason", true);
+    m_reason->hide();
+    // The frozen columns take no focus: after typing there it comes back here.
+    connect(delegateOf(m_frozen), &ReadingsDelegate::closeEditor, this, [this] { setFocus(); });
     m_frozen->setSelectionModel(selectionModel());
     m_frozen->viewport()->installEventFilter(this);
     m_frozen->setFocusProxy(this);
@@ -72,9 +88,17 @@ ReadingsView::ReadingsView(ReadingsModel &model, Selection &selection, QWidget *
     connect(&m_selection, &Selection::hoveredChanged, this, &ReadingsView::showHovered);
     connect(&m_selection, &Selection::readingChanged, this, &ReadingsView::showCurrent);
     connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+        m_typed = QModelIndex();
         fitColumns();
         showHovered();
         showCurrent();
+        showReason();
+    });
+    connect(&model, &QAbstractItemModel::dataChanged, this, [this] {
+        fitColumns();
+        showNext(); // another cycle may be another way
+        showReason();
+        emit summaryChanged(m_model.summary(selectionModel()->selectedIndexes()));
     });
     fitColumns();
 }
@@ -195,8 +219,17 @@ void ReadingsView::showCurrent() {
     }
 }
 
+void ReadingsView::showNext() {
+    const auto place = m_model.placeAt(currentIndex());
+    const auto next = place && m_model.measurement() ? nextInCycle(*m_model.measurement(), *place)
+                                                     : std::optional<ReadingPlace>();
+    delegateOf(this)->setNext(next ? m_model.indexOf(*next) : QModelIndex());
+}
+
 void ReadingsView::currentChanged(const QModelIndex &current, const QModelIndex &previous) {
     QTableView::currentChanged(current, previous);
+    showNext();
+    showReason();
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
         delegateOf(view)->setCurrent(current);
     // The ground of the whole row tells the current one.
@@ -213,6 +246,139 @@ void ReadingsView::currentChanged(const QModelIndex &current, const QModelIndex 
 void ReadingsView::selectionChanged(const QItemSelection &selected, const QItemSelection &deselected) {
     QTableView::selectionChanged(selected, deselected);
     emit summaryChanged(m_model.summary(selectionModel()->selectedIndexes()));
+}
+
+std::vector<ReadingPlace> ReadingsView::selectedPlaces() const {
+    std::vector<QModelIndex> cells;
+    for (const QModelIndex &index : selectionModel()->selectedIndexes())
+        cells.push_back(index);
+    std::sort(cells.begin(), cells.end()); // an index has no order of ranges
+    std::vector<ReadingPlace> places;
+    for (const QModelIndex &index : cells) {
+        if (const auto place = m_model.placeAt(index))
+            places.push_back(*place);
+    }
+    return places;
+}
+
+std::vector<int> ReadingsView::selectedRows() const {
+    std::set<int> rows;
+    for (const QModelIndex &index : selectionModel()->selectedIndexes())
+        rows.insert(index.row());
+    return {rows.begin(), rows.end()};
+}
+
+std::vector<int> ReadingsView::selectedColumns() const {
+    std::set<int> columns;
+    for (const QModelIndex &index : selectionModel()->selectedIndexes())
+        columns.insert(index.column());
+    return {columns.begin(), columns.end()};
+}
+
+void ReadingsView::moveTo(const QModelIndex &index) {
+    if (!index.isValid())
+        return;
+    setCurrentIndex(index);
+    scrollTo(index, EnsureVisible);
+}
+
+void ReadingsView::step(ReadingsDelegate::Step step) {
+    using Step = ReadingsDelegate::Step;
+    const QModelIndex current = currentIndex();
+    const auto place = m_model.placeAt(current);
+    switch (step) {
+    case Step::next:
+    case Step::previous:
+        if (place) {
+            const auto goal = step == Step::next ? nextInCycle(*m_model.measurement(), *place)
+                                                 : previousInCycle(*m_model.measurement(), *place);
+            moveTo(goal ? m_model.indexOf(*goal) : QModelIndex());
+        } else {
+            moveTo(current.siblingAtRow(current.row() + (step == Step::next ? 1 : -1)));
+        }
+        break;
+    case Step::right:
+        moveTo(moveCursor(MoveNext, Qt::NoModifier));
+        break;
+    case Step::left:
+        moveTo(moveCursor(MovePrevious, Qt::NoModifier));
+        break;
+    case Step::up:
+        moveTo(current.siblingAtRow(current.row() - 1));
+        break;
+    case Step::down:
+        moveTo(current.siblingAtRow(current.row() + 1));
+        break;
+    case Step::stay:
+        break;
+    }
+}
+
+void ReadingsView::keyPressEvent(QKeyEvent *event) {
+    using Step = ReadingsDelegate::Step;
+    const bool enter = event->key() == Qt::Key_Enter || event->key() == Qt::Key_Return;
+    if (enter && state() != EditingState)
+        step(event->modifiers().testFlag(Qt::ShiftModifier) ? Step::previous : Step::next);
+    else
+        QTableView::keyPressEvent(event);
+}
+
+/// The frozen columns lie above the others: their cells are typed in there.
+bool ReadingsView::edit(const QModelIndex &index, EditTrigger trigger, QEvent *event) {
+    if (!index.isValid() || index.column() > ReadingsModel::positionColumn)
+        return QTableView::edit(index, trigger, event);
+    const bool typing = trigger == AnyKeyPressed || trigger == EditKeyPressed || trigger == DoubleClicked;
+    if (!typing || !(m_model.flags(index) & Qt::ItemIsEditable))
+        return false;
+    m_frozen->edit(index);
+    QWidget *field = m_frozen->indexWidget(index);
+    if (field && trigger == AnyKeyPressed && event)
+        QCoreApplication::sendEvent(field, event);
+    return field;
+}
+
+void ReadingsView::take(const QModelIndex &index, const QString &text) {
+    m_typed = index;
+    if (const auto place = m_model.placeAt(index)) {
+        m_model.setRefusedTarget(std::nullopt);
+        m_editor.type(*place, text, m_model.unit(), m_model.language());
+    } else {
+        const auto target = static_cast<std::size_t>(index.row());
+        const auto problem = m_editor.typeTarget(target, text, m_model.language());
+        if (problem)
+            m_model.setRefusedTarget(target, text, m_model.language().sentence(*problem));
+        else
+            m_model.setRefusedTarget(std::nullopt);
+    }
+    showReason();
+    emit typed();
+}
+
+void ReadingsView::showReason() {
+    QModelIndex cell = currentIndex();
+    QString reason = cell.data(ReadingsModel::refusedRole).toString();
+    if (reason.isEmpty()) {
+        cell = m_typed;
+        reason = cell.data(ReadingsModel::refusedRole).toString();
+    }
+    if (reason.isEmpty()) {
+        m_reason->hide();
+        return;
+    }
+    m_reason->setText(QStringLiteral("⚠ ") + reason);
+    m_reason->adjustSize();
+    const QRect area = visualRect(cell);
+    const int width = m_reason->sizeHint().width();
+    const int right = area.right() + 4;
+    const int left = right + width <= viewport()->width() ? right : area.left() - width - 4;
+    m_reason->setGeometry(std::max(0, left), area.top(), width, area.height());
+    m_reason->show();
+    m_reason->raise();
+}
+
+void ReadingsView::scrollContentsBy(int dx, int dy) {
+    QTableView::scrollContentsBy(dx, dy);
+    showReason();
 }
 
 bool ReadingsView::viewportEvent(QEvent *event) {

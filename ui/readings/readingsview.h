@@ -1,48 +1,76 @@
 #pragma once
 
 #include "ui/model/selection.h"
+#include "ui/readings/readingsdelegate.h"
 #include "ui/readings/readingsmodel.h"
 
 #include <QTableView>
 #include <vector>
 
+class QLabel;
+
 namespace palmer::ui {
 
-/// The table of readings: a head of two storeys, and i and P that stay while the rest scrolls.
+class ReadingsEditor;
+
+/// The table of readings: a head of two storeys, and i and P that stay while the rest scrolls. Typing
+/// replaces, F2 edits, Esc restores; Enter walks the measuring cycle, Shift+Enter back; Tab goes to the
+/// right.
 class ReadingsView : public QTableView {
     Q_OBJECT
 
 public:
-    ReadingsView(ReadingsModel &model, Selection &selection, QWidget *parent = nullptr);
+    ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selection &selection,
+                 QWidget *parent = nullptr);
 
     /// Widths of columns after the model changed what it shows.
     void fitColumns();
     /// Targets (indices) that rule the result explained.
     void setRuling(const std::vector<std::size_t> &targets);
 
+    /// The places of readings among the cells selected, row by row.
+    [[nodiscard]] std::vector<ReadingPlace> selectedPlaces() const;
+    /// Rows and columns selected, each once, in order.
+    [[nodiscard]] std::vector<int> selectedRows() const;
+    [[nodiscard]] std::vector<int> selectedColumns() const;
+
+    void step(ReadingsDelegate::Step step);
+
 signals:
     /// Mean and range of what is selected; empty: nothing.
     void summaryChanged(const QString &text);
+    /// A text was typed into a cell.
+    void typed();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
     void selectionChanged(const QItemSelection &selected, const QItemSelection &deselected) override;
     void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
+    void keyPressEvent(QKeyEvent *event) override;
     bool viewportEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
     void scrollTo(const QModelIndex &index, ScrollHint hint) override;
+    void scrollContentsBy(int dx, int dy) override;
     void updateGeometries() override;
+    bool edit(const QModelIndex &index, EditTrigger trigger, QEvent *event) override;
 
 private:
     void hover(const QModelIndex &index);
     void showHovered();
     void showCurrent();
+    void showNext();
+    void showReason();
+    void take(const QModelIndex &index, const QString &text);
+    void moveTo(const QModelIndex &index);
     void placeFrozen();
     void setRowHeight();
 
     ReadingsModel &m_model;
+    ReadingsEditor &m_editor;
     Selection &m_selection;
     QTableView *m_frozen;
+    QLabel *m_reason;              ///< why a text is no number, beside its cell
+    QPersistentModelIndex m_typed; ///< the cell typed last
     QModelIndex m_hovered;
     bool m_following = false; ///< the selection of the window is what moves the current cell
 };

@@ -1,5 +1,7 @@
 #include "ui/results/findingsmodel.h"
 
+#include "report/wording.h"
+
 #include <QStringList>
 #include <algorithm>
 #include <array>
@@ -74,7 +76,7 @@ void FindingsModel::show(const TestEvaluationPointer &evaluation, Page page, con
                                isMissing(*finding, edition) && page == Page::agreedPoints
                                    ? tr("Not agreed: %1").arg(nameIn(*finding, language))
                                    : sentence,
-                               sentence, QString::fromStdString(finding->clause)});
+                               sentence, clauseText(finding->clause, language)});
         }
         for (const Page other : pages) {
             if (other == page)

@@ -74,7 +74,7 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
              (option.state & QStyle::State_HasFocus || option.widget->hasFocus()))
         ground = selectedGround(palette);
     painter->fillRect(cell, ground);
-    if (line.main && index.row() > 0) {
+    if (line.isFirst && index.row() > 0) {
         painter->setPen(token(Token::line, palette));
         painter->drawLine(cell.topLeft(), cell.topRight());
     }

@@ -1,6 +1,7 @@
 #include "ui/results/resultspanel.h"
 
 #include "ui/elidedlabel.h"
+#include "ui/formulatext.h"
 #include "ui/results/chip.h"
 #include "ui/results/resultsdelegate.h"
 #include "ui/theme.h"
@@ -19,6 +20,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace palmer::ui {
 
@@ -29,6 +31,7 @@ constexpr int rowHeight = 20;
 constexpr int headHeight = 22;
 constexpr int mostRows = 13;
 constexpr int symbolWidth = 40;
+constexpr int symbolMargin = 14; ///< before a symbol and after it
 constexpr int scaleWidth = 62;
 constexpr int cellMargin = 10;
 
@@ -150,7 +153,7 @@ void ResultsPanel::refresh() {
     const int row = m_table->currentIndex().row();
     m_model.setTable(resultTable(m_evaluated, m_test, m_language));
     const ResultTable &table = m_model.table();
-    QStringList rule{table.unit};
+    QStringList rule{table.unit, table.circle};
     if (!table.view)
         rule << table.rule;
     if (!table.coverage.isEmpty())
@@ -178,7 +181,10 @@ void ResultsPanel::fitColumns() {
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     const QFontMetrics metrics(bold);
-    m_table->setColumnWidth(ResultsModel::symbol, symbolWidth);
+    double symbols = symbolWidth;
+    for (int row = 0; row < m_model.rowCount(); ++row)
+        symbols = std::max(symbols, formulaWidth(m_model.line(row).symbol, bold) + symbolMargin);
+    m_table->setColumnWidth(ResultsModel::symbol, static_cast<int>(std::ceil(symbols)));
     m_table->setColumnWidth(ResultsModel::scale, scaleWidth);
     for (const int column :
          {ResultsModel::value, ResultsModel::uncertainty, ResultsModel::limit, ResultsModel::verdict}) {

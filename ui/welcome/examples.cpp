@@ -15,6 +15,9 @@ namespace {
 const char *exampleName(const QString &baseName) {
     static const std::map<QString, const char *> names{
         {QStringLiteral("iso230-2-1988-example"), QT_TRANSLATE_NOOP("examples", "X axis, published example")},
+        {QStringLiteral("iso230-4-feedback-yz"), QT_TRANSLATE_NOOP("examples", "YZ plane, feedback signal")},
+        {QStringLiteral("iso230-4-full-circles-xy"), QT_TRANSLATE_NOOP("examples", "XY plane, full circles")},
+        {QStringLiteral("iso230-4-partial-arc-zx"), QT_TRANSLATE_NOOP("examples", "ZX plane, partial arc")},
         {QStringLiteral("long-axis-with-zone"), QT_TRANSLATE_NOOP("examples", "Long axis, with its zone")},
         {QStringLiteral("one-direction"), QT_TRANSLATE_NOOP("examples", "Z axis, from one direction")},
         {QStringLiteral("rotary-axis"), QT_TRANSLATE_NOOP("examples", "Rotary table C, 360°")},
@@ -25,6 +28,15 @@ const char *exampleName(const QString &baseName) {
 
 QString words(const Test &test) {
     const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
+        std::size_t points = 0;
+        for (const Arc &arc : circular->arcs)
+            points += arc.angles.size();
+        return QCoreApplication::translate("examples", "%1 · %n arc(s), %2 points", nullptr,
+                                           static_cast<int>(circular->arcs.size()))
+            .arg(QString::fromStdString(test.edition),
+                 windowLanguage().number(static_cast<double>(points), Quantity::count, 0));
+    }
     if (!positioning)
         return QString::fromStdString(test.edition);
     return QCoreApplication::translate("examples", "%1 · %2 targets, %3 runs")

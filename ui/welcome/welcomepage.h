@@ -21,6 +21,7 @@ public:
     void refresh();
 
 signals:
+    void newAsked();
     void openAsked();
     void fileChosen(const QString &path);
 
@@ -39,6 +40,7 @@ private:
     QLabel *m_noRecent;
     QLabel *m_examplesTitle;
     QLabel *m_examplesNote;
+    StartButton *m_new;
     StartButton *m_open;
     StartList *m_recentList;
     StartList *m_examplesList;

@@ -1,25 +1,36 @@
 #include "ui/window/mainwindow.h"
 
 #include "document/savedocument.h"
+#include "editing/newtest.h"
+#include "ui/dialogs/feeddialog.h"
+#include "ui/dialogs/newtestdialog.h"
+#include "ui/dialogs/recoverydialog.h"
 #include "ui/dialogs/reportdialog.h"
+#include "ui/model/editname.h"
+#include "ui/readings/readingspage.h"
+#include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
 #include "ui/welcome/welcomepage.h"
 #include "ui/window/languageswitch.h"
+#include "ui/window/noticebar.h"
 #include "ui/window/workplace.h"
 #include "ui/windowlanguage.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -27,6 +38,8 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoStack>
+#include <QVBoxLayout>
+#include <span>
 #include <variant>
 
 namespace palmer::ui {
@@ -38,11 +51,6 @@ constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
 constexpr qint64 readAtOnce = 256 * 1024; ///< bytes; larger files are read on a thread
 constexpr int iconsOnlyBelow = 1180;
-
-/// A name of an edit in the window's language.
-QString editName(const QString &source) {
-    return QCoreApplication::translate("edits", source.toUtf8());
-}
 
 /// The tooltip of an action: its name and its shortcut.
 QString hint(const QAction &action) {
@@ -58,9 +66,10 @@ QString hint(const QAction &action) {
 
 MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
+    , m_notice(new NoticeBar(this))
     , m_stack(new QStackedWidget(this))
     , m_welcome(new WelcomePage(m_stack))
-    , m_workplace(new Workplace(m_stack)) {
+    , m_workplace(new Workplace(m_model, m_stack)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
@@ -68,7 +77,13 @@ MainWindow::MainWindow(QWidget *parent)
     m_reader.setMaxThreadCount(1);
     m_stack->addWidget(m_welcome);
     m_stack->addWidget(m_workplace);
-    setCentralWidget(m_stack);
+    auto *centre = new QWidget(this);
+    auto *column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_notice);
+    column->addWidget(m_stack, 1);
+    setCentralWidget(centre);
     makeActions();
     makeToolBar();
     makeStatusBar();
@@ -86,6 +101,7 @@ MainWindow::~MainWindow() {
     m_model.undoStack()->disconnect(this);
     m_model.disconnect(this);
     m_evaluator.disconnect(this);
+    m_autosave.disconnect(this);
 }
 
 bool MainWindow::hasDocument() const {
@@ -109,6 +125,8 @@ void MainWindow::makeActions() {
     m_viewMenu = menuBar()->addMenu(QString());
     m_helpMenu = menuBar()->addMenu(QString());
 
+    m_newAction = addAction(m_fileMenu, QStringLiteral("new"), QStringLiteral("new"));
+    m_newAction->setShortcut(QKeySequence::New);
     m_openAction = addAction(m_fileMenu, QStringLiteral("open"), QStringLiteral("open"));
     m_openAction->setShortcut(QKeySequence::Open);
     m_recentMenu = m_fileMenu->addMenu(QString());
@@ -135,6 +153,18 @@ void MainWindow::makeActions() {
     m_redoAction->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
 
+    m_editMenu->addSeparator();
+    m_editMenu->addActions(m_workplace->readings().editActions());
+
+    m_addTestAction = addAction(m_testMenu, QStringLiteral("addTest"), QStringLiteral("plus"));
+    m_addTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
+    m_renameTestAction = addAction(m_testMenu, QStringLiteral("renameTest"));
+    m_duplicateTestAction = addAction(m_testMenu, QStringLiteral("duplicateTest"));
+    m_repeatTestAction = addAction(m_testMenu, QStringLiteral("repeatTest"));
+    m_deleteTestAction = addAction(m_testMenu, QStringLiteral("deleteTest"));
+    m_testMenu->addSeparator();
+    m_testMenu->addActions(m_workplace->readings().testActions());
+    m_testMenu->addSeparator();
     m_previousTestAction = addAction(m_testMenu, QStringLiteral("previousTest"));
     m_previousTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
     m_nextTestAction = addAction(m_testMenu, QStringLiteral("nextTest"));
@@ -142,6 +172,8 @@ void MainWindow::makeActions() {
     m_testMenu->addSeparator();
     m_setEditionAction = addAction(m_testMenu, QStringLiteral("setEditionAction"));
     m_ownEditionAction = addAction(m_testMenu, QStringLiteral("ownEdition"));
+    m_testMenu->addSeparator();
+    m_feedAction = addAction(m_testMenu, QStringLiteral("contouringFeed"));
 
     for (std::size_t i = 0; i < m_pageActions.size(); ++i) {
         m_pageActions[i] = addAction(m_viewMenu, QStringLiteral("page%1").arg(i + 1));
@@ -157,6 +189,20 @@ void MainWindow::makeActions() {
     m_maximiseAction = addAction(m_viewMenu, QStringLiteral("maximiseFigure"), QStringLiteral("maxi"));
     m_maximiseAction->setShortcut(QKeySequence(Qt::Key_F11));
     m_viewMenu->addSeparator();
+    m_unitsMenu = m_viewMenu->addMenu(QString());
+    for (std::size_t i = 0; i < m_lengthActions.size(); ++i)
+        m_lengthActions.at(i) = addAction(m_unitsMenu, QStringLiteral("lengths%1").arg(i + 1));
+    m_unitsMenu->addSeparator();
+    for (std::size_t i = 0; i < m_angleActions.size(); ++i)
+        m_angleActions.at(i) = addAction(m_unitsMenu, QStringLiteral("angles%1").arg(i + 1));
+    for (const auto &actions :
+         {std::span<QAction *>(m_lengthActions), std::span<QAction *>(m_angleActions)}) {
+        auto *group = new QActionGroup(this);
+        for (QAction *action : actions) {
+            action->setCheckable(true);
+            group->addAction(action);
+        }
+    }
     m_frenchAction = addAction(m_viewMenu, QStringLiteral("speakFrench"));
     m_englishAction = addAction(m_viewMenu, QStringLiteral("speakEnglish"));
     for (QAction *action : {m_frenchAction, m_englishAction})
@@ -177,6 +223,7 @@ void MainWindow::makeToolBar() {
     m_toolBar->setFixedHeight(toolBarHeight);
     m_toolBar->setIconSize(QSize(16, 16));
     setContextMenuPolicy(Qt::PreventContextMenu); // nobody shall hide the toolbar by chance
+    m_toolBar->addAction(m_newAction);
     m_toolBar->addAction(m_openAction);
     m_toolBar->addAction(m_saveAction);
     m_toolBar->addSeparator();
@@ -184,7 +231,8 @@ void MainWindow::makeToolBar() {
     m_toolBar->addAction(m_redoAction);
     m_toolBar->addSeparator();
     m_toolBar->addAction(m_reportAction);
-    for (QAction *action : {m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
+    for (QAction *action :
+         {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
         auto *button = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action));
         button->setObjectName(action->objectName() + QStringLiteral("Button"));
         button->setFocusPolicy(Qt::TabFocus);
@@ -217,6 +265,25 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::connectParts() {
+    connect(m_newAction, &QAction::triggered, this, &MainWindow::newFile);
+    connect(m_addTestAction, &QAction::triggered, this, &MainWindow::addTest);
+    connect(m_renameTestAction, &QAction::triggered, this, &MainWindow::renameTest);
+    connect(m_duplicateTestAction, &QAction::triggered, this, [this] { duplicateTest(true); });
+    connect(m_repeatTestAction, &QAction::triggered, this, [this] { duplicateTest(false); });
+    connect(m_deleteTestAction, &QAction::triggered, this, &MainWindow::deleteTest);
+    m_workplace->setTestActions({m_addTestAction}, {m_renameTestAction, m_duplicateTestAction,
+                                                    m_repeatTestAction, m_deleteTestAction});
+    connect(&m_autosave, &Autosave::saved, this, [this] {
+        m_autosavedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
+        showState();
+    });
+    connect(&m_autosave, &Autosave::failed, this, [this](const Error &error) {
+        m_notice->show(tr("Changes cannot be kept safe automatically: %1.")
+                           .arg(windowLanguage().sentence(error.message)),
+                       {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
+                        {QStringLiteral("closeNotice"), tr("&Close"), {}}});
+    });
+    connect(&m_watch, &FileWatch::changed, this, &MainWindow::fileChangedOutside);
     connect(m_openAction, &QAction::triggered, this, &MainWindow::chooseFile);
     connect(m_saveAction, &QAction::triggered, this, &MainWindow::save);
     connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveAs);
@@ -241,6 +308,7 @@ void MainWindow::connectParts() {
     });
     connect(m_ownEditionAction, &QAction::triggered, this,
             [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
+    connect(m_feedAction, &QAction::triggered, this, &MainWindow::showFeed);
     constexpr std::array pages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
     for (std::size_t i = 0; i < pages.size(); ++i)
         connect(m_pageActions[i], &QAction::triggered, this,
@@ -250,11 +318,20 @@ void MainWindow::connectParts() {
             [this] { m_workplace->showNextMissing(false); });
     connect(m_maximiseAction, &QAction::triggered, this,
             [this] { m_workplace->setFigureMaximised(!m_workplace->isFigureMaximised()); });
+    for (std::size_t i = 0; i < m_lengthActions.size(); ++i)
+        connect(m_lengthActions.at(i), &QAction::triggered, this, [i] {
+            setWindowUnits({static_cast<LengthDisplay>(i), windowLanguage().units().angles});
+        });
+    for (std::size_t i = 0; i < m_angleActions.size(); ++i)
+        connect(m_angleActions.at(i), &QAction::triggered, this, [i] {
+            setWindowUnits({windowLanguage().units().lengths, static_cast<AngleDisplay>(i)});
+        });
     connect(m_frenchAction, &QAction::triggered, this, [] { setWindowLanguage(Language::Id::french); });
     connect(m_englishAction, &QAction::triggered, this, [] { setWindowLanguage(Language::Id::english); });
     connect(m_aboutAction, &QAction::triggered, this, &MainWindow::about);
     connect(m_aboutQtAction, &QAction::triggered, qApp, &QApplication::aboutQt);
 
+    connect(m_welcome, &WelcomePage::newAsked, this, &MainWindow::newFile);
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
     connect(m_welcome, &WelcomePage::fileChosen, this, &MainWindow::openFile);
     connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
@@ -336,21 +413,133 @@ void MainWindow::read(const QString &path) {
     });
 }
 
-void MainWindow::take(Document document, const QString &path) {
+MainWindow *MainWindow::take(Document document, const QString &path, bool modified) {
     if (m_open) {
         auto *other = new MainWindow;
         other->resize(size());
         other->move(pos() + QPoint(24, 24));
         other->show();
-        other->take(std::move(document), path);
-        return;
+        return other->take(std::move(document), path, modified);
     }
     m_open = true;
     m_savedAt.clear();
     m_rememberNext = !isExample(path);
     m_stack->setCurrentWidget(m_workplace); // has its size before it is filled
-    m_model.setDocument(std::move(document), isExample(path) ? QString() : path);
+    m_model.setDocument(std::move(document), isExample(path) ? QString() : path, modified);
+    m_watch.watch(m_model.path());
     showState();
+    return this;
+}
+
+void MainWindow::newFile() {
+    NewTestDialog dialog(windowLanguage(), nullptr, this);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    Document document;
+    document.writtenBy = "Palmer " PALMER_VERSION;
+    document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
+                                                                               : ReportLanguage::en};
+    insertTest(document, 0, newTest(dialog.wanted()));
+    take(std::move(document), {}, true)->m_workplace->beginTyping();
+}
+
+const Test *MainWindow::currentTest() const {
+    const auto &tests = m_model.document()->tests;
+    const std::size_t test = m_workplace->selection().test();
+    return m_open && test < tests.size() ? tests[test].get() : nullptr;
+}
+
+void MainWindow::addTest() {
+    NewTestDialog dialog(windowLanguage(), currentTest(), this);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const std::size_t place = m_model.document()->tests.size();
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "add a test"),
+                 [&](Document &document) { insertTest(document, place, newTest(dialog.wanted())); });
+    m_workplace->showTest(place);
+    m_workplace->beginTyping();
+}
+
+void MainWindow::renameTest() {
+    const Test *test = currentTest();
+    if (!test)
+        return;
+    auto *dialog = new QInputDialog(this);
+    dialog->setObjectName(QStringLiteral("renameDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Rename the test"));
+    dialog->setLabelText(tr("Name of the test"));
+    dialog->setTextValue(QString::fromStdString(test->title));
+    connect(dialog, &QInputDialog::textValueSelected, this,
+            [this, index = m_workplace->selection().test()](const QString &title) {
+                m_model.edit(QT_TRANSLATE_NOOP("edits", "rename the test"), [&](Document &document) {
+                    auto renamed = std::make_shared<Test>(*document.tests.at(index));
+                    renamed->title = title.trimmed().toStdString();
+                    document.tests[index] = std::move(renamed);
+                });
+            });
+    dialog->open();
+}
+
+void MainWindow::duplicateTest(bool withReadings) {
+    if (!currentTest())
+        return;
+    const std::size_t test = m_workplace->selection().test();
+    const char *name = withReadings ? QT_TRANSLATE_NOOP("edits", "duplicate the test")
+                                    : QT_TRANSLATE_NOOP("edits", "repeat the test");
+    m_model.edit(name, [&](Document &document) { palmer::duplicateTest(document, test, withReadings); });
+    m_workplace->showTest(test + 1);
+}
+
+void MainWindow::deleteTest() {
+    if (!currentTest())
+        return;
+    const std::size_t test = m_workplace->selection().test();
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "delete the test"),
+                 [&](Document &document) { removeTest(document, test); });
+}
+
+void MainWindow::openRecovery(const Recovery &recovery) {
+    MainWindow *window = take(*recovery.document, recovery.origin.path, true);
+    window->m_autosave.flush(); // a copy of its own before that one goes
+    discardRecovery(recovery.file);
+}
+
+void MainWindow::offerRecoveries() {
+    std::vector<Recovery> found = abandonedRecoveries(Autosave::folder());
+    if (found.empty())
+        return;
+    auto *dialog = new RecoveryDialog(std::move(found), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &RecoveryDialog::recovered, this, &MainWindow::openRecovery);
+    dialog->open();
+}
+
+void MainWindow::fileChangedOutside() {
+    const QString name = QFileInfo(m_model.path()).fileName();
+    m_outsideAsked = false;
+    if (!QFileInfo::exists(m_model.path())) {
+        m_notice->show(tr("%1 is no longer where it was. Save to write it anew.").arg(name),
+                       {{QStringLiteral("saveAgain"), tr("&Save"), [this] { save(); }},
+                        {QStringLiteral("closeNotice"), tr("&Close"), {}}});
+        return;
+    }
+    m_notice->show(
+        m_model.isModified()
+            ? tr("Another program has changed %1. Loading it gives up the changes made here.").arg(name)
+            : tr("Another program has changed %1.").arg(name),
+        {{QStringLiteral("reload"), tr("&Load it"), [this] { reload(); }},
+         {QStringLiteral("keepMine"), tr("&Keep what is here"), [this] { m_outsideAsked = true; }}});
+}
+
+void MainWindow::reload() {
+    try {
+        Document document = openDocument(m_model.path());
+        m_model.setDocument(std::move(document), m_model.path());
+        m_watch.watch(m_model.path());
+    } catch (const Error &error) {
+        showError(tr("%1 cannot be opened").arg(QFileInfo(m_model.path()).fileName()), m_model.path(), error);
+    }
 }
 
 void MainWindow::showError(const QString &title, const QString &fileName, const Error &error) {
@@ -367,7 +556,26 @@ void MainWindow::showError(const QString &title, const QString &fileName, const 
 }
 
 bool MainWindow::save() {
-    return m_model.path().isEmpty() ? saveAs() : saveTo(m_model.path());
+    if (m_model.path().isEmpty())
+        return saveAs();
+    if (!m_outsideAsked && QFileInfo::exists(m_model.path()) && m_watch.isChanged()) {
+        QMessageBox box(QMessageBox::Warning, tr("Save"),
+                        tr("Another program has changed %1 since it was opened here.")
+                            .arg(QFileInfo(m_model.path()).fileName()),
+                        QMessageBox::Cancel, this);
+        box.setObjectName(QStringLiteral("overwriteBox"));
+        box.setInformativeText(tr("Saving puts what is here in its place."));
+        auto *overwrite = box.addButton(tr("&Overwrite"), QMessageBox::AcceptRole);
+        auto *other = box.addButton(tr("Save &as…"), QMessageBox::ActionRole);
+        overwrite->setObjectName(QStringLiteral("overwrite"));
+        box.setDefaultButton(other);
+        box.exec();
+        if (box.clickedButton() == other)
+            return saveAs();
+        if (box.clickedButton() != overwrite)
+            return false;
+    }
+    return saveTo(m_model.path());
 }
 
 bool MainWindow::saveAs() {
@@ -391,6 +599,10 @@ bool MainWindow::saveTo(const QString &path) {
         return false;
     }
     m_savedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
+    m_autosavedAt.clear();
+    m_outsideAsked = false;
+    m_notice->hide();
+    m_watch.watch(m_model.path());
     remember();
     showState();
     return true;
@@ -470,6 +682,10 @@ void MainWindow::showState() {
     m_reportAction->setEnabled(m_open);
     m_previousTestAction->setEnabled(test > 0 && test < tests);
     m_nextTestAction->setEnabled(test + 1 < tests);
+    m_addTestAction->setEnabled(m_open);
+    for (QAction *action :
+         {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction})
+        action->setEnabled(test < tests);
     m_setEditionAction->setEnabled(view);
     m_ownEditionAction->setEnabled(view);
     for (QAction *action : m_pageActions)
@@ -494,7 +710,8 @@ void MainWindow::showState() {
     if (m_evaluator.isBusy())
         m_state->setText(tr("Computing…"));
     else if (m_model.isModified())
-        m_state->setText(tr("Changed"));
+        m_state->setText(m_autosavedAt.isEmpty() ? tr("Changed")
+                                                 : tr("Kept automatically at %1").arg(m_autosavedAt));
     else if (!m_savedAt.isEmpty())
         m_state->setText(tr("Saved at %1").arg(m_savedAt));
     else
@@ -504,6 +721,22 @@ void MainWindow::showState() {
 void MainWindow::showReport() {
     ReportDialog dialog(m_model, m_evaluator, this);
     dialog.exec();
+}
+
+void MainWindow::showFeed() {
+    auto *dialog = new FeedDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    const std::size_t test = m_workplace->selection().test();
+    const auto &tests = m_model.document()->tests;
+    if (m_open && test < tests.size()) {
+        // Of the test at hand the diameter is known; its feed may be the specified one.
+        const auto *measurement = std::get_if<CircularMeasurement>(&tests[test]->measurement);
+        if (measurement && measurement->nominalRadius > 0) {
+            const double diameter = 2 * measurement->nominalRadius;
+            dialog->setNumbers({diameter, measurement->feed.value_or(0), diameter});
+        }
+    }
+    dialog->show();
 }
 
 void MainWindow::about() {
@@ -576,6 +809,13 @@ void MainWindow::retranslate() {
     m_testMenu->setTitle(tr("&Test"));
     m_viewMenu->setTitle(tr("&View"));
     m_helpMenu->setTitle(tr("&Help"));
+    m_newAction->setText(tr("&New…"));
+    m_newAction->setIconText(tr("New"));
+    m_addTestAction->setText(tr("&Add a positioning test…"));
+    m_renameTestAction->setText(tr("Rena&me the test…"));
+    m_duplicateTestAction->setText(tr("Dupli&cate the test"));
+    m_repeatTestAction->setText(tr("Repeat the test, &without readings"));
+    m_deleteTestAction->setText(tr("Delete the t&est"));
     m_openAction->setText(tr("&Open…"));
     m_openAction->setIconText(tr("Open"));
     m_recentMenu->setTitle(tr("Open &recent"));
@@ -584,13 +824,14 @@ void MainWindow::retranslate() {
     m_saveAsAction->setText(tr("Save &as…"));
     m_reportAction->setText(tr("Re&port…"));
     m_reportAction->setIconText(tr("Report…"));
-    m_newWindowAction->setText(tr("&New window"));
+    m_newWindowAction->setText(tr("New &window"));
     m_closeAction->setText(tr("&Close"));
     m_quitAction->setText(tr("&Quit"));
     m_previousTestAction->setText(tr("&Previous test"));
     m_nextTestAction->setText(tr("&Next test"));
     m_setEditionAction->setText(tr("&Set as edition of the test"));
     m_ownEditionAction->setText(tr("&Back to the edition of the test"));
+    m_feedAction->setText(tr("Contouring &feed…"));
     m_pageActions[0]->setText(tr("&Readings"));
     m_pageActions[1]->setText(tr("&Conditions"));
     m_pageActions[2]->setText(tr("&Agreed points"));
@@ -598,6 +839,15 @@ void MainWindow::retranslate() {
     m_nextMissingAction->setText(tr("&Next missing statement"));
     m_previousMissingAction->setText(tr("&Previous missing statement"));
     m_maximiseAction->setText(tr("&Maximise the figure"));
+    m_unitsMenu->setTitle(tr("&Units"));
+    m_lengthActions[0]->setText(tr("Lengths: µm and mm"));
+    m_lengthActions[1]->setText(tr("Lengths: mm only"));
+    m_lengthActions[2]->setText(tr("Lengths: µin and inches"));
+    m_angleActions[0]->setText(tr("Angles: arc seconds and degrees"));
+    m_angleActions[1]->setText(tr("Angles: degrees only"));
+    const DisplayUnits units = windowLanguage().units();
+    m_lengthActions.at(static_cast<std::size_t>(units.lengths))->setChecked(true);
+    m_angleActions.at(static_cast<std::size_t>(units.angles))->setChecked(true);
     m_frenchAction->setText(QStringLiteral("&Français"));
     m_englishAction->setText(QStringLiteral("&English"));
     m_frenchAction->setChecked(windowLanguage().id() == Language::Id::french);
@@ -608,9 +858,10 @@ void MainWindow::retranslate() {
     m_toolBar->setAccessibleName(tr("Tools"));
     menuBar()->setAccessibleName(tr("Menus"));
     statusBar()->setAccessibleName(tr("State"));
-    for (QAction *action : {m_openAction, m_saveAction, m_reportAction})
+    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_reportAction})
         action->setToolTip(hint(*action));
-    for (QAction *action : {m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
+    for (QAction *action :
+         {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
         QString name = action->iconText();
         m_toolBar->widgetForAction(action)->setAccessibleName(name.remove(u'…'));
     }

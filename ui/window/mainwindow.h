@@ -1,8 +1,11 @@
 #pragma once
 
 #include "document/documenterror.h"
+#include "document/recovery.h"
+#include "ui/model/autosave.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
+#include "ui/model/filewatch.h"
 
 #include <QMainWindow>
 #include <QThreadPool>
@@ -14,6 +17,7 @@ class QToolBar;
 
 namespace palmer::ui {
 
+class NoticeBar;
 class WelcomePage;
 class Workplace;
 
@@ -32,6 +36,12 @@ public:
     /// Saves under that path; false, and a message, when that fails.
     bool saveTo(const QString &path);
 
+    /// Opens what was found after a crash, with unsaved changes; its copy goes when this window has one.
+    void openRecovery(const Recovery &recovery);
+    /// Asks what becomes of copies that a crash has left; nothing where there are none.
+    void offerRecoveries();
+
+    [[nodiscard]] Autosave &autosave() { return m_autosave; }
     [[nodiscard]] DocumentModel &model() { return m_model; }
     [[nodiscard]] Evaluator &evaluator() { return m_evaluator; }
     [[nodiscard]] Workplace &workplace() { return *m_workplace; }
@@ -58,7 +68,15 @@ private:
     bool saveAs();
     bool mayClose();
     void read(const QString &path);
-    void take(Document document, const QString &path);
+    MainWindow *take(Document document, const QString &path, bool modified = false);
+    void newFile();
+    void addTest();
+    void renameTest();
+    void duplicateTest(bool withReadings);
+    void deleteTest();
+    [[nodiscard]] const Test *currentTest() const;
+    void fileChangedOutside();
+    void reload();
     void showError(const QString &title, const QString &fileName, const Error &error);
     void fillRecentMenu();
     void fillExamplesMenu();
@@ -66,17 +84,23 @@ private:
     void remember();
     void setEdition(std::size_t test, const QString &edition);
     void showReport();
+    void showFeed();
     void about();
     void retranslate();
 
     DocumentModel m_model;
     Evaluator m_evaluator;
+    Autosave m_autosave{m_model};
+    FileWatch m_watch;
     QThreadPool m_reader;
     int m_reading = 0; ///< number of the latest file being read
     bool m_open = false;
     bool m_rememberNext = false;
     QString m_savedAt;
+    QString m_autosavedAt;
+    bool m_outsideAsked = false; ///< the user knows that the file is another
 
+    NoticeBar *m_notice;
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;
     Workplace *m_workplace;
@@ -87,11 +111,13 @@ private:
     QMenu *m_editMenu;
     QMenu *m_testMenu;
     QMenu *m_viewMenu;
+    QMenu *m_unitsMenu;
     QMenu *m_helpMenu;
     QLabel *m_content;
     QLabel *m_hint;
     QLabel *m_state;
 
+    QAction *m_newAction;
     QAction *m_openAction;
     QAction *m_saveAction;
     QAction *m_saveAsAction;
@@ -101,14 +127,22 @@ private:
     QAction *m_quitAction;
     QAction *m_undoAction;
     QAction *m_redoAction;
+    QAction *m_addTestAction;
+    QAction *m_renameTestAction;
+    QAction *m_duplicateTestAction;
+    QAction *m_repeatTestAction;
+    QAction *m_deleteTestAction;
     QAction *m_previousTestAction;
     QAction *m_nextTestAction;
     QAction *m_setEditionAction;
     QAction *m_ownEditionAction;
+    QAction *m_feedAction;
     std::array<QAction *, 4> m_pageActions{};
     QAction *m_nextMissingAction;
     QAction *m_previousMissingAction;
     QAction *m_maximiseAction;
+    std::array<QAction *, 3> m_lengthActions{};
+    std::array<QAction *, 2> m_angleActions{};
     QAction *m_frenchAction;
     QAction *m_englishAction;
     QAction *m_aboutAction;

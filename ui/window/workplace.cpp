@@ -1,11 +1,15 @@
 #include "ui/window/workplace.h"
 
+#include "editing/measuringcycle.h"
+#include "ui/circles/arctexts.h"
+#include "ui/circles/circlespage.h"
 #include "ui/figures/figureview.h"
 #include "ui/forms/agreedpointspage.h"
 #include "ui/forms/conditionspage.h"
 #include "ui/forms/limitspage.h"
 #include "ui/forms/reportpages.h"
 #include "ui/navigation/navigationlist.h"
+#include "ui/readings/keyhints.h"
 #include "ui/readings/readingspage.h"
 #include "ui/readings/targetcard.h"
 #include "ui/results/explanationcard.h"
@@ -22,6 +26,7 @@
 #include <QFrame>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -38,6 +43,7 @@ constexpr int stackedBelow = 1000;
 // Heights of the workplace; menu, toolbar and status bar take 99 of the window's.
 constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
+constexpr int noKeysBelow = 740 - 99;
 
 constexpr std::array testPages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
 
@@ -48,11 +54,14 @@ int tabOf(Page page) {
 
 } // namespace
 
-Workplace::Workplace(QWidget *parent)
+Workplace::Workplace(DocumentModel &model, QWidget *parent)
     : QWidget(parent)
+    , m_model(model)
     , m_outer(new ThinSplitter(Qt::Horizontal, this))
     , m_inner(new ThinSplitter(Qt::Horizontal, m_outer))
-    , m_navigation(new NavigationList(m_navigationModel, m_outer)) {
+    , m_side(new QWidget(m_outer))
+    , m_navigation(new NavigationList(m_navigationModel, m_side))
+    , m_addTest(new QToolButton(m_side)) {
     setObjectName(QStringLiteral("workplace"));
     m_centre = makeCentre();
     m_right = static_cast<RightSide *>(makeRight());
@@ -60,7 +69,18 @@ Workplace::Workplace(QWidget *parent)
     m_inner->addWidget(m_right);
     m_inner->setStretchFactor(0, 1);
     m_inner->setStretchFactor(1, 0);
-    m_outer->addWidget(m_navigation);
+    m_addTest->setObjectName(QStringLiteral("addTestButton"));
+    m_addTest->setIcon(lineIcon(QStringLiteral("plus")));
+    m_addTest->setPopupMode(QToolButton::InstantPopup);
+    m_addTest->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_addTest->setFocusPolicy(Qt::TabFocus);
+    m_addTest->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    auto *sideColumn = new QVBoxLayout(m_side);
+    sideColumn->setContentsMargins(0, 0, 0, 4);
+    sideColumn->setSpacing(4);
+    sideColumn->addWidget(m_navigation, 1);
+    sideColumn->addWidget(m_addTest);
+    m_outer->addWidget(m_side);
     m_outer->addWidget(m_inner);
     m_outer->setStretchFactor(0, 0);
     m_outer->setStretchFactor(1, 1);
@@ -84,13 +104,17 @@ QWidget *Workplace::makeCentre() {
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->addTab(QString());
     m_pages = new QStackedWidget(centre);
-    m_readings = new ReadingsPage(m_selection, m_pages);
-    m_conditions = new ConditionsPage(m_selection, m_pages);
-    m_agreedPoints = new AgreedPointsPage(m_selection, m_pages);
-    m_limits = new LimitsPage(m_selection, m_pages);
-    m_reportPages = new ReportPages(m_pages);
-    for (QWidget *page :
-         std::initializer_list<QWidget *>{m_readings, m_conditions, m_agreedPoints, m_limits, m_reportPages})
+    m_readingPages = new QStackedWidget(m_pages);
+    m_readings = new ReadingsPage(m_model, m_selection, m_readingPages);
+    m_circles = new CirclesPage(m_model, m_selection, m_readingPages);
+    m_readingPages->addWidget(m_readings);
+    m_readingPages->addWidget(m_circles);
+    m_conditions = new ConditionsPage(m_model, m_selection, m_pages);
+    m_agreedPoints = new AgreedPointsPage(m_model, m_selection, m_pages);
+    m_limits = new LimitsPage(m_model, m_selection, m_pages);
+    m_reportPages = new ReportPages(m_model, m_selection, m_pages);
+    for (QWidget *page : std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints,
+                                                          m_limits, m_reportPages})
         m_pages->addWidget(page);
     auto *card = new QFrame(centre);
     m_card = card;
@@ -101,6 +125,7 @@ QWidget *Workplace::makeCentre() {
     cardLayout->setContentsMargins(0, 0, 0, 0);
     cardLayout->addWidget(m_target);
     cardLayout->addWidget(m_explanation);
+    m_keys = new KeyHints(centre);
     card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 
     auto *tabRow = new QHBoxLayout;
@@ -117,6 +142,7 @@ QWidget *Workplace::makeCentre() {
     column->addWidget(line);
     column->addWidget(m_pages, 1);
     column->addWidget(m_card);
+    column->addWidget(m_keys);
     return centre;
 }
 
@@ -158,6 +184,9 @@ void Workplace::connectParts() {
         showPage(page);
         m_selection.setField(id);
     });
+    for (Form *form : std::initializer_list<Form *>{m_conditions, m_limits})
+        connect(form, &Form::nextWanted, this, [this] { showNextMissing(true); });
+    connect(m_reportPages, &ReportPages::nextWanted, this, [this] { showNextMissing(true); });
     connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
     connect(m_figure, &FigureView::maximiseWanted, this, [this] { setFigureMaximised(!m_maximised); });
     for (QSplitter *splitter : {m_outer, m_inner})
@@ -215,10 +244,14 @@ void Workplace::presentTest() {
     if (test >= m_evaluated.tests.size())
         return;
     m_readings->show(m_evaluated, test);
+    m_circles->show(m_evaluated, test);
+    const bool circular = isCircular();
+    m_readingPages->setCurrentWidget(circular ? static_cast<QWidget *>(m_circles) : m_readings);
     m_conditions->show(m_evaluated, test);
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
     m_target->show(m_evaluated, test);
+    m_keys->show(m_evaluated, test);
     m_explanation->show(m_evaluated, test);
     m_figure->show(m_evaluated, test);
     if (m_detachedFigure)
@@ -258,10 +291,12 @@ void Workplace::presentPage() {
 
 void Workplace::presentCard() {
     const bool explains = !m_selection.parameter().isEmpty();
-    const bool wanted = explains || m_selection.page() == Page::readings;
+    const bool wanted = explains || (m_selection.page() == Page::readings && !isCircular());
     m_explanation->setVisible(explains);
     m_target->setVisible(!explains);
     m_card->setVisible(wanted && (explains || height() >= noCardBelow) && !m_maximised);
+    m_keys->setVisible(m_selection.page() == Page::readings && !isCircular() && height() >= noKeysBelow &&
+                       !m_maximised);
 }
 
 void Workplace::presentStatus() {
@@ -269,6 +304,8 @@ void Workplace::presentStatus() {
     if (index >= m_evaluated.tests.size())
         return;
     const Test &test = *m_evaluated.document->tests[index];
+    if (const auto *circles = std::get_if<CircularMeasurement>(&test.measurement))
+        return presentCircularStatus(*circles);
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     if (!measurement) {
         emit contentChanged({});
@@ -292,10 +329,27 @@ void Workplace::presentStatus() {
     const auto quantity =
         measurement->axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
     const auto &value = run.deviations[place->target];
-    emit hintChanged(tr("target %1, run %2 %3: %4")
-                         .arg(place->target + 1)
-                         .arg(count)
-                         .arg(arrow, value ? windowLanguage().quantity(*value, quantity) : tr("no reading")));
+    QString hint = tr("target %1, run %2 %3: %4")
+                       .arg(place->target + 1)
+                       .arg(count)
+                       .arg(arrow, value ? windowLanguage().quantity(*value, quantity) : tr("no reading"));
+    if (const auto next = nextInCycle(*measurement, *place); next && !m_selection.hovered())
+        hint += QStringLiteral(" · ") + tr("next: target %1").arg(next->target + 1);
+    emit hintChanged(hint);
+}
+
+void Workplace::presentCircularStatus(const CircularMeasurement &measurement) {
+    std::size_t points = 0;
+    for (const Arc &arc : measurement.arcs)
+        points += arc.angles.size();
+    emit contentChanged(
+        tr("%n arc(s)", nullptr, static_cast<int>(measurement.arcs.size())) + QStringLiteral(" · ") +
+        tr("%1 points").arg(windowLanguage().number(static_cast<double>(points), Quantity::count, 0)));
+    const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
+    const bool exists = place && place->run < measurement.arcs.size() &&
+                        place->target < measurement.arcs[place->run].angles.size();
+    emit hintChanged(exists ? pointText(measurement, place->run, place->target, windowLanguage())
+                            : QString());
 }
 
 bool Workplace::showNextMissing(bool forward) {
@@ -326,11 +380,29 @@ bool Workplace::showNextMissing(bool forward) {
     return true;
 }
 
+void Workplace::setTestActions(const QList<QAction *> &add, const QList<QAction *> &change) {
+    m_addTest->addActions(add);
+    m_navigation->addActions(change);
+    m_navigation->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void Workplace::beginTyping() {
+    const std::size_t test = m_selection.test();
+    if (test >= m_evaluated.tests.size())
+        return;
+    showPage(Page::readings);
+    const auto *measurement =
+        std::get_if<PositioningMeasurement>(&m_evaluated.document->tests[test]->measurement);
+    if (measurement)
+        m_selection.setReading(firstMissing(*measurement));
+    m_readings->setFocus();
+}
+
 void Workplace::setFigureMaximised(bool maximised) {
     if (m_maximised == maximised)
         return;
     m_maximised = maximised;
-    m_navigation->setVisible(!maximised);
+    m_side->setVisible(!maximised);
     m_centre->setVisible(!maximised);
     m_right->setMaximised(maximised);
     presentCard();
@@ -344,10 +416,11 @@ void Workplace::resizeEvent(QResizeEvent *event) {
 void Workplace::arrange() {
     const bool rail = width() < railBelow;
     const bool stacked = width() < stackedBelow;
-    if (rail != m_navigation->isRail() || m_navigation->maximumWidth() > NavigationList::fullWidth * 2) {
+    if (rail != m_navigation->isRail() || m_side->maximumWidth() > NavigationList::fullWidth * 2) {
         m_navigation->setRail(rail);
-        m_navigation->setMinimumWidth(rail ? NavigationList::railWidth : 120);
-        m_navigation->setMaximumWidth(rail ? NavigationList::railWidth : NavigationList::fullWidth * 2);
+        m_addTest->setToolButtonStyle(rail ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+        m_side->setMinimumWidth(rail ? NavigationList::railWidth : 120);
+        m_side->setMaximumWidth(rail ? NavigationList::railWidth : NavigationList::fullWidth * 2);
         m_outer->setSizes({rail ? NavigationList::railWidth : NavigationList::fullWidth, width()});
     }
     m_results->setNarrow(rail);
@@ -362,11 +435,14 @@ void Workplace::arrange() {
     presentCard();
 }
 
-QString Workplace::sizesKey() const {
+bool Workplace::isCircular() const {
     const std::size_t test = m_selection.test();
-    const bool circular =
-        test < m_evaluated.tests.size() &&
-        std::holds_alternative<CircularMeasurement>(m_evaluated.document->tests[test]->measurement);
+    return test < m_evaluated.tests.size() &&
+           std::holds_alternative<CircularMeasurement>(m_evaluated.document->tests[test]->measurement);
+}
+
+QString Workplace::sizesKey() const {
+    const bool circular = isCircular();
     return QStringLiteral("sizes/%1%2")
         .arg(circular ? QStringLiteral("circular") : QStringLiteral("positioning"),
              m_right->isTabbed() ? QStringLiteral("-stacked") : QString());
@@ -405,6 +481,9 @@ void Workplace::changeEvent(QEvent *event) {
 
 void Workplace::retranslate() {
     setAccessibleName(tr("Test report"));
+    m_addTest->setText(tr("Test"));
+    m_addTest->setToolTip(tr("Add a test"));
+    m_addTest->setAccessibleName(tr("Add a test"));
     m_tabs->setAccessibleName(tr("Pages of the test"));
     m_tabs->setTabText(0, tr("&Readings"));
     m_tabs->setTabText(1, tr("&Conditions"));
@@ -412,10 +491,12 @@ void Workplace::retranslate() {
     m_tabs->setTabText(3, tr("&Limits"));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
+    m_circles->setLanguage(language);
     m_conditions->setLanguage(language);
     m_agreedPoints->setLanguage(language);
     m_limits->setLanguage(language);
     m_target->setLanguage(language);
+    m_keys->setLanguage(language);
     m_explanation->setLanguage(language);
     m_figure->setLanguage(language);
     if (m_detachedFigure)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
 #include "ui/navigation/navigationmodel.h"
 
@@ -10,14 +11,18 @@
 class QFrame;
 class QSplitter;
 class QStackedWidget;
+class QToolButton;
 
 namespace palmer::ui {
 
 class AgreedPointsPage;
+class CirclesPage;
 class ConditionsPage;
+class DocumentModel;
 class ExplanationCard;
 class FigureView;
 class FindingsPanel;
+class KeyHints;
 class LimitsPage;
 class NavigationList;
 class PageTabs;
@@ -34,9 +39,10 @@ class Workplace : public QWidget {
     Q_OBJECT
 
 public:
-    explicit Workplace(QWidget *parent = nullptr);
+    explicit Workplace(DocumentModel &model, QWidget *parent = nullptr);
 
     [[nodiscard]] Selection &selection() { return m_selection; }
+    [[nodiscard]] ReadingsPage &readings() { return *m_readings; }
 
     /// Shows the document, keeping what is chosen where it still exists.
     void show(const EvaluatedDocument &evaluated);
@@ -44,6 +50,12 @@ public:
     /// Brings a page of the report, or of the current test, into view.
     void showPage(Page page);
     void showTest(std::size_t test);
+
+    /// What the button "+ Test" offers, and the menu of a test in the navigation.
+    void setTestActions(const QList<QAction *> &add, const QList<QAction *> &change);
+
+    /// Puts the keyboard on the first reading that is missing.
+    void beginTyping();
 
     void setFigureMaximised(bool maximised);
     [[nodiscard]] bool isFigureMaximised() const { return m_maximised; }
@@ -72,30 +84,38 @@ private:
     void presentPage();
     void presentCard();
     void presentStatus();
+    void presentCircularStatus(const CircularMeasurement &measurement);
     void arrange();
     void restoreSizes();
     void keepSizes() const;
     void retranslate();
+    [[nodiscard]] bool isCircular() const; ///< the test in view
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] bool isReportPage() const;
 
+    DocumentModel &m_model;
     Selection m_selection;
     NavigationModel m_navigationModel;
     EvaluatedDocument m_evaluated;
 
     QSplitter *m_outer;
     QSplitter *m_inner;
+    QWidget *m_side; ///< navigation with the button below
     NavigationList *m_navigation;
+    QToolButton *m_addTest;
     TestHead *m_head;
     PageTabs *m_tabs;
     QStackedWidget *m_pages;
+    QStackedWidget *m_readingPages; ///< by the kind of test
     ReadingsPage *m_readings;
+    CirclesPage *m_circles;
     ConditionsPage *m_conditions;
     AgreedPointsPage *m_agreedPoints;
     LimitsPage *m_limits;
     ReportPages *m_reportPages;
     QWidget *m_card;
     TargetCard *m_target;
+    KeyHints *m_keys;
     ExplanationCard *m_explanation;
     QWidget *m_centre;
     RightSide *m_right;

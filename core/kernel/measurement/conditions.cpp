@@ -1,5 +1,8 @@
 #include "kernel/measurement/conditions.h"
 
+#include <algorithm>
+#include <deque>
+
 namespace palmer {
 
 std::optional<double> startTemperature(const Sensor &sensor) {
@@ -32,6 +35,32 @@ std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasur
         ++count;
     }
     return count ? std::optional(sum / count) : std::nullopt;
+}
+
+std::optional<double> gradientPerHour(const TemperatureSeries &series) {
+    const std::vector<double> &t = series.times;
+    const std::vector<double> &value = series.temperatures;
+    constexpr double hour = 3600;
+    if (t.empty() || t.back() - t.front() < hour)
+        return std::nullopt;
+    // Extremes of a window that slides: indexes whose values fall (rise) from the front to the back.
+    std::deque<std::size_t> highest;
+    std::deque<std::size_t> lowest;
+    double largest = 0;
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        while (!highest.empty() && value[highest.back()] <= value[i])
+            highest.pop_back();
+        while (!lowest.empty() && value[lowest.back()] >= value[i])
+            lowest.pop_back();
+        highest.push_back(i);
+        lowest.push_back(i);
+        while (t[i] - t[highest.front()] > hour)
+            highest.pop_front();
+        while (t[i] - t[lowest.front()] > hour)
+            lowest.pop_front();
+        largest = std::max(largest, value[highest.front()] - value[lowest.front()]);
+    }
+    return largest;
 }
 
 } // namespace palmer

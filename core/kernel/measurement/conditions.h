@@ -106,4 +106,8 @@ struct CircularConditions {
 [[nodiscard]] std::optional<double> startTemperature(const Sensor &sensor);
 [[nodiscard]] std::optional<double> endTemperature(const Sensor &sensor);
 
+/// The largest change of temperature within an hour, °C/h: highest − lowest of any window of one hour, so
+/// that noise is not magnified by short steps. Times ascend. Null for a series shorter than an hour.
+[[nodiscard]] std::optional<double> gradientPerHour(const TemperatureSeries &series);
+
 } // namespace palmer

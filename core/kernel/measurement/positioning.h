@@ -45,6 +45,17 @@ struct ExcludedReading {
     bool operator==(const ExcludedReading &) const = default;
 };
 
+/// What was typed in the place of a reading and is no number: shown, and missing in every statistic. Run and
+/// target count from 1; the place itself is null in the run. In the file it stands in the extensions of the
+/// test, as "refusedReadings".
+struct RefusedReading {
+    int run = 1;
+    int target = 1;
+    std::string text; ///< as it was typed, UTF-8
+
+    bool operator==(const RefusedReading &) const = default;
+};
+
 /// A positioning test as measured (ISO 230-2): the axis, the targets, the runs in the order of time.
 struct PositioningMeasurement {
     Axis axis;
@@ -55,6 +66,7 @@ struct PositioningMeasurement {
     TargetChoice targetChoice;
     std::vector<Run> runs;
     std::vector<ExcludedReading> excluded;
+    std::vector<RefusedReading> refused;
     PositioningConditions conditions;
     PositioningUncertaintyInputs uncertainty;
 

@@ -205,8 +205,9 @@ private slots:
         row("typing error in an obligatory key", positioningFile(R"("targest": [], "runs": [])"), content,
             "tests[0].targest", unknownKey);
         row("unknown key in a run",
-            positioningFile(R"("targets": [], "runs": [{"approach": "positive", "deviations": [], "deviation": []}])"), content,
-            "tests[0].runs[0].deviation", unknownKey);
+            positioningFile(
+                R"("targets": [], "runs": [{"approach": "positive", "deviations": [], "deviation": []}])"),
+            content, "tests[0].runs[0].deviation", unknownKey);
         row("key of the other kind", circularFile(R"("arcs": [], "cycle": "step")"), content,
             "tests[0].cycle", unknownKey);
         row("edition of a drift test",
@@ -224,8 +225,8 @@ private slots:
             content, "tests[0]", "the key “%1” is missing");
         row("missing targets", positioningFile(R"("runs": [])"), content, "tests[0]",
             "the key “%1” is missing");
-        row("missing deviations", positioningFile(R"("targets": [], "runs": [{"approach": "positive"}])"), content,
-            "tests[0].runs[0]", "the key “%1” is missing");
+        row("missing deviations", positioningFile(R"("targets": [], "runs": [{"approach": "positive"}])"),
+            content, "tests[0].runs[0]", "the key “%1” is missing");
 
         row("unknown word", positioningFile(noReadings + R"(, "cycle": "steps")"), content, "tests[0].cycle",
             "unknown word “%1”; expected one of: %2");
@@ -274,13 +275,17 @@ private slots:
 
         row("targets that do not ascend", positioningFile(R"("targets": [0, 2, 2], "runs": [])"), content,
             "tests[0].targets[2]", "expected targets that ascend strictly");
-        row("too few deviations", positioningFile(R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [0]}])"),
+        row("too few deviations",
+            positioningFile(R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [0]}])"),
             content, "tests[0].runs[0].deviations", "number of values found: %1; expected: %2");
-        row("too many deviations", positioningFile(R"("targets": [0], "runs": [{"approach": "positive", "deviations": [0, 0]}])"),
+        row("too many deviations",
+            positioningFile(R"("targets": [0], "runs": [{"approach": "positive", "deviations": [0, 0]}])"),
             content, "tests[0].runs[0].deviations", "number of values found: %1; expected: %2");
-        row("arc of unequal lists", circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0, 1], "radialDeviations": [0]}])"),
+        row("arc of unequal lists",
+            circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0, 1], "radialDeviations": [0]}])"),
             content, "tests[0].arcs[0].radialDeviations", "number of values found: %1; expected: %2");
-        row("null in an arc", circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0], "radialDeviations": [null]}])"),
+        row("null in an arc",
+            circularFile(R"("arcs": [{"sense": "clockwise", "angles": [0], "radialDeviations": [null]}])"),
             content, "tests[0].arcs[0].radialDeviations[0]", "expected a number");
         row("drift of unequal lists",
             head + R"(, "tests": [{"kind": "drift", "times": [0], "deviations": []}]})", content,

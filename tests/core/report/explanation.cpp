@@ -3,6 +3,7 @@
 #include "core/kernel/evaluation/positioningdata.h"
 
 #include <QTest>
+#include <cmath>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -29,6 +30,36 @@ QString steps(const Explanation &explanation) {
 }
 
 } // namespace
+
+/// 36 points a sense on R 100: +3 µm at 0° and 180°, −2 µm at ±90°, clockwise 1 µm less; hence G = 5 µm about
+/// the programmed centre, exactly.
+Test fourLobes(CorrectionTo20 correction = CorrectionTo20::appliedHere) {
+    CircularMeasurement m;
+    m.plane = {"X", "Y"};
+    m.nominalRadius = 100;
+    m.referenceLength.calibrated = true;
+    for (const Sense sense : {Sense::counterclockwise, Sense::clockwise}) {
+        const bool clockwise = sense == Sense::clockwise;
+        Arc arc{sense, AngleReference::polar, {}, {}, {}, {}};
+        for (int i = 0; i < 36; ++i) {
+            arc.angles.push_back((clockwise ? -10.0 : 10.0) * i);
+            arc.radialDeviations.push_back((i % 18 == 0   ? 3e-3
+                                            : i % 18 == 9 ? -2e-3
+                                                          : 0) -
+                                           (clockwise ? 1e-3 : 0));
+        }
+        m.arcs.push_back(std::move(arc));
+    }
+    Conditions &conditions = m.conditions.common;
+    conditions.sensors = {{SensorMeasures::machine, "", 21.0, 21.0, {}},
+                          {SensorMeasures::instrument, "", 20.5, 20.5, {}}};
+    conditions.expansion = {10.0, 2.0};
+    conditions.correctionTo20 = correction;
+    Test test;
+    test.edition = "ISO 230-4:2005";
+    test.measurement = std::move(m);
+    return test;
+}
 
 /// Formula, numbers put in and clauses of the parameters.
 class ExplanationTest : public QObject {
@@ -172,6 +203,113 @@ private slots:
         QVERIFY(shown.steps.empty());
         QVERIFY(shown.result.isEmpty());
         QVERIFY2(shown.words.join(u' ').contains(u"2↓"_s), qPrintable(shown.words.join(u' ')));
+    }
+
+    void circles_data() {
+        QTest::addColumn<QByteArray>("id");
+        QTest::addColumn<QString>("formula");
+        QTest::addColumn<QString>("expected");
+        QTest::addColumn<QString>("source");
+        const auto row = [](const char *name, const char *id, const QString &formula, const QString &expected,
+                            const char *clause) {
+            QTest::newRow(name) << QByteArray(id) << formula << expected
+                                << u"ISO 230-4:2005, clause "_s + QString::fromUtf8(clause);
+        };
+        // C = 100·[2·0.5 − 10·1]/1000 µm
+        const QString c =
+            u"C = R·[αi·(Ti − 20) − αm·(Tm − 20)] = 100·[2·(20.5 − 20) − 10·(21 − 20)]/1000 = "_s
+            u"−0.90\u00a0µm\n"_s;
+        row("of a path", "G_XY", u"GXY = max r − min r"_s,
+            u"GXY = (max r − R) − (min r − R) = 3.00 − (−2.00) = 5.00\u00a0µm"_s, "3.4");
+        row("of the pair", "G(b)_XY", u"G(b)XY = max r − min r"_s,
+            u"G(b)XY = (max r − R) − (min r − R) = 3.00 − (−3.00) = 6.00\u00a0µm"_s, "3.3");
+        row("Fmax", "Fmax_XY", u"Fmax,XY = max r − R + C"_s,
+            c + u"Fmax,XY = (max r − R) + C = 3.00 + (−0.90) = 2.10\u00a0µm"_s, "3.5");
+        row("Fmin", "Fmin_YX", u"Fmin,YX = min r − R + C"_s,
+            c + u"Fmin,YX = (min r − R) + C = −3.00 + (−0.90) = −3.90\u00a0µm"_s, "3.5");
+        // both mean deviations: 2·(3 − 2)/36 and the same − 1
+        row("D", "D_XY", u"DXY = RLSC − R + C"_s,
+            c + u"DXY = (RLSC − R) + C = −0.44 + (−0.90) = −1.34\u00a0µm"_s, "3.6");
+    }
+    void circles() {
+        QFETCH(QByteArray, id);
+        const Explanation explanation = explained(fourLobes(), id);
+        QTEST(explanation.formula.plain(), "formula");
+        QTEST(steps(explanation), "expected");
+        QTEST(explanation.source, "source");
+        QVERIFY(explanation.ruling.empty() && !explanation.bars);
+    }
+
+    void pointsThatRuleACircle() {
+        const Explanation path = explained(fourLobes(), "G_XY");
+        QStringList places;
+        for (const RulingPoint &point : path.points)
+            places
+                << QStringLiteral("%1 %2 %3").arg(point.path).arg(std::round(point.angle)).arg(point.outer);
+        places.sort();
+        QCOMPARE(places.join(u", "_s).replace(u"-180"_s, u"180"_s), u"XY -90 0, XY 0 1, XY 180 1, XY 90 0"_s);
+        QVERIFY2(path.words.contains(u"Proven: no narrower pair of circles holds all points."_s),
+                 qPrintable(path.words.join(u'\n')));
+        // Only the largest deviation rules Fmax, only the smallest Fmin.
+        for (const RulingPoint &point : explained(fourLobes(), "Fmax_XY").points)
+            QVERIFY(point.outer);
+        for (const RulingPoint &point : explained(fourLobes(), "Fmin_XY").points)
+            QVERIFY(!point.outer);
+        QVERIFY(explained(fourLobes(), "D_XY").points.empty());
+    }
+
+    void circlesInFrench() {
+        const Explanation g = explained(fourLobes(), "G_XY", Language::Id::french);
+        QCOMPARE(steps(g), u"GXY = (max r − R) − (min r − R) = 3,00 − (−2,00) = 5,00\u00a0µm"_s);
+        QCOMPARE(g.result, u"GXY = 5,00\u00a0µm"_s);
+        QVERIFY(g.words.join(u' ').contains(u"zone minimale"_s));
+    }
+
+    void meansOfTemperaturesAreShort() {
+        Test test = fourLobes();
+        // (20.6 + 20.8)/2 is 20.700000000000003 as a double.
+        auto &sensors = std::get<CircularMeasurement>(test.measurement).conditions.common.sensors;
+        sensors[0].start = 20.6;
+        sensors[0].end = 20.8;
+        const QString shown = steps(explained(test, "D_XY"));
+        QVERIFY2(shown.contains(u"10·(20.7 − 20)]"_s), qPrintable(shown));
+    }
+
+    void withoutCorrectionThereIsNone() {
+        const Explanation d = explained(fourLobes(CorrectionTo20::notApplied), "D_XY");
+        QCOMPARE(steps(d), u"DXY = (RLSC − R) = −0.44\u00a0µm"_s);
+        QVERIFY(d.words.contains(u"Not corrected to 20 °C."_s));
+    }
+
+    void everyResultOfACircleIsExplained() {
+        int count = 0;
+        for (const Edition *edition : editions()) {
+            if (edition->kind != Kind::circular)
+                continue;
+            for (const SignalSource source : {SignalSource::external, SignalSource::feedback}) {
+                Test test = fourLobes();
+                test.edition = edition->word;
+                std::get<CircularMeasurement>(test.measurement).source = source;
+                const EvaluatedDocument evaluated = evaluatedDocument(test);
+                for (const Parameter &parameter : evaluated.tests[0]->parameters) {
+                    const auto shown =
+                        explanation(evaluated, 0, parameterId(parameter), Language(Language::Id::french));
+                    const QByteArray where = QByteArray(edition->word) + ' ' + parameter.term.id;
+                    QVERIFY2(shown && !shown->steps.empty() && !shown->words.isEmpty(), where);
+                    QVERIFY2(!steps(*shown).contains(u'%') && !steps(*shown).contains(u'{'), where);
+                    ++count;
+                }
+            }
+        }
+        QCOMPARE(count, 8 + 3 + 8 + 3 + 7);
+    }
+
+    void ofACircleWithoutValueTheWordsSayWhy() {
+        Test test = fourLobes();
+        std::get<CircularMeasurement>(test.measurement).referenceLength.calibrated = false;
+        const Explanation d = explained(test, "D_XY");
+        QVERIFY(d.steps.empty() && d.result.isEmpty());
+        QVERIFY2(d.words.join(u' ').contains(u"not calibrated"_s), qPrintable(d.words.join(u' ')));
     }
 
     void nothingToExplain() {

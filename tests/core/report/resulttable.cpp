@@ -71,6 +71,36 @@ private slots:
         QCOMPARE(shown.coverage, u"k = 2"_s);
     }
 
+    void circlesSayTheirSense() {
+        CircularMeasurement m;
+        m.plane = {"X", "Y"};
+        m.nominalRadius = 100;
+        m.referenceLength.calibrated = true;
+        for (const Sense sense : {Sense::counterclockwise, Sense::clockwise}) {
+            Arc arc{sense, AngleReference::polar, {}, {}, {}, {}};
+            for (int i = 0; i < 12; ++i) {
+                arc.angles.push_back((sense == Sense::clockwise ? -30.0 : 30.0) * i);
+                arc.radialDeviations.push_back(1e-3 * (i % 3));
+            }
+            m.arcs.push_back(std::move(arc));
+        }
+        Test test;
+        test.edition = "ISO 230-4:2005";
+        test.measurement = m;
+        QStringList names;
+        for (const ResultLine &line : table(test).lines)
+            names << (line.isFirst ? u"— "_s : QString()) + line.id + u' ' + line.name +
+                         (line.main ? u"*"_s : QString());
+        QCOMPARE(names.join(u'\n'), u"— G(b)_XY bi-directional*\nG_XY anticlockwise*\nG_YX clockwise*\n"
+                                    "— D_XY mean radial*\n— Fmax_XY anticlockwise\nFmin_XY "
+                                    "anticlockwise\nFmax_YX clockwise\nFmin_YX clockwise"_s);
+        QCOMPARE(table(test).circle, u"MZC"_s);
+        m.referenceCircle = ReferenceCircle::leastSquares;
+        test.measurement = m;
+        QCOMPARE(table(test).circle, u"LSC"_s);
+        QVERIFY(table(decided()).circle.isEmpty());
+    }
+
     void verdicts() {
         const ResultTable shown = table(decided());
         QCOMPARE(line(shown, u"A"_s).verdict, Verdict::conforms);

@@ -1,6 +1,6 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "validation/validation.h"
+#include "validation/circlesets.h"
 
 #include <QFile>
 #include <QTest>
@@ -24,7 +24,9 @@ class ValidationTest : public QObject {
 private slots:
     void agreesWithAllReferenceData_data();
     void agreesWithAllReferenceData();
+    void agreesWithAllCircles();
     void seesADifference();
+    void coversAllEmbeddedData();
     void refusesOtherFiles();
 };
 
@@ -34,6 +36,9 @@ void ValidationTest::agreesWithAllReferenceData_data() {
     QTest::newRow("constructed") << 52;
     for (const char *name : {"mavro", "michelso", "numacc1", "numacc2", "numacc3", "numacc4"})
         QTest::newRow(qPrintable(QString("nist-strd-") + name)) << 2;
+    QTest::newRow("ballbar-pair") << 8;
+    QTest::newRow("circular-correction") << 3;
+    QTest::newRow("iso230-4-annex-c") << 2;
 }
 
 void ValidationTest::agreesWithAllReferenceData() {
@@ -45,6 +50,25 @@ void ValidationTest::agreesWithAllReferenceData() {
                                                comparison.symbol));
 }
 
+void ValidationTest::agreesWithAllCircles() {
+    const std::vector<SetValidation> sets = validateCircles();
+    QCOMPARE(sets.size(), std::size_t(2));
+    QCOMPARE(sets[0].comparisons.size(), std::size_t(30 * 4 - 1)); // one set has three points
+    QCOMPARE(sets[1].comparisons.size(), std::size_t(4 * 4));
+    for (const SetValidation &set : sets) {
+        QVERIFY(set.points);
+        for (const Comparison &comparison : set.comparisons)
+            QVERIFY2(comparison.agrees, qPrintable(comparison.of + ' ' + comparison.symbol));
+    }
+}
+
+void ValidationTest::coversAllEmbeddedData() {
+    const std::vector<SetValidation> all = validateAll();
+    QCOMPARE(all.size(), embeddedReferenceFiles().size() + 2);
+    for (const SetValidation &set : all)
+        QVERIFY2(set.agrees() && !set.comparisons.empty(), qPrintable(set.name));
+}
+
 void ValidationTest::seesADifference() {
     ReferenceSet set = embedded("constructed");
     set.expected.resize(1);
@@ -52,6 +76,14 @@ void ValidationTest::seesADifference() {
     QVERIFY(!validate(set).agrees());
     set.expected[0].edition = "ISO 230-2:2099";
     QVERIFY(!validate(set).agrees());
+    for (const char *name : {"ballbar-pair", "circular-correction", "iso230-4-annex-c"}) {
+        ReferenceSet circles = embedded(name);
+        circles.expected.back().value += 2 * circles.expected.back().tolerance;
+        QVERIFY2(!validate(circles).agrees(), name);
+    }
+    ReferenceSet noSuchTest = embedded("circular-correction");
+    noSuchTest.expected.back().test = 9;
+    QVERIFY(!validate(noSuchTest).agrees());
 }
 
 void ValidationTest::refusesOtherFiles() {

@@ -7,9 +7,24 @@
 #include "ui/forms/machinepage.h"
 #include "ui/results/chip.h"
 
+#include "ui/forms/templatebutton.h"
+#include "ui/model/documentmodel.h"
+#include "ui/model/editname.h"
+#include "ui/model/evaluator.h"
+#include "ui/model/templatestore.h"
+#include "ui/wheelguard.h"
+
+#include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QStandardPaths>
 #include <QTest>
 #include <QToolButton>
+#include <QUndoStack>
+#include <QWheelEvent>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -25,6 +40,75 @@ QList<Field *> fields(const QWidget &page, const QString &key) {
         if (field->edit()->objectName().startsWith(u"field."_s + key + u'.'))
             found << field;
     }
+    return found;
+}
+
+/// A page that edits a document, as in a window: what is typed is evaluated and shown again.
+template <class PageClass>
+struct Edited {
+    explicit Edited(Document document)
+        : page(model, selection) {
+        QObject::connect(&model, &DocumentModel::changed, &evaluator,
+                         [this] { evaluator.setDocument(model.document()); });
+        QObject::connect(&evaluator, &Evaluator::evaluated, &page,
+                         [this](const EvaluatedDocument &evaluated) { page.show(evaluated, 0); });
+        model.setDocument(std::move(document), {});
+        page.resize(600, 700);
+        page.QWidget::show();
+        page.activateWindow();
+        if (!QTest::qWaitForWindowActive(&page))
+            qFatal("the window does not become active");
+    }
+
+    /// The first field of that key, with the focus.
+    Field *enter(const QString &key, int index = 0) {
+        const QList<Field *> found = fields(page, key);
+        if (index >= found.size())
+            qFatal("no field %s", qPrintable(key));
+        found[index]->edit()->setFocus(Qt::TabFocusReason);
+        if (auto *line = qobject_cast<QLineEdit *>(found[index]->edit()))
+            line->selectAll();
+        return found[index];
+    }
+    void type(const QString &key, const QString &text, int index = 0) {
+        QWidget *field = enter(key, index)->edit();
+        for (const QChar c : text) { // QTest types ASCII only
+            QKeyEvent press(QEvent::KeyPress, 0, Qt::NoModifier, QString(c));
+            QApplication::sendEvent(field, &press);
+        }
+    }
+    const Test &test() { return *model.document()->tests.at(0); }
+    const PositioningConditions &conditions() {
+        return std::get<PositioningMeasurement>(test().measurement).conditions;
+    }
+
+    DocumentModel model;
+    Evaluator evaluator;
+    Selection selection;
+    PageClass page;
+};
+
+Document documentOf(const Test &test) {
+    Document document;
+    document.tests.push_back(std::make_shared<const Test>(test));
+    return document;
+}
+
+Document example() {
+    return documentOf(example1988("ISO 230-2:2006"));
+}
+
+/// Chooses the word of that index as a user does.
+void choose(Field *field, int index) {
+    auto *box = qobject_cast<QComboBox *>(field->edit());
+    box->setCurrentIndex(index);
+    emit box->activated(index);
+}
+
+QPushButton *button(QWidget &page, const char *name) {
+    auto *found = page.findChild<QPushButton *>(QLatin1StringView(name));
+    if (!found)
+        qFatal("no button %s", name);
     return found;
 }
 
@@ -44,12 +128,13 @@ private slots:
         conditions.common.toolOffset = {0.0, 0.0, 120.5};
         conditions.common.correctionTo20 = CorrectionTo20::appliedByInstrument;
         Selection selection;
-        ConditionsPage page(selection);
+        DocumentModel model;
+        ConditionsPage page(model, selection);
         page.setLanguage(Language(Language::Id::french));
         page.show(evaluatedDocument(test), 0);
         QCOMPARE(fields(page, u"airPressure"_s).at(0)->text(), u"1\u202f013"_s);
         QVERIFY(!fields(page, u"airPressure"_s).at(0)->isRequired());
-        QCOMPARE(fields(page, u"feed"_s).at(0)->text(), u"2\u202f000\u00a0mm/min"_s);
+        QCOMPARE(fields(page, u"feed"_s).at(0)->text(), u"2\u202f000"_s);
         QCOMPARE(fields(page, u"sensors"_s).at(0)->text(), u"20,6"_s);
         QCOMPARE(fields(page, u"sensors"_s).at(2)->text(), u"ceiling"_s);
         QCOMPARE(fields(page, u"toolOffset"_s).at(0)->text(), u"0"_s); // stated to be zero
@@ -59,7 +144,8 @@ private slots:
 
     void missingStatementsAreMarkedAndCounted() {
         Selection selection;
-        ConditionsPage page(selection);
+        DocumentModel model;
+        ConditionsPage page(model, selection);
         const EvaluatedDocument evaluated = evaluatedDocument(example1988("ISO 230-2:2006"));
         page.show(evaluated, 0);
         Field *humidity = fields(page, u"airHumidity"_s).at(0);
@@ -76,7 +162,8 @@ private slots:
 
     void aFindingLeadsToItsField() {
         Selection selection;
-        ConditionsPage page(selection);
+        DocumentModel model;
+        ConditionsPage page(model, selection);
         page.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
         page.resize(600, 400);
         page.setVisible(true);
@@ -89,10 +176,11 @@ private slots:
     void everyMissingStatementHasAField() {
         const EvaluatedDocument evaluated = evaluatedDocument(example1988("ISO 230-2:2006"));
         Selection selection;
-        ConditionsPage conditions(selection);
-        AgreedPointsPage points(selection);
-        MachinePage machine;
-        InstrumentsPage instruments;
+        DocumentModel model;
+        ConditionsPage conditions(model, selection);
+        AgreedPointsPage points(model, selection);
+        MachinePage machine(model, selection);
+        InstrumentsPage instruments(model, selection);
         for (Form *page : std::initializer_list<Form *>{&conditions, &machine, &instruments})
             page->show(evaluated, 0);
         points.show(evaluated, 0);
@@ -127,7 +215,8 @@ private slots:
         test.agreedPoints = {{"warmUp", AgreementState::agreed, "30 min"},
                              {"zone", AgreementState::notApplicable, ""}};
         Selection selection;
-        AgreedPointsPage page(selection);
+        DocumentModel model;
+        AgreedPointsPage page(model, selection);
         page.show(evaluatedDocument(test), 0);
         QCOMPARE(page.findChild<Chip *>(u"missingChip"_s)->text(), u"7 of 9 points not agreed"_s);
         QCOMPARE(page.findChild<QLineEdit *>(u"field.agreedPoints.warmUp"_s)->text(), u"30 min"_s);
@@ -145,7 +234,8 @@ private slots:
 
     void limits() {
         Selection selection;
-        LimitsPage page(selection);
+        DocumentModel model;
+        LimitsPage page(model, selection);
         Test test = decidedExample();
         test.limits["R"].source = "contract 12";
         page.setLanguage(Language(Language::Id::french));
@@ -175,7 +265,9 @@ private slots:
         document->machine.year = 2024;
         document->report.laboratory.name = "Métrologie du Rhône";
         const EvaluatedDocument evaluated = evaluate(std::move(document));
-        InstrumentsPage instruments;
+        DocumentModel model;
+        Selection selection;
+        InstrumentsPage instruments(model, selection);
         instruments.show(evaluated, 0);
         QCOMPARE(fields(instruments, u"serialNumber"_s).size(), 2);
         QCOMPARE(fields(instruments, u"serialNumber"_s).at(1)->text(), u"B-9"_s);
@@ -183,7 +275,7 @@ private slots:
         for (Field *field : instruments.findChildren<Field *>())
             texts << field->text();
         QVERIFY(texts.contains(u"0.01"_s)); // µm
-        IdentificationPage identification;
+        IdentificationPage identification(model, selection);
         identification.show(evaluated, 0);
         texts.clear();
         for (Field *field : identification.findChildren<Field *>())
@@ -191,11 +283,313 @@ private slots:
         QVERIFY(texts.contains(u"Métrologie du Rhône"_s));
     }
 
+    // ---- Editing
+
+    void aTypedFieldIsOneStep() {
+        Edited<ConditionsPage> edited(example());
+        const Document before = *edited.model.document();
+        edited.type(u"airPressure"_s, u"1 013,25"_s);
+        QCOMPARE(edited.conditions().airPressure, std::optional(1013.25));
+        QCOMPARE(edited.model.undoStack()->count(), 1);
+        QCOMPARE(editName(edited.model.undoStack()->undoText()), u"change “Air pressure”"_s);
+        edited.type(u"airHumidity"_s, u"48"_s);
+        QCOMPARE(edited.model.undoStack()->count(), 2);
+        QVERIFY(!fields(edited.page, u"airHumidity"_s).at(0)->isRequired());
+        edited.type(u"airPressure"_s, u"990"_s); // another visit
+        QCOMPARE(edited.model.undoStack()->count(), 3);
+        while (edited.model.undoStack()->canUndo())
+            edited.model.undoStack()->undo();
+        QVERIFY(*edited.model.document() == before);
+        QCOMPARE(fields(edited.page, u"airPressure"_s).at(0)->text(), QString());
+        while (edited.model.undoStack()->canRedo())
+            edited.model.undoStack()->redo();
+        QCOMPARE(edited.conditions().airPressure, std::optional(990.0));
+    }
+
+    void numbersInEitherDecimalMark_data() {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<double>("value");
+        QTest::newRow("a comma") << u"20,6"_s << 20.6;
+        QTest::newRow("a point") << u"20.6"_s << 20.6;
+        QTest::newRow("a minus of typography") << u"\u22123,5"_s << -3.5;
+        QTest::newRow("groups of thousands") << u"1 234,5"_s << 1234.5;
+    }
+    void numbersInEitherDecimalMark() {
+        QFETCH(QString, typed);
+        QFETCH(double, value);
+        for (const auto id : {Language::Id::english, Language::Id::french}) {
+            Edited<ConditionsPage> edited(example());
+            edited.page.setLanguage(Language(id));
+            edited.type(u"sensors"_s, typed);
+            const auto &sensors = edited.conditions().common.sensors;
+            QCOMPARE(sensors.size(), std::size_t(1));
+            QCOMPARE(sensors[0].measures, SensorMeasures::air);
+            QCOMPARE(sensors[0].start, std::optional(value));
+        }
+    }
+
+    void whatIsTypedStaysUntilTheFieldIsLeft() {
+        Edited<ConditionsPage> edited(example());
+        edited.page.setLanguage(Language(Language::Id::french));
+        Field *pressure = edited.enter(u"airPressure"_s);
+        QTest::keyClicks(pressure->edit(), u"1013."_s);
+        QCOMPARE(pressure->text(), u"1013."_s);
+        QTest::keyClicks(pressure->edit(), u"50"_s);
+        QCOMPARE(pressure->text(), u"1013.50"_s);
+        edited.enter(u"airHumidity"_s);
+        QCOMPARE(pressure->text(), u"1\u202f013,5"_s);
+    }
+
+    void noNumberStaysInRed() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).conditions.airPressure = 1013;
+        Edited<ConditionsPage> edited(documentOf(test));
+        edited.page.setLanguage(Language(Language::Id::english));
+        Field *pressure = edited.enter(u"airPressure"_s);
+        QTest::keyClicks(pressure->edit(), u"12O"_s);
+        QVERIFY(pressure->isRefused());
+        QCOMPARE(pressure->refusal(), u"Not a number; 1\u202f013\u00a0hPa kept."_s);
+        QCOMPARE(edited.conditions().airPressure, std::optional(1013.0));
+        edited.enter(u"airHumidity"_s);
+        QVERIFY(pressure->isRefused());
+        QCOMPARE(pressure->text(), u"12O"_s);
+        // Esc restores what was there when the focus came, now the kept value.
+        edited.enter(u"airPressure"_s);
+        QTest::keyClick(pressure->edit(), Qt::Key_Escape);
+        QVERIFY(!pressure->isRefused());
+        QCOMPARE(pressure->text(), u"1\u202f013"_s);
+        QVERIFY(!edited.model.undoStack()->canUndo());
+    }
+
+    void escapeTakesBackWhatWasTyped() {
+        Edited<ConditionsPage> edited(example());
+        const Document before = *edited.model.document();
+        Field *pressure = edited.enter(u"airPressure"_s);
+        QTest::keyClicks(pressure->edit(), u"990"_s);
+        QTest::keyClick(pressure->edit(), Qt::Key_Escape);
+        QVERIFY(*edited.model.document() == before);
+        QVERIFY(!edited.model.undoStack()->canUndo());
+    }
+
+    void undoOfAFieldIsTheWindows() {
+        Edited<ConditionsPage> edited(example());
+        Field *pressure = edited.enter(u"airPressure"_s);
+        QTest::keyClicks(pressure->edit(), u"990"_s);
+        QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+        undo.ignore();
+        QApplication::sendEvent(pressure->edit(), &undo);
+        QVERIFY(!undo.isAccepted()); // the shortcut of the window is taken instead
+        edited.model.undoStack()->undo();
+        QCOMPARE(pressure->text(), QString());
+        QTest::keyClicks(pressure->edit(), u"7"_s);
+        QCOMPARE(edited.conditions().airPressure, std::optional(7.0));
+    }
+
+    void wordsAreChosen() {
+        Edited<ConditionsPage> edited(example());
+        Field *correction = edited.enter(u"correctionTo20"_s);
+        QVERIFY(correction->isRequired());
+        choose(correction, 2);
+        QCOMPARE(edited.conditions().common.correctionTo20, CorrectionTo20::appliedByInstrument);
+        QVERIFY(!correction->isRequired());
+        choose(edited.enter(u"complete"_s), 1);
+        choose(edited.enter(u"levelled"_s), 2);
+        QCOMPARE(edited.conditions().common.complete, std::optional(true));
+        QCOMPARE(edited.conditions().common.levelled, std::optional(false));
+        choose(edited.enter(u"levelled"_s), 0);
+        QCOMPARE(edited.conditions().common.levelled, std::optional<bool>());
+        QCOMPARE(edited.model.undoStack()->count(), 4);
+    }
+
+    void theWheelChangesNoUnfocusedField() {
+        guardWheel(*qApp);
+        Edited<ConditionsPage> edited(example());
+        edited.enter(u"airPressure"_s);
+        const Document before = *edited.model.document();
+        auto *box = qobject_cast<QComboBox *>(fields(edited.page, u"complete"_s).at(0)->edit());
+        QWheelEvent wheel(QPointF(4, 4), box->mapToGlobal(QPointF(4, 4)), QPoint(), QPoint(0, -120),
+                          Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(box, &wheel);
+        QCOMPARE(box->currentIndex(), 0);
+        QVERIFY(*edited.model.document() == before);
+    }
+
+    void sensorsAreAddedAndRemoved() {
+        Edited<ConditionsPage> edited(example());
+        edited.type(u"sensors"_s, u"20.7"_s, 3); // machine, start
+        button(edited.page, "addMachineSensor")->click();
+        const auto &sensors = edited.conditions().common.sensors;
+        QCOMPARE(sensors.size(), std::size_t(2));
+        QCOMPARE(sensors[1].measures, SensorMeasures::machine);
+        QCOMPARE(fields(edited.page, u"sensors"_s).size(), 12);
+        edited.type(u"sensors"_s, u"column"_s, 8); // position of the second one
+        QCOMPARE(edited.conditions().common.sensors.at(1).position, std::string("column"));
+        edited.model.undoStack()->undo();
+        edited.model.undoStack()->undo();
+        QCOMPARE(edited.conditions().common.sensors.size(), std::size_t(1));
+        QCOMPARE(fields(edited.page, u"sensors"_s).size(), 9);
+        // What says nothing more goes.
+        Field *start = edited.enter(u"sensors"_s, 3);
+        QTest::keyClick(start->edit(), Qt::Key_Delete);
+        QVERIFY(edited.conditions().common.sensors.empty());
+    }
+
+    void datesAreReadInManyForms() {
+        Edited<ConditionsPage> edited(example());
+        edited.page.setLanguage(Language(Language::Id::english));
+        edited.type(u"date"_s, u"12.03.2026"_s);
+        QCOMPARE(edited.test().date, std::optional<std::string>("2026-03-12"));
+        edited.enter(u"airPressure"_s);
+        QCOMPARE(fields(edited.page, u"date"_s).at(0)->text(), u"12\u00a0March 2026"_s);
+        edited.type(u"date"_s, u"31.02.2026"_s);
+        QVERIFY(fields(edited.page, u"date"_s).at(0)->isRefused());
+        QCOMPARE(edited.test().date, std::optional<std::string>("2026-03-12"));
+    }
+
+    void turningTheAxisIntoARotaryOneChangesTheUnits() {
+        Edited<ConditionsPage> edited(example());
+        for (Field *field : edited.page.findChildren<Field *>()) {
+            if (field->edit()->accessibleName() == u"Motion"_s) {
+                choose(field, 1);
+                break;
+            }
+        }
+        const auto &axis = std::get<PositioningMeasurement>(edited.test().measurement).axis;
+        QCOMPARE(axis.motion, Motion::rotary);
+        QStringList units;
+        for (const QLabel *label : fields(edited.page, u"feed"_s).at(0)->findChildren<QLabel *>())
+            units << label->text();
+        QVERIFY(units.contains(u"°/min"_s));
+    }
+
+    void theFirstInstrumentIsThatOfTheTests() {
+        Edited<InstrumentsPage> edited(example());
+        edited.type(u"instruments"_s, u"laser"_s);
+        const auto &instruments = edited.model.document()->instruments;
+        QCOMPARE(instruments.size(), std::size_t(1));
+        QCOMPARE(instruments[0].description, std::string("laser"));
+        QCOMPARE(edited.test().instruments, std::vector{instruments[0].id});
+        QCOMPARE(edited.model.undoStack()->count(), 1);
+        edited.type(u"id"_s, u"xl80"_s);
+        QCOMPARE(edited.test().instruments, std::vector<std::string>{"xl80"});
+        button(edited.page, "addInstrument")->click();
+        QCOMPARE(fields(edited.page, u"serialNumber"_s).size(), 2);
+        edited.type(u"id"_s, u"xl80"_s, 1);
+        QVERIFY(fields(edited.page, u"id"_s).at(1)->isRefused());
+        button(edited.page, "removeInstrument0")->click();
+        QCOMPARE(edited.model.document()->instruments.size(), std::size_t(1));
+        QVERIFY(edited.test().instruments.empty());
+    }
+
+    void agreementsHaveThreeStates() {
+        Edited<AgreedPointsPage> edited(example());
+        auto *warmUp = edited.page.findChild<QLineEdit *>(u"field.agreedPoints.warmUp"_s);
+        warmUp->setFocus();
+        QTest::keyClicks(warmUp, u"30 min"_s);
+        QCOMPARE(edited.test().agreedPoints.size(), std::size_t(1));
+        QCOMPARE(edited.test().agreedPoints[0].text, std::string("30 min"));
+        QCOMPARE(edited.test().agreedPoints[0].state, AgreementState::agreed);
+        QCOMPARE(edited.model.undoStack()->count(), 1);
+        QTest::mouseClick(edited.page.findChild<QToolButton *>(u"state2.warmUp"_s), Qt::LeftButton);
+        QCOMPARE(edited.test().agreedPoints[0].state, AgreementState::notApplicable);
+        QTest::mouseClick(edited.page.findChild<QToolButton *>(u"state1.warmUp"_s), Qt::LeftButton);
+        QCOMPARE(edited.test().agreedPoints[0].state, AgreementState::notAgreed);
+        QVERIFY(edited.page.findChild<QToolButton *>(u"state1.warmUp"_s)->isChecked());
+        QVERIFY(!edited.page.findChild<QToolButton *>(u"state2.warmUp"_s)->isChecked());
+    }
+
+    void agreementsAreTakenFromTheConditions() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).conditions.dwell = 5;
+        Edited<AgreedPointsPage> edited(documentOf(test));
+        auto *take = button(edited.page, "take.dwell");
+        QVERIFY(take->isVisibleTo(&edited.page));
+        QVERIFY(!button(edited.page, "take.warmUp")->isVisibleTo(&edited.page));
+        take->click();
+        QCOMPARE(edited.test().agreedPoints.at(0).text, std::string("5\u00a0s"));
+        QCOMPARE(edited.test().agreedPoints.at(0).state, AgreementState::agreed);
+        QVERIFY(!take->isVisibleTo(&edited.page));
+    }
+
+    void limitsAreEntered() {
+        Edited<LimitsPage> edited(example());
+        edited.type(u"limits"_s, u"20,5"_s); // µm
+        QCOMPARE(edited.test().limits.at("A").value, std::optional(0.0205));
+        QCOMPARE(edited.test().limits.size(), std::size_t(1));
+        Field *limit = edited.enter(u"limits"_s);
+        QTest::keyClick(limit->edit(), Qt::Key_Delete);
+        QVERIFY(edited.test().limits.empty());
+        choose(edited.enter(u"decisionRule"_s), 1);
+        QCOMPARE(edited.test().decisionRule.rule, Rule::iso14253_1);
+        edited.type(u"guardFactor"_s, u"-1"_s);
+        QVERIFY(fields(edited.page, u"guardFactor"_s).at(0)->isRefused());
+        QCOMPARE(edited.test().decisionRule.guardFactor, 1.0);
+    }
+
+    void circlesHaveTheirOwnLimits() {
+        Test test;
+        test.edition = "ISO 230-4:2005";
+        test.measurement = CircularMeasurement();
+        Edited<LimitsPage> edited(documentOf(test));
+        QStringList names;
+        for (Field *field : fields(edited.page, u"limits"_s))
+            names << field->edit()->accessibleName();
+        QVERIFY(names.contains(u"Limit of F"_s));
+        QVERIFY(names.contains(u"Limit of G(b)"_s));
+        edited.type(u"limits"_s, u"30"_s, static_cast<int>(names.indexOf(u"Limit of G(b)"_s)));
+        QCOMPARE(edited.test().limits.at("G(b)").value, std::optional(0.03));
+    }
+
+    void theHeadOfTheReportIsEntered() {
+        Edited<IdentificationPage> edited(example());
+        for (Field *field : edited.page.findChildren<Field *>()) {
+            if (field->edit()->accessibleName() == u"Address"_s) {
+                field->edit()->setFocus();
+                QTest::keyClicks(field->edit(), u"1 rue de la Paix"_s);
+                QTest::keyClick(field->edit(), Qt::Key_Return);
+                QTest::keyClicks(field->edit(), u"69000 Lyon"_s);
+                break;
+            }
+        }
+        const ReportHead &head = edited.model.document()->report;
+        QCOMPARE(head.laboratory.address, std::string("1 rue de la Paix\n69000 Lyon"));
+        QCOMPARE(edited.model.undoStack()->count(), 1);
+        auto *customer = edited.page.findChild<QCheckBox *>(u"signs.Customer"_s);
+        QVERIFY(customer->isChecked());
+        customer->click();
+        QCOMPARE(edited.model.document()->report.signatures,
+                 (std::vector{Signer::operatorSigns, Signer::supplier}));
+    }
+
+    void templatesAreKeptAndApplied() {
+        QStandardPaths::setTestModeEnabled(true);
+        for (const StoredTemplate &stored : storedTemplates())
+            removeTemplate(stored);
+        Edited<MachinePage> edited(example());
+        edited.type(u"name"_s, u"DMU 50"_s);
+        auto *templates = edited.page.findChild<TemplateButton *>();
+        QVERIFY(templates);
+        storeTemplate(templates->current(u"ours"_s));
+        storeTemplate(templates->current(u"ours"_s)); // replaced, not doubled
+        const auto stored = storedTemplates();
+        QCOMPARE(stored.size(), std::size_t(1));
+        edited.type(u"name"_s, u"other"_s);
+        QVERIFY(templates->apply(stored[0].content));
+        QCOMPARE(edited.model.document()->machine.name, std::string("DMU 50"));
+        QCOMPARE(fields(edited.page, u"name"_s).at(0)->text(), u"DMU 50"_s);
+        edited.model.undoStack()->undo();
+        QCOMPARE(edited.model.document()->machine.name, std::string("other"));
+        QVERIFY(!templates->apply({"limits", LimitSet()})); // of another page
+        removeTemplate(stored[0]);
+        QVERIFY(storedTemplates().empty());
+    }
+
     void withoutTests() {
         Selection selection;
-        ConditionsPage conditions(selection);
-        AgreedPointsPage points(selection);
-        LimitsPage limits(selection);
+        DocumentModel model;
+        ConditionsPage conditions(model, selection);
+        AgreedPointsPage points(model, selection);
+        LimitsPage limits(model, selection);
         const EvaluatedDocument empty = evaluate(std::make_shared<Document>());
         conditions.show(empty, 0);
         points.show(empty, 0);

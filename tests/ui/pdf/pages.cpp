@@ -181,6 +181,8 @@ private slots:
     void extremeDocumentsStayInTheMargins_data();
     void extremeDocumentsStayInTheMargins();
     void numbersStandOnTheirDecimalMark();
+    void titlesStandInsideTheirHead();
+    void figuresStandBesideTheirParameters();
 };
 
 void PagesTest::emptyReportHasOnePage() {
@@ -356,6 +358,34 @@ void PagesTest::numbersStandOnTheirDecimalMark() {
     QVERIFY(std::abs(edges.at(u"−12.5"_s).second - mark - digit - place) < tolerance);
     QVERIFY(std::abs(edges.at(u"–"_s).second - place) < tolerance);
     QVERIFY(std::abs(edges.at(u"mm"_s).second - edges.at(u"1.25"_s).second) < tolerance);
+}
+
+void PagesTest::titlesStandInsideTheirHead() {
+    // The only unit stands in a column without title: the titles of the numbers still keep its line free.
+    Table table;
+    table.columns = {{QString(), u"unit"_s, Alignment::left, true, 60},
+                     {u"TITLE"_s, {}, Alignment::decimal, false, 30}};
+    table.rows.push_back({Cell(u"name"_s), Cell(u"1.5"_s)});
+    const auto words = placedWords(pdfOf(reportOfBlocks({Paragraph{u"above"_s}, table})));
+    const auto word = [&](const QString &text) { return *std::ranges::find(words, text, &PlacedWord::text); };
+    QVERIFY(word(u"TITLE"_s).top > word(u"above"_s).end);
+    QVERIFY(word(u"unit"_s).top > word(u"TITLE"_s).top);
+}
+
+void PagesTest::figuresStandBesideTheirParameters() {
+    for (const QString &name : {u"iso230-4-full-circles-xy"_s, u"iso230-4-partial-arc-zx"_s}) {
+        for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+            const auto words = placedWords(pdfOf(reportOf(storedDocument(name), language)));
+            const bool french = language == Language::Id::french;
+            const auto onPage = [&](const QString &text) {
+                return std::ranges::find(words, text, &PlacedWord::text)->page;
+            };
+            // Figure, results and verdict share the first page.
+            QCOMPARE(onPage(french ? u"grossissement"_s : u"magnification"_s), 1);
+            QCOMPARE(onPage(u"Compensation"_s), 1);
+            QCOMPARE(onPage(french ? u"CONFORME"_s : u"CONFORMS"_s), 1);
+        }
+    }
 }
 
 QTEST_MAIN(PagesTest)

@@ -22,7 +22,11 @@ inline const QStringList storedDocuments{u"iso230-2-1988-example"_s,
                                          u"one-direction"_s,
                                          u"one-direction-with-gaps"_s,
                                          u"rotary-axis"_s,
-                                         u"two-tests"_s};
+                                         u"two-tests"_s,
+                                         u"iso230-4-full-circles-xy"_s,
+                                         u"iso230-4-partial-arc-zx"_s,
+                                         u"iso230-4-feedback-yz"_s,
+                                         u"mixed"_s};
 
 inline Document storedDocument(const QString &name) {
     for (const QString &folder : {QStringLiteral(DOCUMENTS), QStringLiteral(EXAMPLES)}) {

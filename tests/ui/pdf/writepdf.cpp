@@ -39,25 +39,38 @@ std::map<QString, int> anchorPages(const Report &report, const QStringList &page
     return result;
 }
 
-/// What the report says, in the order it is drawn. The words of a figure are those of the figure as a file.
+/// The words of a figure are those of the figure as a file, which may be drawn in another order.
+QString drawnText(const FigureBlock &figure) {
+    const QString words = squeezed(pageText(Block(figure)));
+    QString drawn = squeezed(pageTexts(ui::figureAsPdf(figure.figure, u"figure"_s)).join(QString()));
+    QString sortedWords = words;
+    QString sortedDrawn = drawn;
+    std::sort(sortedWords.begin(), sortedWords.end());
+    std::sort(sortedDrawn.begin(), sortedDrawn.end());
+    if (sortedWords != sortedDrawn)
+        qFatal("the figure says %s, not %s", qPrintable(drawn), qPrintable(words));
+    return drawn;
+}
+
+/// What a block says, in the order it is drawn.
+QString drawnText(const Block &block) {
+    if (const auto *figure = std::get_if<FigureBlock>(&block))
+        return drawnText(*figure);
+    const auto *columns = std::get_if<SideBySide>(&block);
+    if (!columns)
+        return squeezed(pageText(block));
+    QString result;
+    for (const auto *side : {&columns->left, &columns->right}) {
+        for (const Part &part : *side)
+            result += std::visit([](const auto &each) { return drawnText(Block(each)); }, part);
+    }
+    return result;
+}
+
 QString expectedText(const Report &report) {
     QString result;
-    for (const Block &block : report.blocks) {
-        const QString words = squeezed(pageText(block));
-        const auto *figure = std::get_if<FigureBlock>(&block);
-        if (!figure) {
-            result += words;
-            continue;
-        }
-        QString drawn = squeezed(pageTexts(ui::figureAsPdf(figure->figure, u"figure"_s)).join(QString()));
-        QString sortedWords = words;
-        QString sortedDrawn = drawn;
-        std::sort(sortedWords.begin(), sortedWords.end());
-        std::sort(sortedDrawn.begin(), sortedDrawn.end());
-        if (sortedWords != sortedDrawn)
-            qFatal("the figure says %s, not %s", qPrintable(drawn), qPrintable(words));
-        result += drawn;
-    }
+    for (const Block &block : report.blocks)
+        result += drawnText(block);
     return result;
 }
 

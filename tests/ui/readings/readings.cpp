@@ -61,7 +61,8 @@ private slots:
 
     void hoverInTheTableTellsTheWindow() {
         Selection selection;
-        ReadingsPage page(selection);
+        DocumentModel model;
+        ReadingsPage page(model, selection);
         page.show(evaluatedDocument(example1988("ISO 230-2:1988")), 0);
         page.resize(900, 500);
         page.setVisible(true);
@@ -77,7 +78,8 @@ private slots:
 
     void hoverInTheFigureFramesTheCell() {
         Selection selection;
-        ReadingsPage page(selection);
+        DocumentModel model;
+        ReadingsPage page(model, selection);
         page.show(evaluatedDocument(example1988("ISO 230-2:1988")), 0);
         page.resize(900, 500);
         page.setVisible(true);
@@ -94,7 +96,8 @@ private slots:
 
     void currentCellIsTheReadingOfTheWindow() {
         Selection selection;
-        ReadingsPage page(selection);
+        DocumentModel model;
+        ReadingsPage page(model, selection);
         page.show(evaluatedDocument(example1988("ISO 230-2:1988")), 0);
         auto *view = page.findChild<QTableView *>(u"readings"_s);
         view->setCurrentIndex(view->model()->index(4, 2));
@@ -106,7 +109,8 @@ private slots:
 
     void selectionTellsMeanAndRange() {
         Selection selection;
-        ReadingsPage page(selection);
+        DocumentModel model;
+        ReadingsPage page(model, selection);
         page.show(evaluatedDocument(testdata::exactHand("ISO 230-2:2006")), 0);
         QSignalSpy spy(&page, &ReadingsPage::summaryChanged);
         auto *view = page.findChild<QTableView *>(u"readings"_s);
@@ -119,7 +123,8 @@ private slots:
 
     void switchesChangeTheDisplayOnly() {
         Selection selection;
-        ReadingsPage page(selection);
+        DocumentModel model;
+        ReadingsPage page(model, selection);
         const EvaluatedDocument evaluated = evaluatedDocument(example1988("ISO 230-2:1988"));
         const Test before = *evaluated.document->tests[0];
         page.show(evaluated, 0);
@@ -134,7 +139,8 @@ private slots:
 
     void numberAndTargetStayWhenScrolled() {
         Selection selection;
-        ReadingsPage page(selection);
+        DocumentModel model;
+        ReadingsPage page(model, selection);
         page.show(evaluatedDocument(largeTest()), 0);
         page.resize(600, 500);
         page.setVisible(true);

@@ -32,8 +32,9 @@ Sentence fiveApproaches(const PositioningCase &test); ///< ≥ 5 each way
 Sentence oneApproach(const PositioningCase &test);    ///< ≥ 1 each way
 Sentence fewReadings(const PositioningCase &test);    ///< missing readings, fewer than 5 left somewhere
 Sentence
-missingReadings(const PositioningCase &test);      ///< missing readings, 5 left everywhere (or no full test)
-Sentence unequalRuns(const PositioningCase &test); ///< as many runs up as down
+missingReadings(const PositioningCase &test); ///< missing readings, 5 left everywhere (or no full test)
+Sentence refusedReadings(const PositioningCase &test);  ///< none of them is a text that is no number
+Sentence unequalRuns(const PositioningCase &test);      ///< as many runs up as down
 Sentence excludedReadings(const PositioningCase &test); ///< none set aside
 Sentence excludedWithoutReason(const PositioningCase &test);
 Sentence rangeMethodElsewhere(const PositioningCase &test); ///< range method outside ISO 230-2:1988

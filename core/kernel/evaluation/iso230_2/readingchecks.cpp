@@ -114,6 +114,22 @@ Sentence missingReadings(const PositioningCase &test) {
     return gapMessage(list);
 }
 
+Sentence refusedReadings(const PositioningCase &test) {
+    const PositioningMeasurement &m = test.measurement;
+    NameList list;
+    for (const RefusedReading &reading : m.refused) {
+        const auto run = static_cast<std::size_t>(reading.run - 1);
+        if (run < m.runs.size())
+            list.add(readingName(m, run, static_cast<std::size_t>(reading.target - 1)) + " [" + reading.text +
+                     "]");
+    }
+    if (list.empty())
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "Readings that are no numbers (%n), hence missing: %1."),
+                   {list.text()},
+                   list.count()};
+}
+
 Sentence unequalRuns(const PositioningCase &test) {
     if (test.positiveRuns == test.negativeRuns || eachWay(test) == 0)
         return std::nullopt;
@@ -235,11 +251,12 @@ Sentence workedExample(const PositioningCase &test) {
     const auto published = [&](double micrometres, int decimals) {
         return deviation(test, micrometres / 1000, decimals);
     };
-    return Message{REPORT_TEXT("report", "Worked example of ISO 230-2:1988 (table 2): the position of the first "
-                                         "target and ten readings are stand-ins with the published mean and "
-                                         "s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ "
-                                         "(%3), R (%4), A (%5) and the values per target, never the single "
-                                         "readings."),
+    return Message{REPORT_TEXT("report",
+                               "Worked example of ISO 230-2:1988 (table 2): the position of the first "
+                               "target and ten readings are stand-ins with the published mean and "
+                               "s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ "
+                               "(%3), R (%4), A (%5) and the values per target, never the single "
+                               "readings."),
                    {published(-1.53, 2), published(11.84, 2), published(9.9, 1), published(13.49, 2),
                     published(18.03, 2)}};
 }

@@ -145,7 +145,8 @@ Sentence notCorrected(const CircularCase &test) {
 }
 
 Sentence correctionImpossible(const CircularCase &test) {
-    if (test.common().correctionTo20 != CorrectionTo20::appliedHere || test.results.correction)
+    if (!test.needsLength() || test.common().correctionTo20 != CorrectionTo20::appliedHere ||
+        test.results.correction)
         return std::nullopt;
     return plain(REPORT_TEXT("report",
                              "F and D cannot be corrected to 20 °C: temperatures at start and end and the "

@@ -3,6 +3,7 @@
 #include "kernel/numerics/leastsquarescircle.h"
 #include "kernel/numerics/minimumzone.h"
 
+#include <algorithm>
 #include <array>
 
 namespace palmer::iso230_4 {
@@ -25,6 +26,10 @@ void addLeastSquares(std::vector<CircleResult> &circles, CircleOf of, PointsView
     if (fit.valid())
         circles.push_back({of, ReferenceCircle::leastSquares, fit.centre, fit.radius, fit.innerRadius,
                            fit.outerRadius, fit.range(), std::nullopt});
+}
+
+CircleOf circleOf(Sense sense) {
+    return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
 }
 
 void addCircles(std::vector<CircleResult> &circles, const Wanted &wanted, CircleOf of, PointsView points,
@@ -52,10 +57,15 @@ std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths, const
         addCircles(result, wanted, CircleOf::both, points.view(), groups);
     }
     for (const EvaluatedPath &path : paths)
-        addCircles(result, wanted,
-                   path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise,
-                   path.points.view(), {});
+        addCircles(result, wanted, circleOf(path.sense), path.points.view(), {});
     return result;
+}
+
+std::optional<CircleResult> circleOfPath(const EvaluatedPath &path, ReferenceCircle kind) {
+    std::vector<CircleResult> circles;
+    addCircles(circles, [kind](CircleOf, ReferenceCircle wanted) { return wanted == kind; },
+               circleOf(path.sense), path.points.view(), {});
+    return circles.empty() ? std::nullopt : std::optional(circles.front());
 }
 
 } // namespace palmer::iso230_4

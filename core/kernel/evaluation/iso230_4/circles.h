@@ -11,6 +11,8 @@ namespace palmer::iso230_4 {
 /// path with equal weight). Those that do not exist (too few points, collinear) are left out.
 [[nodiscard]] std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths);
 
+/// The circle of that kind about one path; null where there is none.
+[[nodiscard]] std::optional<CircleResult> circleOfPath(const EvaluatedPath &path, ReferenceCircle kind);
 /// Those of them alone that `wanted` asks for.
 [[nodiscard]] std::vector<CircleResult>
 circles(const std::vector<EvaluatedPath> &paths,

@@ -47,6 +47,22 @@ void measureExtent(EvaluatedPath &path, std::vector<double> angles) {
     path.extent = path.fullCircle ? fullTurn : span;
 }
 
+EvaluatedPath pathOf(const CircularMeasurement &measurement, std::size_t k, Selection selection,
+                     const std::optional<Point> &centringError) {
+    const Arc &arc = measurement.arcs[k];
+    EvaluatedPath path;
+    path.arc = k;
+    path.sense = arc.sense;
+    path.index = axisIndex(measurement.plane, arc.sense);
+    path.evaluated = evaluatedRange(arc).value_or(Interval{});
+    const bool rebuilt = arc.angleReference == AngleReference::commanded && centringError;
+    path.points = rebuilt ? rebuildPoints(selection.commanded(), *centringError)
+                          : polarPoints(selection.angles, selection.distances);
+    measureExtent(path, std::move(selection.angles));
+    path.source = std::move(selection.source);
+    return path;
+}
+
 } // namespace
 
 std::optional<Interval> evaluatedRange(const Arc &arc) {
@@ -92,19 +108,15 @@ Paths paths(const CircularMeasurement &measurement) {
             continue;
         }
         before = true;
-        EvaluatedPath path;
-        path.arc = k;
-        path.sense = arc.sense;
-        path.index = axisIndex(measurement.plane, arc.sense);
-        path.evaluated = evaluatedRange(arc).value_or(Interval{});
-        const bool rebuilt = arc.angleReference == AngleReference::commanded && result.centringError;
-        path.points = rebuilt ? rebuildPoints(selections[k].commanded(), *result.centringError)
-                              : polarPoints(selections[k].angles, selections[k].distances);
-        measureExtent(path, std::move(selections[k].angles));
-        path.source = std::move(selections[k].source);
-        result.evaluated.push_back(std::move(path));
+        result.evaluated.push_back(pathOf(measurement, k, std::move(selections[k]), result.centringError));
     }
     return result;
+}
+
+EvaluatedPath evaluatedPath(const CircularMeasurement &measurement, std::size_t arc,
+                            const std::optional<Point> &centringError) {
+    return pathOf(measurement, arc, selection(measurement.arcs[arc], measurement.nominalRadius),
+                  centringError);
 }
 
 } // namespace palmer::iso230_4

@@ -26,4 +26,9 @@ struct Paths {
 /// one centring error fitted to all commanded arcs of the test.
 [[nodiscard]] Paths paths(const CircularMeasurement &measurement);
 
+/// One arc as it is evaluated, a repetition too; with commanded angles its points are rebuilt from the
+/// centring error of the test.
+[[nodiscard]] EvaluatedPath evaluatedPath(const CircularMeasurement &measurement, std::size_t arc,
+                                          const std::optional<Point> &centringError);
+
 } // namespace palmer::iso230_4

@@ -26,8 +26,8 @@ constexpr auto note = Grade::note;
 
 constexpr std::array rows2005{
     CircularRow{{"G(b)",  {"G(b)"},     REPORT_TEXT("report", "bi-directional circular deviation"), "3.3", deviation}, "G(b)", pair, external, false, deviationOfPair},
-    CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial deviation"), "3.6", deviation}, "D", pair, external, at20, meanRadialDeviation},
     CircularRow{{"G",     {"G"},        REPORT_TEXT("report", "circular deviation"), "3.4", deviation}, "G", arc, external, false, deviationOfPath},
+    CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial deviation"), "3.6", deviation}, "D", pair, external, at20, meanRadialDeviation},
     CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial deviation, maximum"), "3.5", deviation}, "F", arc, external, at20, largestRadialDeviation},
     CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial deviation, minimum"), "3.5", deviation}, "F", arc, external, at20, smallestRadialDeviation},
     CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), "", deviation}, "G(b)f", pair, feedback, false, deviationOfPair},
@@ -36,8 +36,8 @@ constexpr std::array rows2005{
 
 constexpr std::array rows2022{
     CircularRow{{"G(b)",  {"G(b)"},     REPORT_TEXT("report", "bi-directional circular error"), "", deviation}, "G(b)", pair, external, false, deviationOfPair},
-    CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial error"), "", deviation}, "D", pair, external, at20, meanRadialDeviation},
     CircularRow{{"G",     {"G"},        REPORT_TEXT("report", "circular error"), "", deviation}, "G", arc, external, false, deviationOfPath},
+    CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial error"), "", deviation}, "D", pair, external, at20, meanRadialDeviation},
     CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial error, maximum"), "", deviation}, "F", arc, external, at20, largestRadialDeviation},
     CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial error, minimum"), "", deviation}, "F", arc, external, at20, smallestRadialDeviation},
     CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular error using feed back signal"), "", deviation}, "G(b)f", pair, feedback, false, deviationOfPair},

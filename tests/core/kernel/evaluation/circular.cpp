@@ -1,4 +1,7 @@
 #include "kernel/evaluation/evaluatetest.h"
+#include "kernel/evaluation/iso230_4/circles.h"
+#include "kernel/evaluation/iso230_4/contouringfeed.h"
+#include "kernel/evaluation/iso230_4/paths.h"
 
 #include <QFile>
 #include <QTest>
@@ -34,6 +37,9 @@ private slots:
     void limitsOfF();
     void hysteresis();
     void properties();
+    void repetitionsAreEvaluatedLikeTheFirst();
+    void withoutLengthsNoCorrectionIsMissed();
+    void feedForAnotherDiameter();
 };
 
 namespace {
@@ -236,9 +242,9 @@ void Circular::namesFollowTheSense_data() {
         QTest::newRow(name) << QString::fromUtf8(first) << QString::fromUtf8(second) << clockwiseFirst
                             << QString::fromUtf8(ids);
     };
-    row("XY", "X", "Y", false, "G(b)_XY D_XY G_XY G_YX Fmax_XY Fmax_YX Fmin_XY Fmin_YX");
-    row("XY, clockwise first", "X", "Y", true, "G(b)_YX D_YX G_YX G_XY Fmax_YX Fmax_XY Fmin_YX Fmin_XY");
-    row("ZX", "Z", "X", false, "G(b)_ZX D_ZX G_ZX G_XZ Fmax_ZX Fmax_XZ Fmin_ZX Fmin_XZ");
+    row("XY", "X", "Y", false, "G(b)_XY G_XY G_YX D_XY Fmax_XY Fmin_XY Fmax_YX Fmin_YX");
+    row("XY, clockwise first", "X", "Y", true, "G(b)_YX G_YX G_XY D_YX Fmax_YX Fmin_YX Fmax_XY Fmin_XY");
+    row("ZX", "Z", "X", false, "G(b)_ZX G_ZX G_XZ D_ZX Fmax_ZX Fmin_ZX Fmax_XZ Fmin_XZ");
 }
 
 void Circular::namesFollowTheSense() {
@@ -438,6 +444,59 @@ void Circular::properties() {
         for (const char *id : {"G_XY", "G_YX", "G(b)_XY", "D_XY", "Fmax_YX"})
             QVERIFY(std::abs(value(turned, id) - value(zone, id)) < 1e-7);
     }
+}
+
+void Circular::repetitionsAreEvaluatedLikeTheFirst() {
+    const auto shape = [](double angle) { return 3 * std::cos(2 * angle) + 20 * std::cos(angle); };
+    auto test = circularTest({path(counterclockwise, 180, shape), path(clockwise, 180, shape),
+                              path(counterclockwise, 180, shape)});
+    for (Arc &arc : measurement(test).arcs)
+        arc.angleReference = AngleReference::commanded;
+    const auto e = evaluated(test);
+    const auto &results = std::get<CircularResults>(e.results);
+    QCOMPARE(results.repetitions, std::vector<std::size_t>{2});
+    const EvaluatedPath first = iso230_4::evaluatedPath(measurement(test), 0, results.centringError);
+    const EvaluatedPath third = iso230_4::evaluatedPath(measurement(test), 2, results.centringError);
+    QCOMPARE(first.points, results.paths[0].points);
+    QCOMPARE(third.points, first.points);
+    QCOMPARE(third.arc, 2u);
+    QCOMPARE(third.index, std::string("XY"));
+    for (const auto kind : {ReferenceCircle::minimumZone, ReferenceCircle::leastSquares})
+        QCOMPARE(iso230_4::circleOfPath(third, kind)->width,
+                 results.circle(CircleOf::counterclockwise, kind)->width);
+    auto tooFew = circularTest({path(counterclockwise, 3, shape)});
+    const EvaluatedPath three = iso230_4::evaluatedPath(measurement(tooFew), 0, std::nullopt);
+    QVERIFY(!iso230_4::circleOfPath(three, ReferenceCircle::minimumZone));
+}
+
+void Circular::withoutLengthsNoCorrectionIsMissed() {
+    auto test = circularTest({path(counterclockwise, 36, [](double angle) { return std::cos(2 * angle); })});
+    measurement(test).conditions.common.correctionTo20 = CorrectionTo20::appliedHere;
+    const auto asks = [&] {
+        const auto e = evaluated(test);
+        return std::ranges::any_of(e.findings, [](const Finding &f) {
+            return std::string_view(f.message.text.source).starts_with("F and D cannot be corrected");
+        });
+    };
+    QVERIFY(asks());
+    measurement(test).requiredResults = {"G"};
+    QVERIFY(!asks());
+}
+
+void Circular::feedForAnotherDiameter() {
+    using iso230_4::contouringFeed;
+    // Annex C prints 559 mm/min; exactly 500·√1.25.
+    QVERIFY(std::abs(*contouringFeed({100, 500, 125}) - 250 * std::sqrt(5.0)) < 1e-12 * 559);
+    QCOMPARE(*contouringFeed({100, 500, 100}), 500.0);
+    QCOMPARE(*contouringFeed({1e-200, 1, 1e200}), 1e200); // the quotient alone would overflow
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {0.0, -1.0, infinite, none}) {
+        QVERIFY(!contouringFeed({bad, 500, 125}));
+        QVERIFY(!contouringFeed({100, bad, 125}));
+        QVERIFY(!contouringFeed({100, 500, bad}));
+    }
+    QVERIFY(!contouringFeed({1e-300, 1e300, 1e300}));
 }
 
 QTEST_GUILESS_MAIN(Circular)

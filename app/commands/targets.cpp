@@ -1,0 +1,207 @@
+#include "commands/targets.h"
+
+#include "commands/outputfile.h"
+#include "commands/streams.h"
+#include "document/plannedtest.h"
+#include "document/writedocument.h"
+#include "export/partprogram.h"
+#include "kernel/evaluation/edition.h"
+#include "language/entry.h"
+#include "report/plaintext.h"
+#include "report/planreport.h"
+#include "ui/pdf/writepdf.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr const char *defaultEdition = "ISO 230-2:2014";
+
+constexpr std::array options{
+    Option{"axis", "X", REPORT_TEXT("report", "name of the axis")},
+    Option{"travel", "1000", REPORT_TEXT("report", "measurement travel, mm; of rotary axes degrees")},
+    Option{"rotary", "", REPORT_TEXT("report", "a rotary axis")},
+    Option{"from", "0", REPORT_TEXT("report", "where the measurement travel begins")},
+    Option{"per-metre", "5", REPORT_TEXT("report", "targets per metre")},
+    Option{"period", "10", REPORT_TEXT("report", "period of the cyclic errors (pitch), where it is known")},
+    Option{"decimals", "3", REPORT_TEXT("report", "decimals of the positions")},
+    Option{"seed", "N",
+           REPORT_TEXT("report", "start of the random numbers: the same gives the same targets")},
+    Option{"edition", "E",
+           REPORT_TEXT("report", "whose rule chooses the targets; without it ISO 230-2:2014")},
+    Option{"cycle", "standard|step", REPORT_TEXT("report", "the measuring cycle")},
+    Option{"runs", "5", REPORT_TEXT("report", "runs each way; without it as the standard asks")},
+    Option{"feed", "F", REPORT_TEXT("report", "feed rate, mm/min or °/min; without it rapid feed")},
+    Option{"dwell", "S", REPORT_TEXT("report", "rest at each target, s; without it 5")},
+    Option{"approach", "D", REPORT_TEXT("report", "distance beyond the ends, mm or degrees; without it 1")},
+    Option{"program", "iso|siemens|heidenhain",
+           REPORT_TEXT("report", "writes the part program in this dialect instead of the plan")},
+    Option{"o", "OUT",
+           REPORT_TEXT("report", "the file to write: the plan as text, as .pdf or as .palmer to fill in; "
+                                 "or the part program")},
+};
+
+[[noreturn]] void refuse(const char *option, const QString &given) {
+    throw UsageError(
+        {REPORT_TEXT("report", "--%1 cannot be %2"), {std::string(option), given.toStdString()}});
+}
+
+/// The number of an option; `least`: it has to be greater.
+std::optional<double> number(const Invocation &invocation, const char *option, double greaterThan) {
+    const auto given = invocation.value(QLatin1StringView(option));
+    if (!given)
+        return std::nullopt;
+    const NumberEntry entry = enteredNumber(*given, Quantity::number);
+    if (!entry.value || !(*entry.value > greaterThan))
+        refuse(option, *given);
+    return entry.value;
+}
+
+std::optional<int> whole(const Invocation &invocation, const char *option, int least, int most) {
+    const auto given = invocation.value(QLatin1StringView(option));
+    if (!given)
+        return std::nullopt;
+    bool isNumber = false;
+    const int value = given->toInt(&isNumber);
+    if (!isNumber || value < least || value > most)
+        refuse(option, *given);
+    return value;
+}
+
+std::uint64_t seed(const Invocation &invocation) {
+    const auto given = invocation.value(QLatin1StringView("seed"));
+    if (!given)
+        return 1;
+    bool isNumber = false;
+    const qulonglong value = given->toULongLong(&isNumber);
+    constexpr qulonglong most = std::numeric_limits<long long>::max(); // as the file keeps it
+    if (!isNumber || value > most)
+        refuse("seed", *given);
+    return value;
+}
+
+Cycle cycle(const Invocation &invocation) {
+    const QString word = invocation.value(QLatin1StringView("cycle")).value_or(QStringLiteral("standard"));
+    if (word != QLatin1StringView("standard") && word != QLatin1StringView("step"))
+        refuse("cycle", word);
+    return word == QLatin1StringView("step") ? Cycle::step : Cycle::standard;
+}
+
+std::optional<Dialect> dialect(const Invocation &invocation) {
+    const auto word = invocation.value(QLatin1StringView("program"));
+    if (!word)
+        return std::nullopt;
+    if (*word == QLatin1StringView("iso"))
+        return Dialect::iso;
+    if (*word == QLatin1StringView("siemens"))
+        return Dialect::siemens;
+    if (*word == QLatin1StringView("heidenhain"))
+        return Dialect::heidenhain;
+    refuse("program", *word);
+}
+
+const Edition &edition(const Invocation &invocation) {
+    const QString word =
+        invocation.value(QLatin1StringView("edition")).value_or(QString::fromLatin1(defaultEdition));
+    const Edition *found = findEdition(word.toStdString());
+    if (!found || found->kind != Kind::positioning)
+        refuse("edition", word);
+    return *found;
+}
+
+TargetRequest request(const Invocation &invocation) {
+    TargetRequest result;
+    constexpr double anything = -std::numeric_limits<double>::infinity();
+    result.rule = targetRuleOf(edition(invocation));
+    result.motion = invocation.has(QLatin1StringView("rotary")) ? Motion::rotary : Motion::linear;
+    result.from = number(invocation, "from", anything).value_or(0);
+    const auto travel = number(invocation, "travel", 0);
+    if (!travel)
+        throw UsageError(
+            {REPORT_TEXT("report", "the command %1 needs --%2"), {std::string("targets"), "travel"}});
+    result.travel = *travel;
+    result.perMetre = number(invocation, "per-metre", 0).value_or(5);
+    result.period = number(invocation, "period", 0);
+    result.decimals = whole(invocation, "decimals", 0, 9).value_or(3);
+    result.seed = seed(invocation);
+    return result;
+}
+
+QByteArray planned(const TargetRequest &asked, const TargetPlan &plan, const CycleProgram &program,
+                   const Invocation &invocation, const QString &ending) {
+    if (ending == QLatin1StringView("palmer")) {
+        Document document;
+        document.writtenBy = "Palmer " PALMER_VERSION;
+        document.tests.push_back(
+            std::make_shared<const Test>(plannedTest(asked, plan, program, edition(invocation).word)));
+        return writeDocument(document);
+    }
+    const Report report = composePlan(asked, plan, program, invocation.language);
+    if (ending != QLatin1StringView("pdf"))
+        return plainText(report).toUtf8();
+    QBuffer pdf;
+    pdf.open(QIODevice::WriteOnly);
+    ui::writePdf(report, pdf);
+    return pdf.data();
+}
+
+int run(const Invocation &invocation) {
+    if (!invocation.arguments.isEmpty())
+        throw UsageError({REPORT_TEXT("report", "the command %1 takes no file"), {std::string("targets")}});
+    const auto output = invocation.value(QLatin1StringView("o"));
+    if (!output)
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
+                          {std::string("targets"), std::string("-o OUT")}});
+    const TargetRequest asked = request(invocation);
+    const TargetPlan plan = planTargets(asked);
+    if (plan.targets.empty())
+        throw UsageError(
+            {REPORT_TEXT("report", "these numbers give no plan: too many targets, or too few decimals "
+                                   "to tell them apart"),
+             {}});
+    CycleProgram program;
+    const QString axis = invocation.value(QLatin1StringView("axis")).value_or(QStringLiteral("X"));
+    program.axis = axis.toStdString();
+    program.motion = asked.motion;
+    program.targets = plan.targets;
+    program.decimals = asked.decimals;
+    program.cycle = cycle(invocation);
+    program.runs = whole(invocation, "runs", 1, 1000).value_or(plan.runs);
+    program.feed = number(invocation, "feed", 0);
+    program.dwell = number(invocation, "dwell", 0).value_or(program.dwell);
+    program.approach = number(invocation, "approach", 0).value_or(program.approach);
+    const auto chosen = dialect(invocation);
+    QByteArray bytes;
+    if (chosen) {
+        bytes = partProgram(program, *chosen, invocation.language);
+        if (bytes.isEmpty())
+            refuse("axis", axis);
+    } else {
+        bytes = planned(asked, plan, program, invocation, QFileInfo(*output).suffix().toLower());
+    }
+    try {
+        writeOutput(bytes, *output);
+    } catch (const Error &error) {
+        printError(*output, error, invocation.language);
+        return cannotRead;
+    }
+    return done;
+}
+
+} // namespace
+
+Command targetsCommand() {
+    return {"targets",
+            "",
+            REPORT_TEXT("report", "plans the targets of a positioning test, writes the part program"),
+            options,
+            run,
+            true};
+}
+
+} // namespace palmer

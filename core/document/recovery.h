@@ -1,0 +1,45 @@
+#pragma once
+
+#include "document/document.h"
+#include "document/documenterror.h"
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QString>
+#include <vector>
+
+namespace palmer {
+
+// What survives a crash. While a document has changes that are not saved, a copy of it stands in a folder of
+// the user's: one file a window, beside a lock that tells whether the program that wrote it still lives.
+
+/// Where the copy of a document came from.
+struct RecoveryOrigin {
+    QString path;    ///< of the user's file; empty: never saved
+    QDateTime saved; ///< when the copy was written, UTC
+};
+
+/// A copy found, and what it holds; `document` is never null.
+struct Recovery {
+    QString file; ///< the copy itself
+    RecoveryOrigin origin;
+    std::shared_ptr<const Document> document;
+    QString title; ///< of report or machine, to know it by
+};
+
+/// The copy as bytes: a line of JSON about the origin, then the test file.
+[[nodiscard]] QByteArray writeRecovery(const Document &document, const RecoveryOrigin &origin);
+
+/// Throws Error for what is no such copy.
+[[nodiscard]] Recovery readRecovery(const QByteArray &bytes);
+
+/// The copies in that folder whose programs are gone, the latest first. Unreadable ones are passed over.
+[[nodiscard]] std::vector<Recovery> abandonedRecoveries(const QString &folder);
+
+/// Removes a copy and its lock.
+void discardRecovery(const QString &file);
+
+/// The lock that belongs to a copy.
+[[nodiscard]] QString recoveryLock(const QString &file);
+
+} // namespace palmer

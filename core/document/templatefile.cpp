@@ -1,0 +1,196 @@
+#include "document/templatefile.h"
+
+#include "document/fileversion.h"
+#include "document/filewords.h"
+#include "document/json.h"
+#include "document/place.h"
+#include "document/readdocument.h"
+#include "document/writedocument.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace palmer {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char *templateFormat = "palmer template";
+constexpr auto anEditionOf = std::to_array({"ISO 230-2:2014", "ISO 230-4:2005"}); // by Kind
+
+[[noreturn]] void refuse(Text text, std::vector<Argument> arguments = {}, std::string place = {}) {
+    throw Error(Error::Kind::content, {text, std::move(arguments), {}}, std::move(place));
+}
+
+/// What a template may hold: its key, and where that stands in a test file.
+struct Part {
+    const char *key;
+    const char *place;
+};
+constexpr auto parts = std::to_array<Part>({{"machine", "machine"},
+                                            {"instrument", "instruments[0]"},
+                                            {"laboratory", "report.laboratory"},
+                                            {"limits", "tests[0]"}});
+
+Kind kindIn(const json &file) {
+    const auto entry = file.find("kind");
+    const auto *const word = entry == file.end() ? nullptr : entry->get_ptr<const std::string *>();
+    for (const Kind kind : {Kind::positioning, Kind::circular}) {
+        if (word && *word == fileWord(kind))
+            return kind;
+    }
+    refuse(REPORT_TEXT("report", "expected one of the words: %1"), {std::string("positioning · circular")},
+           "kind");
+}
+
+/// A test of that kind without readings, to stand around limits.
+json emptyTest(Kind kind) {
+    json test{{"kind", fileWord(kind)}, {"edition", anEditionOf.at(static_cast<std::size_t>(kind))}};
+    if (kind == Kind::positioning)
+        test.update({{"targets", json::array()}, {"runs", json::array()}});
+    else
+        test.update({{"nominalRadius", 1}, {"arcs", json::array()}});
+    return test;
+}
+
+/// The test file that says of its one part what the template says.
+json testFile(const json &file, const Part &part) {
+    json around{{"format", fileFormat}};
+    if (file.contains("version"))
+        around["version"] = file["version"];
+    const std::string_view key = part.key;
+    if (key == "machine") {
+        around["machine"] = file["machine"];
+    } else if (key == "instrument") {
+        around["instruments"] = json::array({file["instrument"]});
+    } else if (key == "laboratory") {
+        around["report"] = {{"laboratory", file["laboratory"]}};
+    } else {
+        json test = emptyTest(kindIn(file));
+        test["limits"] = file["limits"];
+        if (file.contains("decisionRule"))
+            test["decisionRule"] = file["decisionRule"];
+        around["tests"] = json::array({test});
+    }
+    return around;
+}
+
+/// The place of an error in the template, from that in the test file.
+std::string placeInTemplate(const std::string &place, const Part &part) {
+    if (!place.starts_with(part.place))
+        return place;
+    std::string rest = place.substr(std::string_view(part.place).size());
+    const bool isTest = std::string_view(part.key) == "limits";
+    if (isTest)
+        return rest.empty() ? part.key : rest.substr(1);
+    return part.key + rest;
+}
+
+} // namespace
+
+Template readTemplate(const QByteArray &bytes) {
+    const json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    if (!file.is_object() || !file.contains("format") || file["format"] != templateFormat)
+        throw Error(Error::Kind::format, {REPORT_TEXT("report", "this is no template of Palmer"), {}, {}});
+    const Part *part = nullptr;
+    for (const Part &candidate : parts) {
+        if (!file.contains(candidate.key))
+            continue;
+        if (part)
+            refuse(
+                REPORT_TEXT("report", "expected one of machine, instrument, laboratory and limits, not two"));
+        part = &candidate;
+    }
+    if (!part)
+        refuse(REPORT_TEXT("report", "the key “%1” is missing"),
+               {std::string("machine · instrument · laboratory · limits")});
+    const bool isLimits = std::string_view(part->key) == "limits";
+    for (const auto &[key, value] : file.items()) {
+        const bool known = key == "format" || key == "version" || key == "name" || key == part->key ||
+                           (isLimits && (key == "kind" || key == "decisionRule"));
+        if (!known)
+            refuse(REPORT_TEXT("report", "this key is unknown"), {}, excerpt(key));
+    }
+    Template result;
+    if (const auto name = file.find("name"); name != file.end()) {
+        if (!name->is_string())
+            refuse(REPORT_TEXT("report", "expected a text, in quotation marks"), {}, "name");
+        result.name = name->get<std::string>();
+    }
+    try {
+        Document document = readDocument(QByteArray::fromStdString(compactJson(testFile(file, *part))));
+        const std::string_view key = part->key;
+        if (key == "machine")
+            result.content = std::move(document.machine);
+        else if (key == "instrument")
+            result.content = std::move(document.instruments.at(0));
+        else if (key == "laboratory")
+            result.content = std::move(document.report.laboratory);
+        else
+            result.content = LimitSet{kindOf(*document.tests.at(0)), document.tests[0]->limits,
+                                      document.tests[0]->decisionRule};
+    } catch (const Error &error) {
+        throw Error(error.kind, error.message, placeInTemplate(error.place, *part));
+    }
+    return result;
+}
+
+QByteArray writeTemplate(const Template &content) {
+    Document document;
+    Test test;
+    const char *key = parts[content.content.index()].key;
+    if (const auto *machine = std::get_if<Machine>(&content.content)) {
+        document.machine = *machine;
+    } else if (const auto *instrument = std::get_if<Instrument>(&content.content)) {
+        document.instruments = {*instrument};
+    } else if (const auto *laboratory = std::get_if<Laboratory>(&content.content)) {
+        document.report.laboratory = *laboratory;
+    } else {
+        const auto &set = std::get<LimitSet>(content.content);
+        if (set.kind == Kind::circular)
+            test.measurement.emplace<CircularMeasurement>().nominalRadius = 1;
+        test.edition = anEditionOf.at(static_cast<std::size_t>(set.kind));
+        test.limits = set.limits;
+        test.decisionRule = set.decisionRule;
+        document.tests = {std::make_shared<const Test>(test)};
+    }
+    const QByteArray bytes = writeDocument(document);
+    const json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    json result{{"format", templateFormat}, {"version", fileVersion}, {"name", content.name}};
+    if (const auto *set = std::get_if<LimitSet>(&content.content)) {
+        const json &written = file["tests"][0];
+        result["kind"] = fileWord(set->kind);
+        result["limits"] = written["limits"];
+        result["decisionRule"] = written["decisionRule"];
+    } else {
+        const std::string_view word = key;
+        result[key] = word == "machine"      ? file["machine"]
+                      : word == "instrument" ? file["instruments"][0]
+                                             : file["report"]["laboratory"];
+    }
+    return QByteArray::fromStdString(printJson(result));
+}
+
+LimitSet limitSetOf(const Test &test) {
+    LimitSet set;
+    set.kind = kindOf(test);
+    set.decisionRule = test.decisionRule;
+    set.limits = test.limits;
+    for (auto &[id, limit] : set.limits) {
+        if (limit.value && !limit.edition)
+            limit.edition = test.edition;
+    }
+    return set;
+}
+
+bool applyLimitSet(Test &test, const LimitSet &set) {
+    if (kindOf(test) != set.kind)
+        return false;
+    test.limits = set.limits;
+    test.decisionRule = set.decisionRule;
+    return true;
+}
+
+} // namespace palmer

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "kernel/measurement/positioning.h"
+#include "kernel/measurement/readingplace.h"
+
+#include <optional>
+
+namespace palmer {
+
+// The order in which the machine visits the readings of a positioning test, and in which they are typed.
+//
+// Standard cycle: run after run as they stand in the test, from the positive side targets 1…m, from the
+// negative side m…1. Step cycle: target after target, at each the runs as they stand in the test. A place
+// that the test does not have has no neighbours.
+
+/// The reading after this one; null after the last.
+[[nodiscard]] std::optional<ReadingPlace> nextInCycle(const PositioningMeasurement &measurement,
+                                                      const ReadingPlace &place);
+
+/// The reading before this one; null before the first.
+[[nodiscard]] std::optional<ReadingPlace> previousInCycle(const PositioningMeasurement &measurement,
+                                                          const ReadingPlace &place);
+
+/// Where the cycle begins; null without targets or runs.
+[[nodiscard]] std::optional<ReadingPlace> firstOfCycle(const PositioningMeasurement &measurement);
+
+/// The first reading of the cycle that is missing and was not set aside: where typing goes on. Null when
+/// all are there.
+[[nodiscard]] std::optional<ReadingPlace> firstMissing(const PositioningMeasurement &measurement);
+
+} // namespace palmer

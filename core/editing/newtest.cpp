@@ -1,0 +1,150 @@
+#include "editing/newtest.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr double longAxis = 2000;
+constexpr double turn = 360;
+
+std::string nameOf(const Test &test) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
+        return positioning->axis.name;
+    if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
+        return circular->plane.first + circular->plane.second;
+    return std::get<DriftMeasurement>(test.measurement).axis.name;
+}
+
+bool hasTest(const Document &document, const std::string &id) {
+    return std::ranges::any_of(document.tests, [&](const TestPointer &test) { return test->id == id; });
+}
+
+void forgetDriftTest(Test &test, const std::string &id) {
+    const auto forget = [&](auto &inputs) {
+        if (inputs.driftTest == id)
+            inputs.driftTest.reset();
+    };
+    if (auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
+        forget(positioning->uncertainty);
+    else if (auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
+        forget(circular->uncertainty);
+}
+
+std::optional<std::string> driftTestOf(const Test &test) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
+        return positioning->uncertainty.driftTest;
+    if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
+        return circular->uncertainty.driftTest;
+    return std::nullopt;
+}
+
+} // namespace
+
+Test newTest(const NewPositioningTest &wanted) {
+    PositioningMeasurement measurement;
+    measurement.axis = wanted.axis;
+    measurement.cycle = wanted.cycle;
+    measurement.targets = wanted.targets;
+    for (int run = 0; run < wanted.runs; ++run) {
+        for (const Direction approach : {Direction::positive, Direction::negative}) {
+            if (approach == Direction::positive || wanted.bothDirections)
+                measurement.runs.push_back(
+                    {approach, std::vector<std::optional<double>>(wanted.targets.size())});
+        }
+    }
+    Test test;
+    test.edition = wanted.edition;
+    test.measurement = std::move(measurement);
+    return test;
+}
+
+std::vector<double> evenTargets(double first, double last, std::size_t count, double resolution) {
+    std::vector<double> targets;
+    if (!(first < last))
+        return targets;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double position =
+            count == 1 ? first
+                       : first + (last - first) * static_cast<double>(i) / static_cast<double>(count - 1);
+        const double steps = std::round(position / resolution);
+        // Below 1 by a quotient and not a product: 3 · 0.1 is not 0.3.
+        const double whole = !(resolution > 0) ? position
+                             : resolution < 1  ? steps / std::round(1 / resolution)
+                                               : steps * resolution;
+        if (targets.empty() || targets.back() < whole)
+            targets.push_back(whole);
+    }
+    return targets;
+}
+
+std::size_t targetsWanted(const Axis &axis) {
+    const double travel = axis.travel.value_or(0);
+    if (axis.motion == Motion::rotary) {
+        if (travel <= turn / 4)
+            return 3;
+        if (travel <= turn / 2)
+            return 5;
+        return static_cast<std::size_t>(std::ceil(8 * std::max(1.0, travel / turn)));
+    }
+    if (travel > longAxis)
+        return static_cast<std::size_t>(std::ceil(travel / 250)) + 1;
+    return static_cast<std::size_t>(std::max(5.0, std::ceil(5 * travel / 1000)));
+}
+
+std::string freshId(const Document &document, const Test &test) {
+    std::string stem;
+    for (const char c : nameOf(test)) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    if (stem.empty())
+        stem = "t";
+    int number = 1;
+    while (hasTest(document, stem + std::to_string(number)))
+        ++number;
+    return stem + std::to_string(number);
+}
+
+std::size_t insertTest(Document &document, std::size_t index, Test test) {
+    if (test.id.empty() || hasTest(document, test.id))
+        test.id = freshId(document, test);
+    const std::size_t place = std::min(index + 1, document.tests.size());
+    document.tests.insert(document.tests.begin() + static_cast<std::ptrdiff_t>(place),
+                          std::make_shared<const Test>(std::move(test)));
+    return place;
+}
+
+std::size_t duplicateTest(Document &document, std::size_t index, bool withReadings) {
+    Test copy = *document.tests.at(index);
+    auto *measurement = std::get_if<PositioningMeasurement>(&copy.measurement);
+    if (!withReadings && measurement) {
+        for (Run &run : measurement->runs)
+            std::ranges::fill(run.deviations, std::nullopt);
+        measurement->excluded.clear();
+        measurement->refused.clear();
+        copy.imports.clear();
+        copy.date.reset();
+        copy.time.reset();
+    }
+    return insertTest(document, index, std::move(copy));
+}
+
+void removeTest(Document &document, std::size_t index) {
+    if (index >= document.tests.size())
+        return;
+    const std::string id = document.tests[index]->id;
+    document.tests.erase(document.tests.begin() + static_cast<std::ptrdiff_t>(index));
+    for (std::size_t i = 0; i < document.tests.size(); ++i) {
+        if (id.empty() || driftTestOf(*document.tests[i]) != id)
+            continue;
+        auto test = std::make_shared<Test>(*document.tests[i]);
+        forgetDriftTest(*test, id);
+        document.tests[i] = std::move(test);
+    }
+}
+
+} // namespace palmer

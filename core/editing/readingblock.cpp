@@ -1,0 +1,269 @@
+#include "editing/readingblock.h"
+
+#include "editing/editreadings.h"
+#include "editing/typedreading.h"
+#include "import/table.h"
+#include "language/decimals.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr double sameTarget = 1e-6; ///< mm or degrees
+
+/// A line of the block; null: an empty line, which has a place all the same.
+using Line = std::optional<TableRow>;
+
+bool hasNumber(const CellTable &table, const TableRow &row) {
+    return std::ranges::any_of(table.cells(row), &TableCell::isNumber);
+}
+
+double inBase(double shown, Quantity quantity, const DisplayUnits &units) {
+    std::array<char, 400> buffer; // the longest double without exponent
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), shown, std::chars_format::fixed);
+    return fromShown(std::string_view(buffer.data(), static_cast<std::size_t>(end - buffer.data())), quantity,
+                     units);
+}
+
+class Paste {
+public:
+    Paste(PositioningMeasurement measurement, std::string text, BlockPlace place, const BlockChoices &choices)
+        : m_place(std::move(place))
+        , m_choices(choices)
+        , m_position(positionQuantity(measurement.axis)) {
+        m_result.measurement = std::move(measurement);
+        TableOptions options;
+        options.comments = false;
+        options.decimalMark = choices.decimalMark;
+        options.delimiter = choices.delimiter;
+        if (text.find('\t') != std::string::npos)
+            options.delimiter = Delimiter::tab;
+        m_table = readTable(std::move(text), options);
+        m_result.decimalMark = m_table.decimalMark;
+        m_result.delimiter = m_table.delimiter.value;
+        takeLines();
+        leaveOutKnownColumns();
+    }
+
+    PastedBlock run() {
+        if (m_lines.empty()) {
+            m_result.remarks.push_back({REPORT_TEXT("report", "there are no numbers in what was copied")});
+            return std::move(m_result);
+        }
+        putTargets();
+        for (std::size_t i = 0; i < m_lines.size(); ++i)
+            putLine(i);
+        remark();
+        return std::move(m_result);
+    }
+
+private:
+    /// The lines from the first with a number on, each in its place.
+    void takeLines() {
+        std::size_t headings = 0;
+        std::uint32_t next = 0;
+        for (const TableRow &row : m_table.rows()) {
+            if (m_lines.empty() && !hasNumber(m_table, row) && !isFirstRefused(row)) {
+                ++headings;
+                continue;
+            }
+            for (; !m_lines.empty() && next < row.line; ++next)
+                m_lines.emplace_back();
+            m_lines.emplace_back(row);
+            next = row.line + 1;
+            for (const TableCell &cell : m_table.cells(row))
+                m_result.hasMarks =
+                    m_result.hasMarks || m_table.text(cell).find_first_of(",.") != std::string_view::npos;
+        }
+        if (headings > 0 && !m_lines.empty())
+            m_result.remarks.push_back({REPORT_TEXT("report", "lines of headings left out: %1"),
+                                        {Number{static_cast<double>(headings), Quantity::count, 0}}});
+    }
+
+    /// A line of readings that happen to be no numbers is no heading when its cells look like numbers.
+    [[nodiscard]] bool isFirstRefused(const TableRow &row) const {
+        return std::ranges::any_of(m_table.cells(row), [](const TableCell &cell) {
+            return cell.kind == CellKind::broken || cell.kind == CellKind::grouped;
+        });
+    }
+
+    [[nodiscard]] const TableCell *cellAt(const Line &line, std::size_t column) const {
+        if (!line || column >= line->count)
+            return nullptr;
+        return &m_table.cells(*line)[column];
+    }
+
+    /// Whether a column of the block holds what `expected` says of every row.
+    template <class Expected>
+    [[nodiscard]] bool columnIs(std::size_t column, const Expected &expected) const {
+        const auto &targets = m_result.measurement.targets;
+        if (m_lines.empty() || m_place.row + m_lines.size() > targets.size())
+            return false;
+        for (std::size_t i = 0; i < m_lines.size(); ++i) {
+            const TableCell *cell = cellAt(m_lines[i], column);
+            if (!cell || !cell->isNumber() || !expected(cell->value, m_place.row + i))
+                return false;
+        }
+        return true;
+    }
+
+    void leaveOutKnownColumns() {
+        if (m_place.column < firstRunOfBlock)
+            return;
+        const auto isTarget = [&](double value, std::size_t row) {
+            return std::abs(inBase(value, m_position, m_choices.units) - m_result.measurement.targets[row]) <
+                   sameTarget;
+        };
+        const auto isNumber = [](double value, std::size_t row) {
+            return value == static_cast<double>(row + 1);
+        };
+        // Not for a single column: readings may be as large as their targets where these are small.
+        const bool wide =
+            std::ranges::all_of(m_lines, [](const Line &line) { return line && line->count > 1; });
+        if (m_lines.size() < 2 || !wide)
+            return;
+        if (columnIs(0, isTarget))
+            m_skipped = 1;
+        else if (columnIs(0, isNumber) && columnIs(1, isTarget))
+            m_skipped = 2;
+        if (m_skipped > 0)
+            m_result.remarks.push_back(
+                {REPORT_TEXT("report", "the target positions that the block begins with are left out")});
+    }
+
+    /// The column of the table in which a cell of the block stands.
+    [[nodiscard]] std::size_t columnOf(std::size_t cell) const { return m_place.column + cell - m_skipped; }
+
+    void putTargets() {
+        if (m_place.column > positionColumnOfBlock)
+            return;
+        const std::size_t column = positionColumnOfBlock - m_place.column;
+        std::vector<double> targets = m_result.measurement.targets;
+        targets.resize(std::min(targets.size(), m_place.row));
+        const bool any = std::ranges::any_of(m_lines, [&](const Line &line) {
+            const TableCell *cell = cellAt(line, column);
+            return cell && cell->kind != CellKind::empty;
+        });
+        if (!any)
+            return;
+        for (const Line &line : m_lines) {
+            const TableCell *cell = cellAt(line, column);
+            if (!cell || !cell->isNumber()) {
+                m_result.remarks.push_back(
+                    {REPORT_TEXT("report", "a target position in the block is no number: the targets stay")});
+                return;
+            }
+            targets.push_back(inBase(cell->value, m_position, m_choices.units));
+        }
+        const auto &old = m_result.measurement.targets;
+        for (std::size_t row = targets.size(); row < old.size(); ++row)
+            targets.push_back(old[row]);
+        if (setTargets(m_result.measurement, targets))
+            m_result.targets = m_lines.size();
+        else
+            m_result.remarks.push_back(
+                {REPORT_TEXT("report", "the target positions of the block do not ascend: the targets stay")});
+    }
+
+    void putLine(std::size_t number) {
+        const Line &line = m_lines[number];
+        const std::size_t row = m_place.row + number;
+        const std::size_t cells = line ? line->count : 0;
+        if (!line && isOneColumn() && m_place.column >= firstRunOfBlock)
+            put(row, m_place.column, {});
+        for (std::size_t cell = m_skipped; cell < cells; ++cell) {
+            const std::size_t column = columnOf(cell);
+            if (column < firstRunOfBlock)
+                continue;
+            put(row, column, m_table.cells(*line)[cell]);
+        }
+    }
+
+    /// Of a single column an empty cell is an empty line.
+    [[nodiscard]] bool isOneColumn() const {
+        return std::ranges::all_of(m_lines, [](const Line &line) { return !line || line->count <= 1; });
+    }
+
+    void put(std::size_t row, std::size_t column, const TableCell &cell) {
+        if (column - firstRunOfBlock < m_place.runs.size() && row < m_result.measurement.targets.size())
+            put({m_place.runs[column - firstRunOfBlock], row}, cell);
+        else
+            m_result.left += cell.kind != CellKind::empty ? 1 : 0;
+    }
+
+    void put(const ReadingPlace &place, const TableCell &cell) {
+        PositioningMeasurement &m = m_result.measurement;
+        if (cell.kind == CellKind::empty || cell.kind == CellKind::missing) {
+            setReading(m, place, std::nullopt);
+        } else if (cell.isNumber()) {
+            ++m_result.readings;
+            m_allZero = m_allZero && cell.value == 0;
+            m_largest = std::max(m_largest, std::abs(cell.value));
+            setReading(m, place, deviation(cell.value, place.target));
+        } else {
+            ++m_result.refused;
+            setRefused(m, place, std::string(m_table.text(cell)));
+        }
+    }
+
+    [[nodiscard]] double deviation(double shown, std::size_t target) const {
+        switch (m_choices.content) {
+        case BlockContent::deviations:
+            return inBase(shown, deviationQuantity(m_result.measurement.axis), m_choices.units);
+        case BlockContent::longDeviations:
+            return inBase(shown, m_position, m_choices.units);
+        case BlockContent::positions:
+            break;
+        }
+        return deviationFrom(m_result.measurement.targets[target],
+                             inBase(shown, m_position, m_choices.units));
+    }
+
+    void remark() {
+        const auto count = [](std::size_t number) {
+            return Number{static_cast<double>(number), Quantity::count, 0};
+        };
+        auto &remarks = m_result.remarks;
+        if (m_result.refused > 0)
+            remarks.push_back(
+                {REPORT_TEXT("report", "no numbers, kept in red: %1"), {count(m_result.refused)}});
+        if (m_result.left > 0)
+            remarks.push_back(
+                {REPORT_TEXT("report", "outside the table and not taken: %1"), {count(m_result.left)}});
+        if (m_result.readings > 1 && m_allZero)
+            remarks.push_back({REPORT_TEXT("report", "all readings are zero")});
+        else if (looksLong())
+            remarks.push_back({REPORT_TEXT("report", "all readings are very small: is this the unit?")});
+    }
+
+    /// Deviations of a machine in µm are not all below a tenth: these are mm.
+    [[nodiscard]] bool looksLong() const {
+        return m_choices.content == BlockContent::deviations && m_result.readings > 3 && m_largest < 0.1 &&
+               m_choices.units.lengths != LengthDisplay::millimetres;
+    }
+
+    BlockPlace m_place;
+    BlockChoices m_choices;
+    Quantity m_position;
+    PastedBlock m_result;
+    CellTable m_table;
+    std::vector<Line> m_lines;
+    std::size_t m_skipped = 0; ///< cells at the beginning of each line that are the targets themselves
+    bool m_allZero = true;
+    double m_largest = 0;
+};
+
+} // namespace
+
+PastedBlock pasteBlock(PositioningMeasurement measurement, std::string text, BlockPlace place,
+                       const BlockChoices &choices) {
+    return Paste(std::move(measurement), std::move(text), std::move(place), choices).run();
+}
+
+} // namespace palmer

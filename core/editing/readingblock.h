@@ -1,0 +1,67 @@
+#pragma once
+
+#include "import/choice.h"
+#include "import/table.h"
+#include "kernel/measurement/positioning.h"
+#include "kernel/measurement/readingplace.h"
+#include "kernel/words/message.h"
+#include "language/units.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+// Blocks of cells that come from and go to spreadsheets. Columns of the table of readings: 0 the number of
+// the target, 1 its position, from 2 on the runs in the order they are shown.
+
+inline constexpr std::size_t numberColumnOfBlock = 0;
+inline constexpr std::size_t positionColumnOfBlock = 1;
+inline constexpr std::size_t firstRunOfBlock = 2;
+
+/// What the numbers of a block are.
+enum class BlockContent {
+    deviations,     ///< in the unit deviations are shown in: µm, ″, or what the user chose
+    longDeviations, ///< deviations in the unit of positions: mm, °
+    positions,      ///< actual positions
+};
+
+struct BlockChoices {
+    BlockContent content = BlockContent::deviations;
+    std::optional<DecimalMark> decimalMark; ///< null: as the block says
+    std::optional<Delimiter> delimiter;     ///< null: as the block says
+    DisplayUnits units;
+};
+
+/// Where the block is put, and into which table.
+struct BlockPlace {
+    std::size_t row = 0;           ///< of its first line
+    std::size_t column = 0;        ///< of its first cell
+    std::vector<std::size_t> runs; ///< the runs by column, from firstRunOfBlock on
+};
+
+/// A measurement with a block put in, and what is to be said of it.
+struct PastedBlock {
+    PositioningMeasurement measurement;
+    std::size_t readings = 0; ///< numbers taken as readings
+    std::size_t targets = 0;  ///< numbers taken as target positions
+    std::size_t refused = 0;  ///< cells that are no numbers: kept as they are, shown red, missing
+    std::size_t left = 0;     ///< cells outside the table, not taken
+    Choice<DecimalMark> decimalMark;
+    Delimiter delimiter = Delimiter::tab;
+    bool hasMarks = false; ///< whether there is a decimal mark in the block at all
+    std::vector<Message> remarks;
+};
+
+/// Puts a block (lines of cells, parted by tabs, as every spreadsheet copies them; or by what readTable
+/// recognises) into a measurement. Empty cells and words for "none" make the reading missing. Lines above the
+/// first number are headings and left out. A block that begins with the target positions themselves (or with
+/// their numbers too) may be put on the first reading: these columns are recognised and left out. From the
+/// columns of number and position on, the block may bring the targets, also more than there are; they have to
+/// ascend. What has no place is counted and said, never put elsewhere. Throws what readTable throws.
+[[nodiscard]] PastedBlock pasteBlock(PositioningMeasurement measurement, std::string text, BlockPlace place,
+                                     const BlockChoices &choices);
+
+} // namespace palmer

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "kernel/measurement/axis.h"
+#include "language/entry.h"
+
+namespace palmer {
+
+/// Reads a deviation (mm, rotary: degrees) as it is typed, in the unit it is shown in; with a `target` an
+/// actual position in the unit positions are shown in, of which the deviation is the distance from the
+/// target. A dash alone says, as it does where it is shown, that there is no reading.
+[[nodiscard]] NumberEntry typedReading(QStringView text, const Axis &axis, const DisplayUnits &units,
+                                       std::optional<double> target = std::nullopt);
+
+/// The deviation of an actual position from its target, without the rounding errors of the difference: to a
+/// millionth of a micrometre.
+[[nodiscard]] double deviationFrom(double target, double position);
+
+} // namespace palmer

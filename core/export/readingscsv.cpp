@@ -1,0 +1,214 @@
+#include "export/readingscsv.h"
+
+#include "document/filewords.h"
+#include "document/json.h"
+#include "export/resultsjson.h"
+#include "kernel/evaluation/targetvalue.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+class CsvWriter {
+public:
+    explicit CsvWriter(char mark)
+        : m_mark(mark)
+        , m_delimiter(mark == ',' ? ';' : ',') {}
+
+    void comment(const std::string &text) {
+        std::string line = text;
+        std::ranges::replace_if(
+            line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+        if (!line.empty())
+            m_text += "# " + line + '\n';
+    }
+    void text(std::string cell) {
+        begin();
+        const bool quote = cell.find_first_of("\"\r\n;,") != std::string::npos;
+        if (!quote) {
+            m_text += cell;
+            return;
+        }
+        m_text += '"';
+        for (const char c : cell)
+            m_text += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+        m_text += '"';
+    }
+    void number(std::optional<double> value) {
+        begin();
+        if (!value || !std::isfinite(*value))
+            return;
+        std::array<char, 32> digits{};
+        char *const end = std::to_chars(digits.data(), digits.data() + digits.size(), *value).ptr;
+        std::replace(digits.data(), end, '.', m_mark);
+        m_text.append(digits.data(), end);
+    }
+    void endRow() {
+        m_text += '\n';
+        m_first = true;
+    }
+    [[nodiscard]] QByteArray bytes() const { return QByteArray::fromStdString(m_text); }
+
+private:
+    void begin() {
+        if (!m_first)
+            m_text += m_delimiter;
+        m_first = false;
+    }
+
+    std::string m_text;
+    char m_mark;
+    char m_delimiter;
+    bool m_first = true;
+};
+
+void writePositioning(CsvWriter &csv, const PositioningMeasurement &m, const TestEvaluation &evaluation) {
+    const std::string unit = m.axis.motion == Motion::linear ? " (mm)" : " (°)";
+    if (!m.axis.name.empty())
+        csv.comment("axis: " + m.axis.name);
+    csv.text("i");
+    csv.text("P" + unit);
+    std::array<int, 2> runs{};
+    for (const Run &run : m.runs) {
+        const bool up = run.approach == Direction::positive;
+        csv.text("deviation " + std::to_string(++runs[up ? 0 : 1]) + (up ? " ↑" : " ↓") + unit);
+    }
+    struct Statistic {
+        const char *heading;
+        const char *id;
+    };
+    constexpr std::array statistics{Statistic{"mean ↑", "mean+"},       Statistic{"mean ↓", "mean-"},
+                                    Statistic{"mean", "mean"},          Statistic{"reversal", "reversal"},
+                                    Statistic{"std ↑", "s+"},           Statistic{"std ↓", "s-"},
+                                    Statistic{"mean - cs ↑", "lower+"}, Statistic{"mean + cs ↑", "upper+"},
+                                    Statistic{"mean - cs ↓", "lower-"}, Statistic{"mean + cs ↓", "upper-"}};
+    for (const Statistic &row : statistics)
+        csv.text(row.heading + unit);
+    csv.endRow();
+    const auto *results = std::get_if<PositioningResults>(&evaluation.results);
+    for (std::size_t i = 0; i < m.targets.size(); ++i) {
+        csv.number(static_cast<double>(i + 1));
+        csv.number(m.targets[i]);
+        for (const Run &run : m.runs)
+            csv.number(run.deviations[i]);
+        for (const Statistic &row : statistics)
+            csv.number(results && evaluation.edition
+                           ? targetValue(row.id, results->targets[i], evaluation.edition->c)
+                           : std::nullopt);
+        csv.endRow();
+    }
+}
+
+void writeCircles(CsvWriter &csv, const CircularMeasurement &m) {
+    const auto shortest = [](double value) { return QString::number(value, 'g', 15).toStdString(); };
+    csv.comment("plane: " + m.plane.first + m.plane.second);
+    csv.comment("R = " + shortest(m.nominalRadius) + " mm");
+    if (m.feed)
+        csv.comment("F = " + shortest(*m.feed) + " mm/min");
+    csv.text("angle (°)");
+    csv.text("radial deviation (mm)");
+    csv.endRow();
+    for (const Arc &arc : m.arcs) {
+        csv.comment(fileWord(arc.sense));
+        for (std::size_t i = 0; i < arc.angles.size(); ++i) {
+            csv.number(arc.angles[i]);
+            csv.number(arc.radialDeviations[i]);
+            csv.endRow();
+        }
+    }
+}
+
+void writeDrift(CsvWriter &csv, const DriftMeasurement &m) {
+    if (!m.axis.name.empty())
+        csv.comment("axis: " + m.axis.name);
+    csv.text("time [s]");
+    csv.text(m.axis.motion == Motion::linear ? "deviation (mm)" : "deviation (°)");
+    csv.endRow();
+    for (std::size_t i = 0; i < m.times.size(); ++i) {
+        csv.number(m.times[i]);
+        csv.number(m.deviations[i]);
+        csv.endRow();
+    }
+}
+
+const char *unitWord(Quantity quantity) {
+    return quantity == Quantity::angle || quantity == Quantity::angularDeviation ? "°" : "mm";
+}
+
+} // namespace
+
+QByteArray readingsCsv(const Test &test, const TestEvaluation &evaluation, const Language &language,
+                       char decimalMark) {
+    CsvWriter csv(decimalMark);
+    csv.comment(test.title);
+    if (test.date)
+        csv.comment(*test.date);
+    if (evaluation.edition)
+        csv.comment(evaluation.edition->word);
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
+        writePositioning(csv, *positioning, evaluation);
+    else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
+        writeCircles(csv, *circular);
+    else
+        writeDrift(csv, std::get<DriftMeasurement>(test.measurement));
+    if (evaluation.parameters.empty())
+        return csv.bytes();
+    csv.endRow();
+    for (const char *heading : {"parameter", "symbol", "name", "value", "unit", "U (k = 2)", "limit"})
+        csv.text(heading);
+    csv.endRow();
+    for (const Parameter &parameter : evaluation.parameters) {
+        csv.text(parameterId(parameter));
+        csv.text(plainSymbol(parameter));
+        csv.text(language.text(parameter.term.name).toStdString());
+        csv.number(parameter.value);
+        csv.text(unitWord(parameter.term.quantity));
+        csv.number(parameter.expandedUncertainty);
+        csv.number(parameter.limit ? parameter.limit->value : std::nullopt);
+        csv.endRow();
+    }
+    return csv.bytes();
+}
+
+QByteArray readingsJson(const EvaluatedDocument &evaluated, const QString &fileName,
+                        const Language &language) {
+    using Json = nlohmann::ordered_json;
+    Json file = Json::parse(resultsJson(evaluated, fileName, language, JsonForm::oneLine).toStdString());
+    for (std::size_t i = 0; i < evaluated.document->tests.size(); ++i) {
+        const Test &test = *evaluated.document->tests[i];
+        Json readings = Json::object();
+        if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
+            readings["targets"] = m->targets;
+            readings["runs"] = Json::array();
+            for (const Run &run : m->runs) {
+                Json values = Json::array();
+                for (const auto &value : run.deviations)
+                    values.push_back(value ? Json(*value) : Json(nullptr));
+                readings["runs"].push_back(
+                    {{"approach", fileWord(run.approach)}, {"deviations", std::move(values)}});
+            }
+        } else if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement)) {
+            readings["nominalRadius"] = c->nominalRadius;
+            readings["arcs"] = Json::array();
+            for (const Arc &arc : c->arcs)
+                readings["arcs"].push_back({{"sense", fileWord(arc.sense)},
+                                            {"angles", arc.angles},
+                                            {"radialDeviations", arc.radialDeviations}});
+        } else {
+            const auto &drift = std::get<DriftMeasurement>(test.measurement);
+            readings["times"] = drift.times;
+            readings["deviations"] = drift.deviations;
+        }
+        file["tests"][i]["readings"] = std::move(readings);
+    }
+    return QByteArray::fromStdString(printJson(file));
+}
+
+} // namespace palmer

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+
+#include <QByteArray>
+
+namespace palmer {
+
+/// Readings and results of one test as CSV, UTF-8: comments with # that name the test, the readings with the
+/// statistics of each target (what the figure draws), then the parameters. Numbers in mm or degrees, all
+/// digits, with the decimal mark given; `;` between the cells under a comma, else `,`. Missing ones are
+/// empty. The importer reads the readings back as they are. Names in `language`.
+[[nodiscard]] QByteArray readingsCsv(const Test &test, const TestEvaluation &evaluation,
+                                     const Language &language, char decimalMark);
+
+/// The results as resultsJson gives them, each test with its readings: `targets` and `runs`, `arcs`, or
+/// `times` and `deviations`, as in a test file.
+[[nodiscard]] QByteArray readingsJson(const EvaluatedDocument &evaluated, const QString &fileName,
+                                      const Language &language);
+
+} // namespace palmer

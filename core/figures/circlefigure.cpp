@@ -1,0 +1,612 @@
+#include "figures/circlefigure.h"
+
+#include "figures/ticks.h"
+#include "kernel/evaluation/iso230_4/paths.h"
+#include "kernel/numerics/centringerror.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <string_view>
+
+namespace palmer {
+
+namespace {
+
+constexpr double micrometresPerMillimetre = 1000;
+constexpr double fullTurn = 360;
+
+/// Space beside the figure for axes and their letters, mm: beside and above it.
+constexpr double sideMargin = 7;
+constexpr double topMargin = 3.5;
+constexpr double smallestRadius = 8; ///< of a figure, mm: of what is too small for one
+
+constexpr double innerLimit = 0.15;           ///< of the figure's radius: nothing is drawn nearer the centre
+constexpr double nominalCircle = 34.0 / 49.0; ///< of the figure's radius
+constexpr double worthMoving = 4.999; ///< gain of magnification for which the nominal circle gives way
+constexpr int highestDecade = 5;
+constexpr int lowestDecade = -6;
+
+constexpr double leastDivision = 0.08; ///< of the figure's radius
+constexpr std::size_t fewestRings = 4;
+constexpr double mostRings = 60; ///< in a view: far beyond what is ever wanted
+
+constexpr double largestLimit = 4;        ///< times the deviations: limits of F beyond are not drawn
+constexpr double contactTolerance = 1e-6; ///< µm
+constexpr double contactDistance = 1;     ///< degrees between contacts that are told apart
+constexpr std::size_t mostContacts = 8;
+
+constexpr double keyRow = 4.8; ///< mm
+constexpr double keyGap = 1;
+constexpr double threeColumns = 105; ///< width that holds them, mm
+
+CircleOf circleOf(Sense sense) {
+    return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
+}
+
+/// The test and what of it a figure shows.
+struct Source {
+    const CircularMeasurement &measurement;
+    const CircularResults &results;
+    const TestEvaluation &evaluation;
+    const CircleFigureOptions &options;
+
+    Source(const Test &test, const TestEvaluation &testEvaluation, const CircleFigureOptions &figureOptions)
+        : measurement(std::get<CircularMeasurement>(test.measurement))
+        , results(std::get<CircularResults>(testEvaluation.results))
+        , evaluation(testEvaluation)
+        , options(figureOptions) {}
+
+    [[nodiscard]] bool radial() const { return options.subject == CircleSubject::radialDeviation; }
+    [[nodiscard]] bool aboutSetUp() const { return radial() && measurement.centring == Centring::instrument; }
+
+    /// Which path or pair the figure is about: of one sense alone it is not a pair.
+    [[nodiscard]] CircleOf of() const {
+        if (options.of != CircleOf::both || results.paths.empty())
+            return options.of;
+        const bool alone = results.paths.size() == 1 || (radial() && !aboutSetUp());
+        return alone ? circleOf(results.paths.front().sense) : CircleOf::both;
+    }
+
+    [[nodiscard]] bool shows(Sense sense) const { return of() == CircleOf::both || of() == circleOf(sense); }
+
+    /// The circle whose centre the figure is drawn about; null for the programmed centre.
+    [[nodiscard]] const CircleResult *circle() const {
+        if (aboutSetUp())
+            return nullptr;
+        return results.circle(of(), radial() ? ReferenceCircle::leastSquares : measurement.referenceCircle);
+    }
+
+    /// The index of the figure's results.
+    [[nodiscard]] std::string index() const {
+        for (const EvaluatedPath &path : results.paths) {
+            if (shows(path.sense))
+                return path.index; // a pair takes that of the path measured first
+        }
+        return {};
+    }
+
+    [[nodiscard]] const Parameter *parameter(std::string_view id) const {
+        const auto found = std::ranges::find_if(
+            evaluation.parameters, [&](const Parameter &p) { return id == p.term.id && p.index == index(); });
+        return found == evaluation.parameters.end() ? nullptr : &*found;
+    }
+
+    /// G or G(b), of the feedback signal where that was measured.
+    [[nodiscard]] const Parameter *circularDeviation() const {
+        const bool pair = of() == CircleOf::both;
+        const Parameter *external = parameter(pair ? "G(b)" : "G");
+        return external ? external : parameter(pair ? "G(b)f" : "Gf");
+    }
+};
+
+/// Angle between P and P − c as the point c sees it farther on, degrees; |c| is small against |P|.
+double turn(Point p, Point fromCentre) {
+    const double sine = p.x * fromCentre.y - p.y * fromCentre.x;
+    const double cosine = p.x * fromCentre.x + p.y * fromCentre.y;
+    const double tangent = sine / cosine;
+    const bool small = cosine > 0 && std::abs(tangent) < 1e-3; // then t − t³/3 is exact to rounding
+    const double radians = small ? tangent - tangent * tangent * tangent / 3 : std::atan2(sine, cosine);
+    return radians * 180 / std::numbers::pi;
+}
+
+PathProfile profile(const Arc &arc, const std::vector<std::size_t> &source, PointsView points, Point centre,
+                    double nominalRadius) {
+    PathProfile result;
+    result.sense = arc.sense;
+    result.sampleInterval = arc.sampleInterval;
+    result.source = source;
+    result.angles.reserve(source.size());
+    result.deviations.reserve(source.size());
+    for (std::size_t i = 0; i < source.size(); ++i) {
+        const Point p = points[i];
+        const Point away{p.x - centre.x, p.y - centre.y};
+        const double distance = std::sqrt(away.x * away.x + away.y * away.y);
+        result.angles.push_back(arc.angles[source[i]] + turn(p, away));
+        result.deviations.push_back((distance - nominalRadius) * micrometresPerMillimetre);
+    }
+    return result;
+}
+
+/// As it was read: about the centre of the set-up.
+PathProfile profileAsRead(const Arc &arc, const std::vector<std::size_t> &source) {
+    PathProfile result;
+    result.sense = arc.sense;
+    result.sampleInterval = arc.sampleInterval;
+    result.source = source;
+    for (const std::size_t i : source) {
+        result.angles.push_back(arc.angles[i]);
+        result.deviations.push_back(arc.radialDeviations[i] * micrometresPerMillimetre);
+    }
+    return result;
+}
+
+std::vector<std::size_t> evaluatedPoints(const Arc &arc) {
+    std::vector<std::size_t> result;
+    const auto range = iso230_4::evaluatedRange(arc);
+    for (std::size_t i = 0; range && i < arc.angles.size(); ++i) {
+        if (arc.angles[i] >= range->from && arc.angles[i] <= range->to)
+            result.push_back(i);
+    }
+    return result;
+}
+
+/// The points of a further arc as those of the evaluated ones are made.
+Points pointsOf(const Arc &arc, const std::vector<std::size_t> &source, const Source &from) {
+    std::vector<double> angles;
+    std::vector<double> distances;
+    for (const std::size_t i : source) {
+        angles.push_back(arc.angles[i]);
+        distances.push_back(from.measurement.nominalRadius + arc.radialDeviations[i]);
+    }
+    return arc.angleReference == AngleReference::commanded && from.results.centringError
+               ? rebuildPoints({angles, distances}, *from.results.centringError)
+               : polarPoints(angles, distances);
+}
+
+void finish(PathProfile &profile, const Source &source, std::size_t arc) {
+    profile.arc = arc;
+    profile.index = iso230_4::axisIndex(source.measurement.plane, profile.sense);
+    const double correction =
+        source.radial() ? source.results.correction.value_or(0) * micrometresPerMillimetre : 0;
+    if (correction != 0) {
+        for (double &deviation : profile.deviations)
+            deviation += correction;
+    }
+    const auto &angles = profile.angles;
+    profile.ordered = std::ranges::is_sorted(angles) || std::ranges::is_sorted(angles, std::greater<>());
+}
+
+std::vector<PathProfile> profilesOf(const Source &source) {
+    const CircularMeasurement &measurement = source.measurement;
+    const CircleResult *circle = source.circle();
+    const Point centre = circle ? circle->centre : Point{};
+    std::vector<PathProfile> result;
+    for (const EvaluatedPath &path : source.results.paths) {
+        if (!source.shows(path.sense) || path.source.empty())
+            continue;
+        const Arc &arc = measurement.arcs[path.arc];
+        result.push_back(source.aboutSetUp() ? profileAsRead(arc, path.source)
+                                             : profile(arc, path.source, path.points.view(), centre,
+                                                       measurement.nominalRadius));
+        finish(result.back(), source, path.arc);
+    }
+    if (!source.options.repetitions)
+        return result;
+    for (const std::size_t k : source.results.repetitions) {
+        const Arc &arc = measurement.arcs[k];
+        const std::vector<std::size_t> points = evaluatedPoints(arc);
+        if (!source.shows(arc.sense) || points.empty())
+            continue;
+        result.push_back(source.aboutSetUp() ? profileAsRead(arc, points)
+                                             : profile(arc, points, pointsOf(arc, points, source).view(),
+                                                       centre, measurement.nominalRadius));
+        result.back().repetition = true;
+        finish(result.back(), source, k);
+    }
+    return result;
+}
+
+void include(Interval &range, double value) {
+    range.from = std::min(range.from, value);
+    range.to = std::max(range.to, value);
+}
+
+Interval deviationsOf(std::span<const PathProfile> profiles) {
+    Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const PathProfile &profile : profiles) {
+        for (const double deviation : profile.deviations) // of 10⁶ points: a loop without branches
+            range = {std::min(range.from, deviation), std::max(range.to, deviation)};
+    }
+    return range.from <= range.to ? range : Interval{};
+}
+
+int decimalsOf(double step) {
+    return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+}
+
+QString ratio(double magnification, const Language &language) {
+    return magnification >= 1
+               ? language.number(magnification, Quantity::number, -1) + QStringLiteral(":1")
+               : QStringLiteral("1:") + language.number(std::round(1 / magnification), Quantity::number, -1);
+}
+
+QString withSign(double value, int decimals, const Language &language) {
+    const QString digits = language.number(value, Quantity::number, decimals);
+    return value > 0 ? QStringLiteral("+") + digits : digits;
+}
+
+/// What of the plane of the figure is in view: distances from the centre, directions.
+struct Visible {
+    Interval radii;                 ///< mm
+    std::optional<Interval> angles; ///< degrees; null: all
+};
+
+Visible visible(const CircleFigure &figure) {
+    const CircleView &view = figure.view;
+    const double halfWidth = figure.size.width() / 2 / view.zoom;
+    const double halfHeight = figure.size.height() / 2 / view.zoom;
+    const double dx = std::max(0.0, std::abs(view.x) - halfWidth);
+    const double dy = std::max(0.0, std::abs(view.y) - halfHeight);
+    Visible result{
+        {std::hypot(dx, dy), std::hypot(std::abs(view.x) + halfWidth, std::abs(view.y) + halfHeight)},
+        std::nullopt};
+    if (dx == 0 && dy == 0)
+        return result; // the centre is in view
+    const double middle = std::atan2(view.y, view.x);
+    Interval angles{0, 0};
+    for (const double x : {view.x - halfWidth, view.x + halfWidth}) {
+        for (const double y : {view.y - halfHeight, view.y + halfHeight})
+            include(angles, std::remainder(std::atan2(y, x) - middle, 2 * std::numbers::pi));
+    }
+    constexpr double degrees = 180 / std::numbers::pi;
+    result.angles = Interval{(middle + angles.from) * degrees, (middle + angles.to) * degrees};
+    return result;
+}
+
+/// Rings of the whole figure stay where the paths are; one zoomed into shows those in view.
+void addRings(CircleFigure &figure, const Interval &deviations, const Visible &inView,
+              const Language &language) {
+    const double perMicrometre = figure.magnification / micrometresPerMillimetre; // mm on paper
+    figure.division = roundStep(leastDivision * figure.figureRadius / (perMicrometre * figure.view.zoom), 1,
+                                TickSteps::values);
+    const int decimals = decimalsOf(figure.division);
+    figure.divisionLabel = language.quantity(figure.division, Quantity::micrometres, decimals);
+
+    const auto deviation = [&](double radius) { return (radius - figure.plotRadius) / perMicrometre; };
+    const double slack = 1e-9;
+    const double lowest = std::ceil(deviation(innerLimit * figure.figureRadius) / figure.division - slack);
+    const double highest = std::floor(deviation(figure.figureRadius) / figure.division + slack);
+    double first = std::ceil(deviations.from / figure.division - slack);
+    double last = std::floor(deviations.to / figure.division + slack);
+    if (figure.view.zoom > 1) {
+        first = std::ceil(deviation(inView.radii.from) / figure.division);
+        last = std::floor(deviation(inView.radii.to) / figure.division);
+    } else if (last - first + 1 < static_cast<double>(fewestRings)) {
+        first = std::floor(std::min(0.0, deviations.from) / figure.division);
+        last = std::ceil(std::max(0.0, deviations.to) / figure.division);
+    }
+    first = std::max(std::min(first, 0.0), lowest);
+    last = std::min(std::max(last, 0.0), highest);
+    if (figure.view.zoom > 1) {
+        first = std::max(first, std::ceil(deviation(inView.radii.from) / figure.division) - 1);
+        last =
+            std::min({last, std::floor(deviation(inView.radii.to) / figure.division) + 1, first + mostRings});
+    }
+    figure.rings.clear();
+    for (double k = first; k <= last; k += 1) {
+        const double value = k == 0 ? 0.0 : k * figure.division;
+        figure.rings.push_back({value, withSign(value, decimals, language)});
+    }
+}
+
+void addTraces(CircleFigure &figure, std::span<const PathProfile> profiles, const Visible &inView) {
+    const double step = figure.pointStep / (figure.figureRadius * figure.view.zoom) * 180 / std::numbers::pi;
+    figure.traces.clear();
+    for (const PathProfile &profile : profiles) {
+        for (CircleTrace &trace : decimated(profile, step, inView.angles))
+            figure.traces.push_back(std::move(trace));
+    }
+}
+
+/// Deviations that the paths, their envelope and the limits of F reach.
+Interval reach(const CircleFigure &figure, std::span<const PathProfile> profiles) {
+    Interval range = deviationsOf(profiles);
+    if (figure.envelope) {
+        include(range, figure.envelope->inner);
+        include(range, figure.envelope->outer);
+    }
+    for (const DeviationCircle &limit : figure.limits)
+        include(range, limit.deviation);
+    return range;
+}
+
+void addEnvelope(CircleFigure &figure, const Source &source, const Language &language) {
+    const Parameter *shown = source.circularDeviation();
+    const CircleResult *circle = source.circle();
+    if (source.radial() || !circle || !shown || !shown->value)
+        return;
+    const double nominal = source.measurement.nominalRadius;
+    CircleEnvelope envelope;
+    envelope.label = QString::fromUtf8(shown->term.symbol.base);
+    envelope.subscript = QString::fromUtf8(shown->term.symbol.subscript);
+    envelope.id = QString::fromStdString(parameterId(*shown));
+    envelope.inner = (circle->innerRadius - nominal) * micrometresPerMillimetre;
+    envelope.outer = (circle->outerRadius - nominal) * micrometresPerMillimetre;
+    if (source.options.limits && shown->limit && shown->limit->value) {
+        envelope.limit = *shown->limit->value * micrometresPerMillimetre;
+        envelope.limitLabel = language.sentence(
+            {REPORT_TEXT("report", "limit %1"), {Number{*shown->limit->value, Quantity::deviation}}, {}});
+    }
+    figure.envelope = envelope;
+}
+
+/// Fmin and Fmax as circles, and their limits.
+void addRadialDeviations(CircleFigure &figure, const Source &source, const Test &test,
+                         std::span<const PathProfile> profiles, const Language &language) {
+    if (!source.radial() || profiles.empty())
+        return;
+    const Parameter *most = source.parameter("Fmax");
+    const Parameter *least = source.parameter("Fmin");
+    if (!most || !least || !most->value || !least->value)
+        return;
+    if (source.of() != CircleOf::both) {
+        CircleEnvelope envelope;
+        envelope.id = QString::fromStdString(parameterId(*most));
+        envelope.inner = *least->value * micrometresPerMillimetre;
+        envelope.outer = *most->value * micrometresPerMillimetre;
+        envelope.dimension = false;
+        figure.envelope = envelope;
+    }
+    if (!source.options.limits)
+        return;
+    const Interval range = deviationsOf(profiles);
+    const double largest = largestLimit * std::max(std::abs(range.from), std::abs(range.to));
+    const auto add = [&](const char *id, double sign) {
+        const auto found = test.limits.find(id);
+        if (found == test.limits.end() || !found->second.value ||
+            (most->limit != found->second && least->limit != found->second))
+            return; // none, or agreed for another edition
+        const double limit = sign * *found->second.value * micrometresPerMillimetre;
+        if (std::abs(limit) <= largest)
+            figure.limits.push_back(
+                {limit, language.sentence({REPORT_TEXT("report", "limit %1"),
+                                           {Number{limit / micrometresPerMillimetre, Quantity::deviation}},
+                                           {}})});
+    };
+    add("Fmin", 1);
+    add("F", -1);
+    add("F", 1);
+    add("Fmax", 1);
+}
+
+/// The points at which `deviation` is reached, those of one contact once.
+void addContacts(CircleFigure &figure, std::span<const PathProfile> profiles, double deviation, bool outer) {
+    std::vector<ContactMark> found;
+    for (const PathProfile &profile : profiles) {
+        if (profile.repetition)
+            continue;
+        for (std::size_t i = 0; i < profile.deviations.size() && found.size() < mostContacts; ++i) {
+            if (std::abs(profile.deviations[i] - deviation) > contactTolerance)
+                continue;
+            const bool known = std::ranges::any_of(found, [&](const ContactMark &other) {
+                return other.mark.sense == profile.sense &&
+                       std::abs(std::remainder(other.mark.at.angle - profile.angles[i], fullTurn)) <
+                           contactDistance;
+            });
+            if (!known)
+                found.push_back({{profile.sense, profile[i]}, outer});
+        }
+    }
+    figure.contacts.insert(figure.contacts.end(), found.begin(), found.end());
+}
+
+QString senseText(Sense sense, const std::string &index, const Language &language) {
+    return language.sentence({sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise, %1")
+                                                               : REPORT_TEXT("report", "clockwise, %1"),
+                              {index},
+                              {}});
+}
+
+void addLegend(CircleFigure &figure, const Source &source, std::span<const PathProfile> profiles,
+               const Language &language) {
+    const auto add = [&](CircleLegendSample sample, const QString &text) {
+        figure.legend.push_back({sample, text});
+    };
+    bool repeated = false;
+    for (const PathProfile &profile : profiles) {
+        repeated |= profile.repetition;
+        if (!profile.repetition)
+            add(profile.sense == Sense::counterclockwise ? CircleLegendSample::counterclockwise
+                                                         : CircleLegendSample::clockwise,
+                senseText(profile.sense, profile.index, language));
+    }
+    if (repeated)
+        add(CircleLegendSample::repetitions, language.text(REPORT_TEXT("report", "repetitions")));
+    add(CircleLegendSample::nominal, language.text(REPORT_TEXT("report", "nominal circle")));
+    if (figure.envelope && figure.envelope->dimension) {
+        const Text text = source.measurement.referenceCircle == ReferenceCircle::minimumZone
+                              ? REPORT_TEXT("report", "minimum zone, %1")
+                              : REPORT_TEXT("report", "least squares, %1");
+        add(CircleLegendSample::envelope,
+            language.sentence(
+                {text, {(figure.envelope->label + figure.envelope->subscript).toStdString()}, {}}));
+    } else if (figure.envelope) {
+        add(CircleLegendSample::envelope, QStringLiteral("Fmin, Fmax"));
+    }
+    if (!figure.limits.empty())
+        add(CircleLegendSample::limit, language.text(REPORT_TEXT("report", "limits of F")));
+    add(CircleLegendSample::centre, language.text(REPORT_TEXT("report", "reference centre")));
+    if (!figure.starts.empty())
+        add(CircleLegendSample::start, language.text(REPORT_TEXT("report", "starting point")));
+    if (!figure.contacts.empty())
+        add(CircleLegendSample::contacts, language.text(REPORT_TEXT("report", "ruling points")));
+    figure.keyColumns = figure.size.width() >= threeColumns ? 3 : 2;
+    figure.keyHeight =
+        keyGap + keyRow * std::ceil(static_cast<double>(figure.legend.size()) / figure.keyColumns);
+}
+
+Text titleText(const Source &source, std::size_t paths) {
+    if (source.radial())
+        return REPORT_TEXT("report", "Radial deviation F, %1");
+    if (source.options.of != CircleOf::both)
+        return REPORT_TEXT("report", "Circular deviation G, %1");
+    return paths == 1 ? REPORT_TEXT("report", "Actual path, %1") : REPORT_TEXT("report", "Actual paths");
+}
+
+Message centreText(const Source &source) {
+    if (source.aboutSetUp())
+        return {REPORT_TEXT("report", "about the centre of the set-up"), {}, {}};
+    if (!source.circle())
+        return {REPORT_TEXT("report", "about the programmed centre"), {}, {}};
+    const Parameter *shown = source.radial() ? source.parameter("Fmax") : source.circularDeviation();
+    const std::string symbol = source.radial() || !shown ? "F" : shown->term.symbol.base;
+    return {source.circle()->kind == ReferenceCircle::minimumZone
+                ? REPORT_TEXT("report", "about the centre of the minimum zone of %1")
+                : REPORT_TEXT("report", "about the centre of the least squares circle of %1"),
+            {symbol},
+            {}};
+}
+
+} // namespace
+
+CircleScale circleScale(const Interval &deviations, double figureRadius) {
+    const double inward = std::min(0.0, deviations.from) / micrometresPerMillimetre;
+    const double outward = std::max(0.0, deviations.to) / micrometresPerMillimetre;
+    const double inner = innerLimit * figureRadius;
+    const double preferred = nominalCircle * figureRadius;
+    constexpr double tolerance = 1 + 1e-12;
+    const auto fits = [&](double magnification) {
+        return magnification * outward <= (figureRadius - preferred) * tolerance &&
+               -magnification * inward <= (preferred - inner) * tolerance;
+    };
+    const auto fitsMoved = [&](double magnification) {
+        return magnification * (outward - inward) <= (figureRadius - inner) * tolerance;
+    };
+    const auto largest = [](const auto &suits) {
+        for (int decade = highestDecade; decade > lowestDecade; --decade) {
+            for (const double factor : {1.0, 0.5, 0.2}) {
+                const double magnification = factor * std::pow(10.0, decade);
+                if (suits(magnification))
+                    return magnification;
+            }
+        }
+        return std::pow(10.0, lowestDecade);
+    };
+    const double there = largest(fits);
+    const double moved = largest(fitsMoved);
+    if (moved < worthMoving * there)
+        return {preferred, there};
+    return {std::clamp(preferred, inner - moved * inward,
+                       std::max(inner - moved * inward, figureRadius - moved * outward)),
+            moved};
+}
+
+std::vector<PathProfile> pathProfiles(const Test &test, const TestEvaluation &evaluation,
+                                      const CircleFigureOptions &options) {
+    return profilesOf(Source(test, evaluation, options));
+}
+
+PathProfile wholeArc(const Test &test, const TestEvaluation &evaluation, std::size_t arc) {
+    const CircleFigureOptions options;
+    const Source source(test, evaluation, options);
+    const Arc &measured = source.measurement.arcs[arc];
+    const CircleResult *circle =
+        source.results.circle(circleOf(measured.sense), ReferenceCircle::leastSquares);
+    std::vector<std::size_t> points(measured.angles.size());
+    std::iota(points.begin(), points.end(), std::size_t{0});
+    PathProfile result = profile(measured, points, pointsOf(measured, points, source).view(),
+                                 circle ? circle->centre : Point{}, source.measurement.nominalRadius);
+    finish(result, source, arc);
+    return result;
+}
+
+CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation, const Language &language,
+                          const CircleFigureOptions &options) {
+    return circleFigure(test, evaluation, pathProfiles(test, evaluation, options), language, options);
+}
+
+CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
+                          std::span<const PathProfile> profiles, const Language &language,
+                          const CircleFigureOptions &options) {
+    const Source source(test, evaluation, options);
+    CircleFigure figure;
+    figure.firstAxis = QString::fromStdString(source.measurement.plane.first);
+    figure.secondAxis = QString::fromStdString(source.measurement.plane.second);
+    figure.size = options.size;
+    figure.pointStep = options.pointStep;
+    figure.figureRadius = std::max(smallestRadius, std::min(options.size.width() / 2 - sideMargin,
+                                                            options.size.height() / 2 - topMargin));
+    addEnvelope(figure, source, language);
+    addRadialDeviations(figure, source, test, profiles, language);
+    for (const PathProfile &profile : profiles) {
+        if (profile.repetition)
+            continue;
+        figure.starts.push_back({profile.sense, profile[0]});
+        figure.arrows.push_back({profile.sense, QString::fromStdString(profile.index)});
+    }
+    if (options.contacts && figure.envelope) {
+        addContacts(figure, profiles, figure.envelope->outer, true);
+        addContacts(figure, profiles, figure.envelope->inner, false);
+    }
+    const Interval deviations = reach(figure, profiles);
+    const CircleScale scale = circleScale(deviations, figure.figureRadius);
+    figure.plotRadius = scale.plotRadius;
+    figure.magnification = scale.magnification;
+    if (figure.envelope && figure.envelope->limit &&
+        *figure.envelope->limit * scale.magnification / micrometresPerMillimetre > figure.figureRadius)
+        figure.envelope->limit.reset();
+
+    const auto paths =
+        static_cast<std::size_t>(std::ranges::count(profiles, false, &PathProfile::repetition));
+    const std::string name = paths == 0 ? std::string() : profiles.front().index;
+    figure.title = language.sentence({titleText(source, paths), {name}, {}});
+    figure.centre = language.sentence(centreText(source));
+    figure.ratio = ratio(figure.magnification, language);
+    const Visible inView = visible(figure);
+    addRings(figure, deviations, inView, language);
+    addTraces(figure, profiles, inView);
+    figure.caption = language.sentence({REPORT_TEXT("report", "magnification %1, %2 per division"),
+                                        {figure.ratio.toStdString(), figure.divisionLabel.toStdString()},
+                                        {}});
+    addLegend(figure, source, profiles, language);
+    return figure;
+}
+
+std::vector<CircleFigureOptions> separateCircleFigures(const Test &test, const TestEvaluation &evaluation) {
+    const CircleFigureOptions options;
+    const Source source(test, evaluation, options);
+    std::vector<CircleFigureOptions> result;
+    if (source.results.paths.size() == 2)
+        result.push_back({});
+    for (const auto subject : {CircleSubject::circularDeviation, CircleSubject::radialDeviation}) {
+        for (const EvaluatedPath &path : source.results.paths) {
+            CircleFigureOptions one;
+            one.of = circleOf(path.sense);
+            one.subject = subject;
+            const Source of(test, evaluation, one);
+            const Parameter *shown = of.radial() ? of.parameter("Fmax") : of.circularDeviation();
+            if (shown && shown->value)
+                result.push_back(one);
+        }
+    }
+    return result;
+}
+
+QSizeF printedSize(const CircleFigure &figure) {
+    return {figure.size.width(), figure.size.height() + figure.keyHeight};
+}
+
+CircleFigure withView(CircleFigure figure, std::span<const PathProfile> profiles, const CircleView &view,
+                      const Language &language) {
+    figure.view = view;
+    const Visible inView = visible(figure);
+    addRings(figure, view.zoom > 1 ? Interval{} : reach(figure, profiles), inView, language);
+    addTraces(figure, profiles, inView);
+    return figure;
+}
+
+} // namespace palmer

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "import/choices.h"
+#include "import/remark.h"
+#include "kernel/measurement/circular.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+/// Settles what every circular test has: plane, feed, calibrated length, correction to 20 °C, edition.
+/// `plane`, `feed`: as the file says, or empty.
+void settleCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
+                  std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks);
+
+/// Angles made continuous: no step beyond 180°.
+void unwrap(std::vector<double> &degrees);
+
+/// The sense in which the angles of a path run.
+[[nodiscard]] Sense senseOf(const std::vector<double> &unwrapped);
+
+} // namespace palmer

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "import/choice.h"
+#include "kernel/words/text.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palmer {
+
+/// What the user has chosen for an import: key → word, as after --set and in a profile.
+using ImportOptions = std::map<std::string, std::string, std::less<>>;
+
+/// A word that a choice can have, and what it is called.
+struct ImportWord {
+    const char *word;
+    Text name;
+};
+
+enum class ImportValue { word, number, text };
+
+/// A choice that importers know.
+struct ImportKey {
+    const char *key;
+    Text name;
+    ImportValue value;
+    std::span<const ImportWord> words = {}; ///< of `word`
+};
+
+/// All of them, in the order they are shown in.
+[[nodiscard]] std::span<const ImportKey> importKeys();
+[[nodiscard]] const ImportKey *findImportKey(std::string_view key);
+
+/// Throws Error(content) for a key or word that is unknown, with those that are known.
+void demandKnown(const ImportOptions &options);
+
+/// A choice as it stands after reading: to be shown, confirmed or changed.
+struct ImportChoice {
+    std::string key;
+    std::string value;
+    Origin origin = Origin::recognised;
+
+    bool operator==(const ImportChoice &) const = default;
+};
+
+/// The choices of one reading: what the user chose wins, else what was found.
+class Choices {
+public:
+    explicit Choices(const ImportOptions &options)
+        : m_options(options) {}
+
+    [[nodiscard]] bool isChosen(std::string_view key) const;
+    /// What the user chose for it, empty if nothing.
+    [[nodiscard]] std::string_view chosen(std::string_view key) const;
+    [[nodiscard]] std::optional<double> chosenNumber(std::string_view key) const;
+
+    /// Settles a choice: the user's, or what was found; remembers it.
+    Choice<std::string> settle(std::string_view key, std::string_view found, Origin origin);
+    Choice<double> settleNumber(std::string_view key, double found, Origin origin);
+
+    [[nodiscard]] std::vector<ImportChoice> take() { return std::move(m_settled); }
+
+private:
+    void remember(std::string_view key, std::string value, Origin origin);
+
+    ImportOptions m_options;
+    std::vector<ImportChoice> m_settled;
+};
+
+/// The position of a word in a table of words that have the order of an enumeration.
+template <class Enumeration, class Words>
+[[nodiscard]] std::optional<Enumeration> enumerationOf(const Words &words, std::string_view word) {
+    int index = 0;
+    for (const ImportWord &row : words) {
+        if (row.word == word)
+            return static_cast<Enumeration>(index);
+        ++index;
+    }
+    return {};
+}
+
+} // namespace palmer

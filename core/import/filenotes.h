@@ -1,0 +1,29 @@
+#pragma once
+
+#include "import/tablebody.h"
+
+#include <optional>
+#include <string>
+
+namespace palmer {
+
+/// What the comments and first lines of a table say about the measurement, as far as it is understood.
+struct FileNotes {
+    std::string axis;
+    std::string plane;               ///< "XY"
+    const Unit *unit = nullptr;      ///< "unit: µm"
+    std::optional<std::string> date; ///< YYYY-MM-DD
+    std::string dateText;            ///< a date that is not ISO, as it stands there
+    std::string operatorName;
+    std::string machine;
+    std::string serialNumber;
+    std::optional<double> radius; ///< mm
+    std::optional<double> feed;   ///< mm/min
+    std::optional<Direction> direction;
+    std::size_t understood = 0; ///< lines with any of it
+    std::size_t ignored = 0;
+};
+
+[[nodiscard]] FileNotes notesOf(const CellTable &table, const TableBody &body);
+
+} // namespace palmer

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "import/choices.h"
+#include "import/remark.h"
+#include "import/table.h"
+#include "kernel/measurement/machine.h"
+#include "kernel/measurement/test.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+/// What a cell of the raw table was read as: how the assistant colours it.
+enum class CellRole : std::uint8_t { ignored, head, position, positive, negative };
+
+/// What a measurement file says, before anything is accepted.
+struct Imported {
+    std::string format;                ///< word of the choice "format"
+    std::vector<ImportChoice> choices; ///< all that matter for this file, each with how it came about
+    std::vector<Remark> remarks;       ///< problems, assumptions, then notes
+    CellTable table;                   ///< as read, of text files and workbooks
+    std::vector<CellRole> roles;       ///< of its cells
+    std::string text;                  ///< of text files that are no tables: what was read
+
+    std::optional<Test> test;              ///< null for temperatures
+    std::vector<Sensor> sensors;           ///< from the file
+    std::optional<double> gradientPerHour; ///< °C/h, the largest of the sensors with a series
+    Machine machine;                       ///< what the file says of it; empty = not stated
+    std::optional<Instrument> instrument;  ///< likewise; its id is not set
+    std::string operatorName;
+};
+
+} // namespace palmer

@@ -1,0 +1,252 @@
+#include "import/importmeasurement.h"
+
+#include "import/readers.h"
+
+#include <QCryptographicHash>
+#include <QFileInfo>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace palmer {
+
+namespace {
+
+constexpr qsizetype sizeLimit = qsizetype(1) << 30;
+
+constexpr std::array formats{
+    ImportFormat{"workbook", isWorkbook, readWorkbook},
+    ImportFormat{"rtl", isRtl, readRtl},
+    ImportFormat{"rtx", isRtx, readRtx},
+    ImportFormat{"b5r", isBallbarXml, readBallbarXml},
+    ImportFormat{"indexed", isIndexedText, readIndexedText},
+    ImportFormat{"ren", isRenText, readRenText},
+    ImportFormat{"table", isAnything, readTextTable},
+};
+
+const ImportFormat &formatOf(QByteArrayView bytes, const ImportOptions &options) {
+    const auto chosen = options.find("format");
+    for (const ImportFormat &format : formats) {
+        if (chosen != options.end() ? chosen->second == format.word : format.recognises(bytes))
+            return format;
+    }
+    return formats.back();
+}
+
+CorrectionTo20 correctionOf(std::string_view word) {
+    if (word == "not applied")
+        return CorrectionTo20::notApplied;
+    if (word == "applied by the instrument")
+        return CorrectionTo20::appliedByInstrument;
+    return word == "applied here" ? CorrectionTo20::appliedHere : CorrectionTo20::notStated;
+}
+
+/// Whether the instrument has corrected to 20 °C is asked of every test, never assumed.
+void settleCorrection(Imported &imported, Choices &choices) {
+    if (!imported.test || std::holds_alternative<DriftMeasurement>(imported.test->measurement))
+        return;
+    const auto choice = choices.settle("correctionTo20", "not stated", Origin::guessed);
+    if (choice.value == "not stated")
+        imported.remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT(
+                 "report",
+                 "Correction to 20 °C: whether the instrument has applied one is not stated; say it.")},
+             0,
+             0,
+             "correctionTo20"});
+    if (auto *positioning = std::get_if<PositioningMeasurement>(&imported.test->measurement))
+        positioning->conditions.common.correctionTo20 = correctionOf(choice.value);
+    else if (auto *circular = std::get_if<CircularMeasurement>(&imported.test->measurement))
+        circular->conditions.common.correctionTo20 = correctionOf(choice.value);
+}
+
+/// Files may hold any number; what is beyond sense is no measurement. Targets have to differ in mm, too.
+void demandSense(const Test &test) {
+    constexpr double largest = 1e9; // mm, degrees, s
+    const auto sensible = [](const std::vector<double> &values) {
+        return std::ranges::all_of(values, [](double value) { return std::abs(value) <= largest; });
+    };
+    bool sense = true;
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
+        sense = sensible(positioning->targets) &&
+                std::ranges::adjacent_find(positioning->targets, std::ranges::greater_equal()) ==
+                    positioning->targets.end();
+        for (const Run &run : positioning->runs)
+            sense = sense && std::ranges::all_of(run.deviations, [](const auto &value) {
+                        return !value || std::abs(*value) <= largest;
+                    });
+    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
+        sense = circular->nominalRadius > 0 && circular->nominalRadius <= largest &&
+                circular->feed.value_or(0) <= largest;
+        for (const Arc &arc : circular->arcs)
+            sense = sense && sensible(arc.angles) && sensible(arc.radialDeviations);
+    } else {
+        const auto &drift = std::get<DriftMeasurement>(test.measurement);
+        sense = sensible(drift.times) && sensible(drift.deviations);
+    }
+    if (!sense)
+        throw Error(
+            Error::Kind::content,
+            {REPORT_TEXT("report",
+                         "there are numbers in it that no machine has; check units and decimal mark")});
+}
+
+Conditions *conditionsOf(Test &test) {
+    if (auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
+        return &positioning->conditions.common;
+    if (auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
+        return &circular->conditions.common;
+    return nullptr;
+}
+
+void addTemperatures(Test &test, const Imported &imported, const ImportedFile &file) {
+    Conditions *conditions = conditionsOf(test);
+    if (!conditions)
+        return;
+    conditions->sensors.insert(conditions->sensors.end(), imported.sensors.begin(), imported.sensors.end());
+    if (auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
+        positioning && imported.gradientPerHour)
+        positioning->conditions.gradientPerHour = imported.gradientPerHour;
+    test.imports.push_back(file);
+}
+
+template <class Named>
+std::string freeId(const std::string &wish, const std::vector<Named> &taken) {
+    const auto idOf = [](const auto &each) -> const std::string & {
+        if constexpr (requires { each.id; })
+            return each.id;
+        else
+            return each->id;
+    };
+    std::string id = wish;
+    for (int n = 2; std::ranges::any_of(taken, [&](const auto &each) { return idOf(each) == id; }); ++n)
+        id = wish + std::to_string(n);
+    return id;
+}
+
+std::string wishedId(const Test &test) {
+    std::string name;
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
+        name = positioning->axis.name.empty() ? "axis" : positioning->axis.name;
+    else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
+        name = circular->plane.first + circular->plane.second;
+    else
+        name = "drift";
+    for (char &c : name)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return name;
+}
+
+} // namespace
+
+std::span<const ImportFormat> importFormats() {
+    return formats;
+}
+
+std::string sha256(QByteArrayView bytes) {
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(bytes);
+    return hash.result().toHex().toStdString();
+}
+
+bool isTestFile(QByteArrayView bytes) {
+    if (bytes.startsWith("%PDF-"))
+        return true;
+    qsizetype at = bytes.startsWith("\xEF\xBB\xBF") ? 3 : 0;
+    while (at < bytes.size() &&
+           (bytes[at] == ' ' || bytes[at] == '\t' || bytes[at] == '\r' || bytes[at] == '\n'))
+        ++at;
+    return at < bytes.size() && bytes[at] == '{';
+}
+
+Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
+    demandKnown(options);
+    if (bytes.size() > sizeLimit)
+        throw Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "the file is larger than 1 GiB")});
+    if (isTestFile(bytes))
+        throw Error(
+            Error::Kind::format,
+            {REPORT_TEXT("report", "this is a test file or a report, not a measurement; open it instead")});
+    const ImportFormat &format = formatOf(bytes, options);
+    if (std::string_view(format.word) == "table" && !options.contains("format"))
+        refuseUndocumented(bytes, fileName);
+    Imported imported;
+    imported.format = format.word;
+    Choices choices(options);
+    choices.settle("format", format.word, Origin::recognised);
+    format.read({bytes, options}, choices, imported);
+    if (imported.test)
+        demandSense(*imported.test);
+    settleCorrection(imported, choices);
+    imported.choices = choices.take();
+    std::ranges::stable_sort(imported.remarks, {}, &Remark::grade);
+    return imported;
+}
+
+void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
+                 bool keepBytes) {
+    ImportedFile file;
+    if (imported.test && !imported.test->imports.empty())
+        file = imported.test->imports.front(); // the instrument's results
+    file.fileName = QFileInfo(fileName).fileName().toStdString();
+    file.sha256 = sha256(bytes);
+    if (keepBytes)
+        file.data = bytes.toByteArray().toBase64().toStdString();
+    const auto fill = [](std::string &field, const std::string &value) {
+        if (field.empty())
+            field = value;
+    };
+    Machine &machine = document.machine;
+    fill(machine.name, imported.machine.name);
+    fill(machine.manufacturer, imported.machine.manufacturer);
+    fill(machine.model, imported.machine.model);
+    fill(machine.serialNumber, imported.machine.serialNumber);
+    fill(machine.location, imported.machine.location);
+    fill(document.report.operatorName, imported.operatorName);
+    if (!imported.test) {
+        bool added = false;
+        for (TestPointer &pointer : document.tests) {
+            Test test = *pointer;
+            addTemperatures(test, imported, file);
+            added |= !(test == *pointer);
+            pointer = std::make_shared<const Test>(std::move(test));
+        }
+        if (!added)
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT(
+                    "report",
+                    "temperatures need a test that they belong to; import the measurement before them")});
+        return;
+    }
+    Test test = std::move(*imported.test);
+    test.id = freeId(wishedId(test), document.tests);
+    test.imports = {file};
+    if (std::holds_alternative<DriftMeasurement>(test.measurement)) {
+        test.imports.clear(); // the format keeps none for drift tests
+        fill(test.remarks, file.fileName + ", SHA-256 " + file.sha256);
+    }
+    if (imported.instrument) {
+        Instrument instrument = *imported.instrument;
+        instrument.id.clear();
+        const auto same = std::ranges::find_if(document.instruments, [&](Instrument known) {
+            known.id.clear();
+            return known == instrument;
+        });
+        if (same != document.instruments.end()) {
+            test.instruments = {same->id};
+        } else {
+            instrument.id = freeId(std::string("instrument"), document.instruments);
+            test.instruments = {instrument.id};
+            document.instruments.push_back(std::move(instrument));
+        }
+    }
+    if (Conditions *conditions = conditionsOf(test))
+        conditions->sensors.insert(conditions->sensors.end(), imported.sensors.begin(),
+                                   imported.sensors.end());
+    document.tests.push_back(std::make_shared<const Test>(std::move(test)));
+}
+
+} // namespace palmer

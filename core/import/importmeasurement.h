@@ -1,0 +1,31 @@
+#pragma once
+
+#include "document/document.h"
+#include "document/documenterror.h"
+#include "import/imported.h"
+
+#include <QByteArray>
+#include <QString>
+
+namespace palmer {
+
+/// What the bytes of a measurement file say: tables in all layouts, workbooks, files of instruments. The
+/// format is known by the content; the name serves the title of errors and formats that cannot be read.
+/// `options`: what the user has chosen; everything else is recognised or guessed, each guess with a remark.
+/// Throws Error with the place and what to do: unknown words, nothing that can be read, undocumented formats.
+[[nodiscard]] Imported importMeasurement(QByteArrayView bytes, const QString &fileName,
+                                         const ImportOptions &options = {});
+
+/// Whether the bytes are a test file or a report, which are opened and not imported.
+[[nodiscard]] bool isTestFile(QByteArrayView bytes);
+
+/// Puts what was imported into a document: the test with the name of the file, its SHA-256 and, if wanted,
+/// its bytes; machine, instrument and operator where the document states none; temperatures into the tests
+/// of the file, or of all tests if `test` is null there. Throws Error for temperatures without a test.
+void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
+                 bool keepBytes);
+
+/// SHA-256 in hexadecimal digits.
+[[nodiscard]] std::string sha256(QByteArrayView bytes);
+
+} // namespace palmer

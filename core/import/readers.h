@@ -1,0 +1,49 @@
+#pragma once
+
+#include "import/imported.h"
+
+#include <QByteArrayView>
+#include <QString>
+#include <span>
+
+namespace palmer {
+
+/// What a reader is given: the bytes, and the same as text where they are one.
+struct ImportSource {
+    QByteArrayView bytes;
+    const ImportOptions &options;
+};
+
+/// A format: how it is known by its content, and its reader. Readers throw Error for what cannot be used.
+struct ImportFormat {
+    const char *word;
+    bool (*recognises)(QByteArrayView bytes);
+    void (*read)(const ImportSource &source, Choices &choices, Imported &imported);
+};
+
+/// The formats in the order they are asked in; a table takes what no other recognises.
+[[nodiscard]] std::span<const ImportFormat> importFormats();
+
+// One reader a file.
+[[nodiscard]] bool isRtl(QByteArrayView bytes);
+void readRtl(const ImportSource &source, Choices &choices, Imported &imported);
+[[nodiscard]] bool isBallbarXml(QByteArrayView bytes);
+void readBallbarXml(const ImportSource &source, Choices &choices, Imported &imported);
+[[nodiscard]] bool isRtx(QByteArrayView bytes);
+void readRtx(const ImportSource &source, Choices &choices, Imported &imported);
+[[nodiscard]] bool isIndexedText(QByteArrayView bytes);
+void readIndexedText(const ImportSource &source, Choices &choices, Imported &imported);
+[[nodiscard]] bool isRenText(QByteArrayView bytes);
+void readRenText(const ImportSource &source, Choices &choices, Imported &imported);
+[[nodiscard]] bool isWorkbook(QByteArrayView bytes);
+void readWorkbook(const ImportSource &source, Choices &choices, Imported &imported);
+[[nodiscard]] bool isAnything(QByteArrayView bytes);
+void readTextTable(const ImportSource &source, Choices &choices, Imported &imported);
+
+/// The table of a text or sheet → measurement; used by both.
+void readMeasurementTable(Choices &choices, Imported &imported);
+
+/// Throws Error with advice for a format that is known by name or content, but not described publicly.
+void refuseUndocumented(QByteArrayView bytes, const QString &fileName);
+
+} // namespace palmer

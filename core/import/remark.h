@@ -1,0 +1,27 @@
+#pragma once
+
+#include "kernel/words/message.h"
+
+#include <cstddef>
+#include <string>
+
+namespace palmer {
+
+enum class RemarkGrade {
+    problem,    ///< something in the file could not be used as it stands
+    assumption, ///< something was guessed and wants to be confirmed
+    note,       ///< what was understood or ignored
+};
+
+/// What the reader of a measurement file understood, assumed or ignored; shown before anything is accepted.
+struct Remark {
+    RemarkGrade grade = RemarkGrade::note;
+    Message message;
+    std::size_t line = 0;    ///< of the file or sheet, from 1; 0: the whole
+    std::size_t column = 0;  ///< cell of the line, from 1; 0: the whole line
+    std::string choice = {}; ///< key of the choice it is about, or empty
+
+    bool operator==(const Remark &) const = default;
+};
+
+} // namespace palmer

@@ -1,0 +1,229 @@
+#include "import/tablereading.h"
+
+#include "document/documenterror.h"
+#include "document/place.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr double day = 86'400;
+
+bool hasWord(std::string_view text, std::span<const std::string_view> words) {
+    std::string low;
+    for (const char c : text)
+        low += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return std::ranges::any_of(words,
+                               [&](std::string_view word) { return low.find(word) != std::string::npos; });
+}
+
+SensorMeasures measuredBy(std::string_view heading) {
+    constexpr std::array<std::string_view, 3> air{"air", "ambient", "luft"};
+    constexpr std::array<std::string_view, 5> instrument{"instrument", "ballbar", "scale", "laser", "étalon"};
+    if (hasWord(heading, air))
+        return SensorMeasures::air;
+    return hasWord(heading, instrument) ? SensorMeasures::instrument : SensorMeasures::machine;
+}
+
+class SeriesReader {
+public:
+    SeriesReader(TableReading &reading, bool temperatures)
+        : m(reading)
+        , m_temperatures(temperatures) {}
+
+    void read() {
+        chooseColumns();
+        m.choices.settle("layout", "series", Origin::recognised);
+        readTimes();
+        if (m_temperatures)
+            readTemperatures();
+        else
+            readDrift();
+    }
+
+private:
+    void chooseColumns() {
+        const TableBody &body = m.body;
+        m_clock = body.columnOf(ColumnKind::clock);
+        std::vector<std::size_t> columns = body.numberColumns();
+        if (!m_clock) {
+            const auto named = body.columnOf(Meaning::time);
+            const bool first = named && std::ranges::find(columns, *named) != columns.end();
+            if (!first && columns.size() > 2 && isCounter(m, columns.front()))
+                columns.erase(columns.begin());
+            m_time = first ? *named : columns.front();
+            std::erase(columns, m_time);
+        } else {
+            m_time = *m_clock;
+            if (columns.size() > 1 && isCounter(m, columns.front()))
+                columns.erase(columns.begin());
+        }
+        std::erase_if(columns, [&](std::size_t c) { return body.columns[c].meaning == Meaning::index; });
+        if (columns.empty())
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
+        m_values = std::move(columns);
+    }
+
+    void readTimes() {
+        double multiplier = 1;
+        if (!m_clock) {
+            const Unit *stated = m.body.columns[m_time].unit;
+            const bool isTime = stated && stated->kind == UnitKind::time;
+            // Milliseconds are a unit of the file, none of the choices.
+            const auto choice = m.choices.settle("timeUnit", isTime ? stated->word : "s",
+                                                 isTime ? Origin::recognised : Origin::guessed);
+            multiplier = unitOf(choice.value)->toBase(1);
+            if (choice.origin == Origin::guessed)
+                m.remark(
+                    RemarkGrade::assumption,
+                    {REPORT_TEXT("report", "Unit of the times: nothing in the file says it; read as %1."),
+                     {choice.value}},
+                    0, "timeUnit");
+        }
+        double turn = 0;
+        std::optional<double> last;
+        for (const TableBlock &block : m.body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                std::optional<double> time =
+                    m_clock ? clockTime(m.cellText(row, m_time)) : m.number(row, m_time);
+                if (!time)
+                    continue;
+                if (m_clock && last && *time + turn < *last - day / 2)
+                    turn += day; // past midnight
+                *time = m_clock ? *time + turn : *time * multiplier;
+                if (last && *time < *last)
+                    throw Error(Error::Kind::content,
+                                {REPORT_TEXT("report", "the times do not rise; expected a series over time")},
+                                std::to_string(m.row(row).line) + ":1");
+                last = time;
+                m_rows.push_back(row);
+                m_times.push_back(*time);
+                m.setRole(row, m_time, CellRole::position);
+            }
+        }
+        if (m_times.size() < 2)
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
+        const double first = m_times.front();
+        for (double &time : m_times)
+            time = m_clock ? time - first : time;
+    }
+
+    void readTemperatures() {
+        m.choices.settle("kind", "temperatures", Origin::recognised);
+        for (const std::size_t column : m_values) {
+            Sensor sensor;
+            sensor.position = withoutUnit(m.body.columns[column].heading);
+            sensor.measures = measuredBy(sensor.position);
+            TemperatureSeries series;
+            for (std::size_t i = 0; i < m_rows.size(); ++i) {
+                if (const auto value = m.number(m_rows[i], column)) {
+                    series.times.push_back(m_times[i]);
+                    series.temperatures.push_back(*value);
+                    m.setRole(m_rows[i], column, CellRole::positive);
+                }
+            }
+            if (series.times.empty())
+                continue;
+            const auto gradient = gradientPerHour(series);
+            if (gradient)
+                m.result.gradientPerHour = std::max(m.result.gradientPerHour.value_or(0), *gradient);
+            m.remark(RemarkGrade::assumption,
+                     {REPORT_TEXT("report", "Sensor “%1”: read as the temperature of the %2."),
+                      {excerpt(sensor.position),
+                       sensor.measures == SensorMeasures::air          ? REPORT_TEXT("report", "air")
+                       : sensor.measures == SensorMeasures::instrument ? REPORT_TEXT("report", "instrument")
+                                                                       : REPORT_TEXT("report", "machine")}});
+            sensor.series = std::move(series);
+            m.result.sensors.push_back(std::move(sensor));
+        }
+        if (m.result.gradientPerHour)
+            m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Largest change within an hour: %1."),
+                                         {Number{*m.result.gradientPerHour, Quantity::gradient, 2}}});
+        else
+            m.remark(RemarkGrade::note,
+                     {REPORT_TEXT("report", "The series is shorter than an hour: no gradient per hour.")});
+    }
+
+    void readDrift() {
+        const TableColumn &column = m.body.columns[m_values.front()];
+        if (m_values.size() > 1)
+            m.remark(
+                RemarkGrade::note,
+                {REPORT_TEXT("report", "Columns read: the times and “%1”; %2 further ones are not read."),
+                 {excerpt(column.heading),
+                  Number{static_cast<double>(m_values.size() - 1), Quantity::count}}});
+        DriftMeasurement drift;
+        std::vector<double> values;
+        std::size_t missing = 0;
+        for (std::size_t i = 0; i < m_rows.size(); ++i) {
+            const auto value = m.number(m_rows[i], m_values.front());
+            if (!value) {
+                ++missing;
+                continue;
+            }
+            drift.times.push_back(m_times[i]);
+            values.push_back(*value);
+            m.setRole(m_rows[i], m_values.front(), CellRole::positive);
+        }
+        if (values.empty())
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "there are no readings in it; expected times and deviations")});
+        if (missing > 0)
+            m.remark(RemarkGrade::problem,
+                     {REPORT_TEXT("report", "Points without a number were left out: %1."),
+                      {Number{static_cast<double>(missing), Quantity::count}}});
+        const auto [low, high] = std::ranges::minmax(values);
+        const Unit *stated = column.unit ? column.unit : m.notes.unit;
+        const bool known = stated && (stated->kind == UnitKind::length || stated->kind == UnitKind::angle);
+        const bool rotary = m.choices.isChosen("motion") ? m.choices.chosen("motion") == "rotary"
+                                                         : known && stated->kind == UnitKind::angle;
+        const char *guess = rotary ? "arcsec" : std::max(std::abs(low), std::abs(high)) < 0.5 ? "mm" : "um";
+        const auto choice = m.choices.settle("unit", known ? stated->word : guess,
+                                             known ? Origin::recognised : Origin::guessed);
+        const Unit *unit = unitOf(choice.value);
+        if (choice.origin == Origin::guessed)
+            m.remark(
+                RemarkGrade::assumption,
+                {REPORT_TEXT(
+                     "report",
+                     "Unit of the deviations: nothing in the file says it; read as %1 after their size."),
+                 {std::string(unit->sign)}},
+                0, "unit");
+        for (const double value : values)
+            drift.deviations.push_back(unit->toBase(value));
+        drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
+        drift.axis.name = m.choices.settle("axis", m.notes.axis, Origin::recognised).value;
+        m.remark(RemarkGrade::note,
+                 {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
+                  {Number{static_cast<double>(drift.times.size()), Quantity::count},
+                   Number{drift.times.back() - drift.times.front(), Quantity::time}}});
+        Test test;
+        test.measurement = std::move(drift);
+        m.result.test = std::move(test);
+    }
+
+    TableReading &m;
+    bool m_temperatures;
+    std::optional<std::size_t> m_clock;
+    std::size_t m_time = 0;
+    std::vector<std::size_t> m_values;
+    std::vector<std::uint32_t> m_rows;
+    std::vector<double> m_times;
+};
+
+} // namespace
+
+void readSeries(TableReading &reading, bool temperatures) {
+    SeriesReader(reading, temperatures).read();
+}
+
+} // namespace palmer

@@ -1,0 +1,373 @@
+#include "import/tablebody.h"
+
+#include "document/documenterror.h"
+
+#include <algorithm>
+#include <map>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::size_t widestTable = 100'000; ///< columns
+constexpr std::size_t headingRows = 3;
+
+bool isNumeric(const TableCell &cell) {
+    return cell.kind == CellKind::number || cell.kind == CellKind::missing ||
+           cell.kind == CellKind::grouped || cell.kind == CellKind::broken;
+}
+
+/// Signs of direction are no missing readings where the column is one of directions.
+bool isDirectionCell(const CellTable &table, const TableCell &cell) {
+    return (cell.kind == CellKind::text || cell.kind == CellKind::missing || cell.kind == CellKind::broken) &&
+           directionOf(table.text(cell)).has_value();
+}
+
+std::span<const TableCell> trimmed(std::span<const TableCell> cells) {
+    while (!cells.empty() && cells.back().kind == CellKind::empty)
+        cells = cells.first(cells.size() - 1);
+    return cells;
+}
+
+std::size_t numberCount(std::span<const TableCell> cells) {
+    return static_cast<std::size_t>(std::ranges::count_if(cells, &TableCell::isNumber));
+}
+
+/// The number of columns under which most numbers stand.
+std::size_t widthOf(const CellTable &table) {
+    std::map<std::size_t, std::size_t> numbers;
+    for (const TableRow &row : table.rows()) {
+        if (!row.comment)
+            numbers[row.count] += numberCount(table.cells(row));
+    }
+    std::size_t width = 0;
+    std::size_t most = 0;
+    for (const auto &[count, sum] : numbers) {
+        if (sum >= most && sum > 0) {
+            most = sum;
+            width = count;
+        }
+    }
+    return width;
+}
+
+std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
+    struct Count {
+        std::size_t numbers = 0;
+        std::size_t directions = 0;
+        std::size_t senses = 0;
+        std::size_t clocks = 0;
+        std::size_t words = 0;
+    };
+    std::vector<Count> counts(width);
+    for (const TableRow &row : table.rows()) {
+        const auto cells = table.cells(row);
+        if (row.comment || cells.size() != width || numberCount(cells) == 0)
+            continue;
+        for (std::size_t c = 0; c < width; ++c) {
+            Count &count = counts[c];
+            if (cells[c].kind == CellKind::empty)
+                continue;
+            if (cells[c].isNumber() || cells[c].kind == CellKind::grouped)
+                ++count.numbers;
+            else if (isDirectionCell(table, cells[c]))
+                ++count.directions;
+            else if (isNumeric(cells[c]))
+                ++count.numbers;
+            else if (senseIn(table.text(cells[c])))
+                ++count.senses;
+            else if (clockTime(table.text(cells[c])))
+                ++count.clocks;
+            else
+                ++count.words;
+        }
+    }
+    std::vector<TableColumn> columns(width);
+    for (std::size_t c = 0; c < width; ++c) {
+        const Count &count = counts[c];
+        const std::size_t others = count.directions + count.senses + count.clocks + count.words;
+        if (count.numbers > 0 && count.numbers >= others)
+            columns[c].kind = ColumnKind::numbers;
+        else if (others == 0)
+            columns[c].kind = ColumnKind::empty;
+        else if (2 * count.directions >= others)
+            columns[c].kind = ColumnKind::directions;
+        else if (2 * count.senses >= others)
+            columns[c].kind = ColumnKind::senses;
+        else if (2 * count.clocks >= others)
+            columns[c].kind = ColumnKind::clock;
+        else
+            columns[c].kind = ColumnKind::words;
+    }
+    return columns;
+}
+
+/// Sorts rows into blocks, headings and notes.
+class Sorter {
+public:
+    Sorter(const CellTable &table, TableBody &body)
+        : m_table(table)
+        , m_body(body) {
+        const auto numbers = body.numberColumns();
+        m_firstNumber = numbers.front();
+        m_numberColumns = numbers.size();
+        m_directions = body.columnOf(ColumnKind::directions);
+        m_senses = body.columnOf(ColumnKind::senses);
+        m_clock = body.columnOf(ColumnKind::clock);
+    }
+
+    void sort() {
+        const bool gapsCount = gapsSeparate();
+        std::uint32_t lastLine = 0;
+        std::vector<std::uint32_t> heads;
+        std::optional<std::uint32_t> numericHead;
+        TableBlock block;
+        const auto finish = [&] {
+            if (!block.rows.empty())
+                m_body.blocks.push_back(std::move(block));
+            block = {};
+        };
+        for (std::uint32_t i = 0; i < m_table.rows().size(); ++i) {
+            const TableRow &row = m_table.rows()[i];
+            if (row.comment || !isBodyRow(row)) {
+                if (!row.comment && isNumericHead(row)) {
+                    if (!block.rows.empty() && !sameAsHead(row, numericHead)) {
+                        remarkUnread(row);
+                        continue;
+                    }
+                    numericHead = i;
+                } else if (!row.comment && !m_body.blocks.empty() + !block.rows.empty() > 0 &&
+                           numberCount(m_table.cells(row)) > 0 && wordCount(row) == 0) {
+                    remarkUnread(row);
+                    continue;
+                }
+                finish();
+                heads.push_back(i);
+                lastLine = row.line;
+                continue;
+            }
+            if (gapsCount && !block.rows.empty() && row.line > lastLine + 1)
+                finish();
+            if (block.rows.empty()) {
+                block.heads = std::move(heads);
+                heads.clear();
+                block.numericHead = numericHead;
+            }
+            block.rows.push_back(i);
+            lastLine = row.line;
+        }
+        finish();
+        m_body.notes = std::move(heads); // behind the last block
+    }
+
+private:
+    [[nodiscard]] bool isBodyRow(const TableRow &row) const {
+        const auto cells = m_table.cells(row);
+        if (cells.size() <= m_firstNumber || !isNumeric(cells[m_firstNumber]))
+            return false;
+        if (m_directions &&
+            (cells.size() <= *m_directions || !isDirectionCell(m_table, cells[*m_directions])))
+            return false;
+        if (m_senses && (cells.size() <= *m_senses || !senseIn(m_table.text(cells[*m_senses]))))
+            return false;
+        if (m_clock && (cells.size() <= *m_clock || !clockTime(m_table.text(cells[*m_clock]))))
+            return false;
+        // Words among the numbers: a heading that begins with a number, not a row with a remark in it.
+        std::size_t numbers = 0;
+        std::size_t words = 0;
+        for (std::size_t c = 0; c < std::min(cells.size(), m_body.columns.size()); ++c) {
+            if (m_body.columns[c].kind != ColumnKind::numbers)
+                continue;
+            numbers += isNumeric(cells[c]) ? 1 : 0;
+            words += cells[c].kind == CellKind::text ? 1 : 0;
+        }
+        return words <= numbers && (m_numberColumns > 2 || words == 0 || words < numbers);
+    }
+
+    /// A row like those of the body, but with a word or nothing where their first number stands.
+    [[nodiscard]] bool isNumericHead(const TableRow &row) const {
+        const auto cells = m_table.cells(row);
+        const std::size_t numbers = numberCount(cells);
+        return numbers >= 2 && 2 * numbers >= m_numberColumns && wordCount(row) <= 2 &&
+               numbers + 2 >= trimmed(cells).size();
+    }
+
+    [[nodiscard]] std::size_t wordCount(const TableRow &row) const {
+        return static_cast<std::size_t>(
+            std::ranges::count(m_table.cells(row), CellKind::text, &TableCell::kind));
+    }
+
+    [[nodiscard]] bool sameAsHead(const TableRow &row, std::optional<std::uint32_t> head) const {
+        if (!head)
+            return true;
+        const auto a = m_table.cells(row);
+        const auto b = m_table.cells(m_table.rows()[*head]);
+        return std::ranges::equal(a, b, {}, &TableCell::value, &TableCell::value);
+    }
+
+    void remarkUnread(const TableRow &row) {
+        m_body.remarks.push_back(
+            {RemarkGrade::problem,
+             {REPORT_TEXT("report", "This line is not like the others and was not read.")},
+             row.line});
+    }
+
+    /// Empty lines part blocks, unless they stand everywhere.
+    [[nodiscard]] bool gapsSeparate() const {
+        std::size_t gaps = 0;
+        std::size_t rows = 0;
+        std::uint32_t last = 0;
+        for (const TableRow &row : m_table.rows()) {
+            if (row.comment || !isBodyRow(row))
+                continue;
+            gaps += rows > 0 && row.line > last + 1 ? 1 : 0;
+            ++rows;
+            last = row.line;
+        }
+        return 3 * gaps < rows;
+    }
+
+    const CellTable &m_table;
+    TableBody &m_body;
+    std::size_t m_firstNumber = 0;
+    std::size_t m_numberColumns = 0;
+    std::optional<std::size_t> m_directions;
+    std::optional<std::size_t> m_senses;
+    std::optional<std::size_t> m_clock;
+};
+
+/// Whether a row above the body says something about its columns.
+bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
+    if (row.comment)
+        return false;
+    const auto cells = trimmed(table.cells(row));
+    std::size_t filled = 0;
+    std::size_t words = 0;
+    std::size_t directions = 0;
+    for (const TableCell &cell : cells) {
+        filled += cell.kind != CellKind::empty ? 1 : 0;
+        words += cell.kind == CellKind::text ? 1 : 0;
+        const std::string_view text = table.text(cell);
+        directions += directionInHeading(text, false) || senseIn(text) ? 1 : 0;
+    }
+    if (filled == 0 || cells.size() > width + 1)
+        return false;
+    if (directions >= 2 && words >= 2)
+        return true;
+    return 2 * filled >= width && (words > 0 || directions > 0) && (width <= 2 || filled > 1);
+}
+
+/// "# angle; x; y": as many words as there are columns.
+void takeFromComment(const CellTable &table, const TableRow &row, TableBody &body) {
+    const std::string_view text = table.text(table.cells(row).front());
+    TableOptions options;
+    options.delimiter = table.delimiter.value;
+    options.decimalMark = table.decimalMark.value;
+    const CellTable line = readTable(std::string(text), options);
+    if (line.rows().empty() || line.rows().front().count != body.columns.size() || body.columns.size() < 2)
+        return;
+    const auto cells = line.cells(line.rows().front());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        body.columns[c].heading = line.text(cells[c]);
+}
+
+void composeHeadings(const CellTable &table, TableBody &body) {
+    if (body.blocks.empty())
+        return;
+    const std::size_t width = body.columns.size();
+    // The rows directly above, from below; a comment may hold the headings, too ("# angle; x; y").
+    std::vector<std::uint32_t> rows;
+    const std::vector<std::uint32_t> &heads = body.blocks.front().heads;
+    for (auto at = heads.rbegin(); at != heads.rend() && rows.size() < headingRows; ++at) {
+        if (rows.empty() && table.rows()[*at].comment)
+            continue; // the title of the block
+        // Numbers of runs stand below what they number: "Forward;;Reverse;" over "1;2;1;2".
+        if (*at != body.blocks.front().numericHead && !isHeading(table, table.rows()[*at], width))
+            break;
+        rows.push_back(*at);
+    }
+    std::ranges::reverse(rows);
+    if (rows.empty() && !heads.empty() && table.rows()[heads.back()].comment) // the headings themselves
+        takeFromComment(table, table.rows()[heads.back()], body);
+    for (const std::uint32_t index : heads) {
+        if (std::ranges::find(rows, index) == rows.end())
+            body.notes.push_back(index);
+    }
+    std::ranges::sort(body.notes);
+    for (const std::uint32_t index : rows) {
+        const auto cells = table.cells(table.rows()[index]);
+        // "Forward;;;Reverse;;": a heading over several columns.
+        const bool spans =
+            std::ranges::count(cells, CellKind::empty, &TableCell::kind) > 1 && index != rows.back();
+        std::string_view last;
+        for (std::size_t c = 0; c < std::min(width, cells.size()); ++c) {
+            std::string_view text = table.text(cells[c]);
+            if (!text.empty())
+                last = text;
+            else if (spans && c > 0)
+                text = last;
+            std::string &heading = body.columns[c].heading;
+            if (!text.empty())
+                heading += (heading.empty() ? "" : " ") + std::string(text);
+        }
+    }
+    body.columnHeads = rows;
+    for (TableColumn &column : body.columns) {
+        column.meaning = meaningOf(column.heading);
+        column.unit = unitIn(column.heading);
+    }
+}
+
+} // namespace
+
+std::size_t TableBody::rowCount() const {
+    std::size_t rows = 0;
+    for (const TableBlock &block : blocks)
+        rows += block.rows.size();
+    return rows;
+}
+
+std::vector<std::size_t> TableBody::numberColumns() const {
+    std::vector<std::size_t> result;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        if (columns[c].kind == ColumnKind::numbers)
+            result.push_back(c);
+    }
+    return result;
+}
+
+std::optional<std::size_t> TableBody::columnOf(Meaning meaning) const {
+    const auto found = std::ranges::find(columns, meaning, &TableColumn::meaning);
+    return found == columns.end() ? std::nullopt
+                                  : std::optional(static_cast<std::size_t>(found - columns.begin()));
+}
+
+std::optional<std::size_t> TableBody::columnOf(ColumnKind kind) const {
+    const auto found = std::ranges::find(columns, kind, &TableColumn::kind);
+    return found == columns.end() ? std::nullopt
+                                  : std::optional(static_cast<std::size_t>(found - columns.begin()));
+}
+
+TableBody bodyOf(const CellTable &table) {
+    TableBody body;
+    const std::size_t width = widthOf(table);
+    const Error noNumbers(
+        Error::Kind::content,
+        {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and "
+                               "readings, points of a circle, or values over time")});
+    if (width == 0)
+        throw noNumbers;
+    if (width > widestTable)
+        throw Error(Error::Kind::tooLarge,
+                    {REPORT_TEXT("report", "more rows or cells than a table of readings can have")});
+    body.columns = columnsOf(table, width);
+    if (body.numberColumns().empty())
+        throw noNumbers;
+    Sorter(table, body).sort();
+    if (body.blocks.empty())
+        throw noNumbers;
+    composeHeadings(table, body);
+    return body;
+}
+
+} // namespace palmer

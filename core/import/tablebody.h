@@ -1,0 +1,48 @@
+#pragma once
+
+#include "import/headings.h"
+#include "import/remark.h"
+#include "import/table.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+enum class ColumnKind { empty, numbers, directions, senses, clock, words };
+
+struct TableColumn {
+    ColumnKind kind = ColumnKind::empty;
+    std::string heading; ///< all rows of the heading joined
+    Meaning meaning = Meaning::unknown;
+    const Unit *unit = nullptr; ///< of the heading, or null
+};
+
+/// Rows of numbers that belong together, and the words above them. Indexes of rows of the table.
+struct TableBlock {
+    std::vector<std::uint32_t> rows;
+    std::vector<std::uint32_t> heads;         ///< since the block before
+    std::optional<std::uint32_t> numericHead; ///< a heading of numbers: "Run; 0; 150; 300"
+};
+
+/// The rows of a table sorted into what is measured and what is said about it.
+struct TableBody {
+    std::vector<TableColumn> columns;
+    std::vector<TableBlock> blocks;
+    std::vector<std::uint32_t> notes;       ///< comments and lines that are no heading
+    std::vector<std::uint32_t> columnHeads; ///< rows that the headings are made of
+    std::vector<Remark> remarks;
+
+    [[nodiscard]] std::size_t rowCount() const;
+    /// Columns of numbers, from the left.
+    [[nodiscard]] std::vector<std::size_t> numberColumns() const;
+    [[nodiscard]] std::optional<std::size_t> columnOf(Meaning meaning) const;
+    [[nodiscard]] std::optional<std::size_t> columnOf(ColumnKind kind) const;
+};
+
+/// Throws Error(content) where there are no rows of numbers.
+[[nodiscard]] TableBody bodyOf(const CellTable &table);
+
+} // namespace palmer

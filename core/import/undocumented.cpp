@@ -1,0 +1,81 @@
+#include "import/readers.h"
+
+#include "document/documenterror.h"
+
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+/// A format nobody documents, by the ending of its name or the beginning of its content, and what to do.
+struct Undocumented {
+    std::array<const char *, 3> endings;
+    const char *name;
+    Text advice;
+};
+
+const std::array formats{
+    Undocumented{
+        {".b5r64", "", ""},
+        "Renishaw .b5R64",
+        REPORT_TEXT("report", "save the test from Ballbar 20 as .b5r (XML), or export its readings as text")},
+    Undocumented{{".xcal", ".carto", ".cdb"},
+                 "Renishaw CARTO",
+                 REPORT_TEXT("report", "export the test from Explore as .rtl, or as CSV")},
+    Undocumented{{".run", ".pos", ""},
+                 "Keysight / Agilent / HP",
+                 REPORT_TEXT("report", "print or export the data table as text or CSV")},
+    Undocumented{
+        {".lsp", ".lms", ""}, "Lasertex", REPORT_TEXT("report", "export the results as text or CSV")},
+    Undocumented{{".api", ".xd", ".wxd"}, "API", REPORT_TEXT("report", "export the data as text or CSV")},
+    Undocumented{{".lda", ".ldd", ""}, "Optodyne", REPORT_TEXT("report", "export the data as text or CSV")},
+    Undocumented{
+        {".sio", ".ifm", ""}, "SIOS", REPORT_TEXT("report", "export the measured values as text or CSV")},
+    Undocumented{{".acc", ".accom", ".kgm"},
+                 "Heidenhain ACCOM",
+                 REPORT_TEXT("report", "export the measured values as text (ASCII)")},
+    Undocumented{{".xls", "", ""},
+                 "Excel 97 (.xls)",
+                 REPORT_TEXT("report", "save the workbook as .xlsx, .ods or CSV")},
+    Undocumented{
+        {".mdb", ".accdb", ".sqlite"}, "database", REPORT_TEXT("report", "export the test as text or CSV")},
+};
+
+/// Whether the bytes are no text at all: then the ending may decide. A text is tried as a table whatever its
+/// name is.
+bool isBinary(QByteArrayView bytes) {
+    const QByteArrayView start = bytes.first(std::min<qsizetype>(bytes.size(), 4096));
+    if (start.startsWith("\xFF\xFE") || start.startsWith("\xFE\xFF"))
+        return false;
+    return std::ranges::any_of(start, [](char c) { return static_cast<unsigned char>(c) < 9; });
+}
+
+} // namespace
+
+void refuseUndocumented(QByteArrayView bytes, const QString &fileName) {
+    const QString name = fileName.toLower();
+    const bool compound = bytes.startsWith("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"); // of old office programs
+    const bool sqlite = bytes.startsWith("SQLite format 3");
+    if (!isBinary(bytes) && !sqlite)
+        return;
+    for (const Undocumented &format : formats) {
+        const bool named = std::ranges::any_of(format.endings, [&](const char *ending) {
+            return *ending != 0 && name.endsWith(QLatin1StringView(ending));
+        });
+        if (named || (sqlite && std::string_view(format.name) == "Renishaw CARTO" &&
+                      !name.endsWith(QLatin1StringView(".sqlite"))))
+            throw Error(
+                Error::Kind::format,
+                {REPORT_TEXT("report", "the format %1 is not documented publicly and cannot be read; %2"),
+                 {std::string(format.name), format.advice}});
+    }
+    if (compound)
+        throw Error(Error::Kind::format,
+                    {REPORT_TEXT("report", "the format %1 is not documented publicly and cannot be read; %2"),
+                     {std::string("Excel 97 (.xls)"),
+                      REPORT_TEXT("report", "save the workbook as .xlsx, .ods or CSV")}});
+}
+
+} // namespace palmer

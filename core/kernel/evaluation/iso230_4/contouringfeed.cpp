@@ -1,0 +1,18 @@
+#include "kernel/evaluation/iso230_4/contouringfeed.h"
+
+#include <cmath>
+
+namespace palmer::iso230_4 {
+
+std::optional<double> contouringFeed(const ContouringFeed &specified) {
+    for (const double number : {specified.specifiedDiameter, specified.specifiedFeed, specified.diameter}) {
+        if (!std::isfinite(number) || number <= 0)
+            return std::nullopt;
+    }
+    // Roots apart: the quotient of the diameters may leave the range of doubles.
+    const double feed =
+        specified.specifiedFeed * (std::sqrt(specified.diameter) / std::sqrt(specified.specifiedDiameter));
+    return std::isfinite(feed) && feed > 0 ? std::optional(feed) : std::nullopt;
+}
+
+} // namespace palmer::iso230_4

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "kernel/evaluation/edition.h"
+#include "kernel/measurement/positioning.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace palmer {
+
+/// How targets are chosen where they can be chosen freely. 1988: P = (N + r)·p with p the largest cyclic
+/// pitch. Later editions: P_i = (i − 1)·p + r with p the nominal interval.
+enum class TargetRule { pitches1988, nominalInterval };
+
+/// The rule of an edition of ISO 230-2.
+[[nodiscard]] TargetRule targetRuleOf(const Edition &edition);
+
+/// What a plan of targets is made of. Lengths in mm, of rotary axes in degrees.
+struct TargetRequest {
+    TargetRule rule = TargetRule::nominalInterval;
+    Motion motion = Motion::linear;
+    double from = 0;              ///< first end of the measurement travel
+    double travel = 0;            ///< length of the measurement travel, > 0
+    double perMetre = 5;          ///< targets per metre, of linear axes; > 0
+    std::optional<double> period; ///< of the cyclic errors (pitch), > 0; null: unknown
+    int decimals = 3;             ///< of the positions: the resolution of the axis, 0 … 9
+    std::uint64_t seed = 1;
+};
+
+struct TargetPlan {
+    std::vector<double> targets; ///< strictly ascending; empty for a request that has no answer
+    double interval = 0;         ///< nominal interval p
+    double randomPart = 0;       ///< largest |r| (1988: length of the range of r), mm or degrees
+    int runs = 5;                ///< approaches each way
+};
+
+/// Most targets of one plan.
+inline constexpr std::size_t mostTargets = 10'000;
+
+/// The targets of a test, after the rules of ISO 230-2 (positioning of linear axes: 4.2, 4.3.2).
+///
+/// Number: linear max(5, ⌈perMetre · travel in metres⌉); rotary 3 up to 90°, 5 up to 180°, 8 above, from a
+/// full turn on 8 a turn and the end (1988: the multiples of 90° and three chosen freely). Random part: new
+/// for every target, uniform within ± the period, and never beyond ± 30 % of the interval, which holds where
+/// the period is unknown and keeps the targets apart where it is long; 1988 within [0, p) after the N-th
+/// pitch. All targets lie inside the measurement travel (r clipped at its ends) and are rounded to the
+/// resolution towards its inside. The same seed gives the same plan on every machine.
+/// Approaches: 5 each way; 1 over more than 2 000 mm or 360°, where the standard asks for a full test of an
+/// agreed zone besides.
+/// Bad input (travel or number not positive, not finite, more than 10 000 targets, a resolution too coarse to
+/// tell the targets apart) gives a plan without targets.
+[[nodiscard]] TargetPlan planTargets(const TargetRequest &request);
+
+/// One stop of the measuring cycle: which target is approached from which side in which run, from 0.
+struct Stop {
+    std::size_t target = 0;
+    int run = 0;
+    Direction approach = Direction::positive;
+
+    bool operator==(const Stop &) const = default;
+};
+
+/// The stops of a cycle in the order of time. Standard: ↑ 1 … m, ↓ m … 1, again for each run. Step: at every
+/// target all runs, from below and from above in turn.
+[[nodiscard]] std::vector<Stop> measuringCycle(std::size_t targets, int runs, Cycle cycle);
+
+} // namespace palmer

@@ -1,0 +1,164 @@
+#include "language/entry.h"
+
+#include "language/language.h"
+
+#include <QDate>
+#include <QRegularExpression>
+#include <QTime>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+namespace {
+
+constexpr Text notANumber = REPORT_TEXT("report", "not a number");
+constexpr Text beyondNumbers = REPORT_TEXT("report", "larger than any number");
+constexpr Text notTwoNumbers = REPORT_TEXT("report", "not two numbers, from … to");
+constexpr Text notAscending = REPORT_TEXT("report", "the first number is not the smaller one");
+constexpr Text notADate = REPORT_TEXT("report", "not a date");
+constexpr Text notATime = REPORT_TEXT("report", "not a time");
+
+bool isDigit(QChar c) {
+    return c >= u'0' && c <= u'9';
+}
+
+NumberEntry refused(const Text &reason) {
+    return {{}, reason};
+}
+
+/// Whether the spaces of a number part its whole digits into groups of three.
+bool isGroupedWell(QStringView number) {
+    const auto end =
+        std::find_if(number.begin(), number.end(), [](QChar c) { return c == u'.' || c == u','; });
+    bool grouped = false;
+    qsizetype digits = 0;
+    for (const QChar c : number.first(end - number.begin())) {
+        if (!c.isSpace()) {
+            digits += isDigit(c) ? 1 : 0;
+            continue;
+        }
+        if (digits == 0 || (grouped ? digits != 3 : digits > 3))
+            return false;
+        grouped = true;
+        digits = 0;
+    }
+    return (!grouped || digits == 3) && std::none_of(end, number.end(), [](QChar c) { return c.isSpace(); });
+}
+
+MomentEntry day(int year, int month, int dayOfMonth) {
+    const QDate date(year, month, dayOfMonth);
+    if (!date.isValid() || year < 1000 || year > 9999)
+        return {{}, notADate};
+    return {date.toString(Qt::ISODate).toStdString(), {}};
+}
+
+/// 1 … 12 for the name of a month in one of the languages, or its beginning of three letters and more; else
+/// 0.
+int monthOf(const QString &name) {
+    if (name.size() < 3)
+        return 0;
+    for (const Language::Id id : {Language::Id::french, Language::Id::english}) {
+        const Language language(id);
+        int found = 0;
+        int matches = 0;
+        for (int month = 1; month <= 12; ++month) {
+            // "2", no-break space, month, space, "2000"
+            const QString written = language.date(QDate(2000, month, 2).toString(Qt::ISODate).toStdString());
+            if (!written.section(QChar(u'\u00A0'), 1)
+                     .section(u' ', 0, 0)
+                     .startsWith(name, Qt::CaseInsensitive))
+                continue;
+            found = month;
+            ++matches;
+        }
+        if (matches == 1) // "jui" may be juin or juillet
+            return found;
+    }
+    return 0;
+}
+
+} // namespace
+
+NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUnits &units) {
+    const QStringView trimmed = typed.trimmed();
+    if (trimmed.isEmpty())
+        return {};
+    std::string plain;
+    int commas = 0;
+    int points = 0;
+    for (const QChar c : trimmed) {
+        if (isDigit(c))
+            plain += c.toLatin1();
+        else if (c == u'.' || c == u',')
+            plain += '.', ++(c == u',' ? commas : points);
+        else if ((c == u'-' || c == u'\u2212' || c == u'\u2013') && plain.empty())
+            plain += '-';
+        else if (c == u'+' && plain.empty())
+            continue;
+        else if (!c.isSpace())
+            return refused(notANumber);
+    }
+    if (commas > 0 && points > 0)
+        return refused(REPORT_TEXT("report", "comma and point in one number"));
+    if (commas > 1)
+        return refused(REPORT_TEXT("report", "two commas"));
+    if (points > 1)
+        return refused(REPORT_TEXT("report", "two points"));
+    if (std::none_of(plain.begin(), plain.end(), [](char c) { return c >= '0' && c <= '9'; }) ||
+        !isGroupedWell(trimmed))
+        return refused(notANumber);
+    const double value = fromShown(plain, quantity, units);
+    return std::isfinite(value) ? NumberEntry{value, {}} : refused(beyondNumbers);
+}
+
+IntervalEntry enteredInterval(QStringView typed, Quantity quantity, const DisplayUnits &units) {
+    const QString text = typed.trimmed().toString();
+    if (text.isEmpty())
+        return {};
+    static const QRegularExpression between(QStringLiteral("\\s*(?:…|\\.\\.+|;|\\bto\\b|\\bà\\b)\\s*"),
+                                            QRegularExpression::UseUnicodePropertiesOption);
+    const QStringList parts = text.split(between);
+    if (parts.size() != 2)
+        return {{}, notTwoNumbers};
+    const NumberEntry from = enteredNumber(parts[0], quantity, units);
+    const NumberEntry to = enteredNumber(parts[1], quantity, units);
+    if (!from.value || !to.value)
+        return {{}, notTwoNumbers};
+    if (!(*from.value < *to.value))
+        return {{}, notAscending};
+    return {Interval{*from.value, *to.value}, {}};
+}
+
+MomentEntry enteredDate(QStringView typed) {
+    const QString text = typed.trimmed().toString();
+    if (text.isEmpty())
+        return {};
+    static const QRegularExpression yearFirst(QStringLiteral("^(\\d{4})[-./](\\d{1,2})[-./](\\d{1,2})$"));
+    static const QRegularExpression dayFirst(QStringLiteral("^(\\d{1,2})[-./ ](\\d{1,2})[-./ ](\\d{4})$"));
+    static const QRegularExpression inWords(
+        QStringLiteral("^(\\d{1,2})(?:er)?\\s+(\\p{L}+)\\.?\\s+(\\d{4})$"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    if (const auto match = yearFirst.match(text); match.hasMatch())
+        return day(match.captured(1).toInt(), match.captured(2).toInt(), match.captured(3).toInt());
+    if (const auto match = dayFirst.match(text); match.hasMatch())
+        return day(match.captured(3).toInt(), match.captured(2).toInt(), match.captured(1).toInt());
+    if (const auto match = inWords.match(text); match.hasMatch())
+        return day(match.captured(3).toInt(), monthOf(match.captured(2)), match.captured(1).toInt());
+    return {{}, notADate};
+}
+
+MomentEntry enteredTime(QStringView typed) {
+    const QString text = typed.trimmed().toString();
+    if (text.isEmpty())
+        return {};
+    static const QRegularExpression hoursAndMinutes(QStringLiteral("^(\\d{1,2})\\s*[:hH]\\s*(\\d{2})$"),
+                                                    QRegularExpression::UseUnicodePropertiesOption);
+    const auto match = hoursAndMinutes.match(text);
+    const QTime time(match.captured(1).toInt(), match.captured(2).toInt());
+    if (!match.hasMatch() || !time.isValid())
+        return {{}, notATime};
+    return {time.toString(QStringLiteral("HH:mm")).toStdString(), {}};
+}
+
+} // namespace palmer

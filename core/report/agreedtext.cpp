@@ -1,0 +1,58 @@
+#include "report/agreedtext.h"
+
+#include "document/edits.h"
+#include "language/decimals.h"
+
+namespace palmer {
+namespace {
+
+QString feedText(const Test &test, const Language &language) {
+    if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
+        return circular->feed ? language.quantity(*circular->feed, Quantity::feed) : QString();
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (!measurement)
+        return {};
+    if (measurement->conditions.feedMode == FeedMode::rapid)
+        return language.text(REPORT_TEXT("report", "rapid feed"));
+    if (!measurement->conditions.feed)
+        return {};
+    const bool linear = measurement->axis.motion == Motion::linear;
+    return language.quantity(*measurement->conditions.feed, linear ? Quantity::feed : Quantity::angularFeed);
+}
+
+QString fromTo(double from, double to, Quantity quantity, const Language &language) {
+    const Message sentence{
+        REPORT_TEXT("report", "%1 to %2"), {Number{from, quantity, -1}, Number{to, quantity, -1}}, {}};
+    return language.sentence(sentence);
+}
+
+} // namespace
+
+QString agreedTextFromConditions(const Test &test, std::string_view point, const Language &language) {
+    const Conditions *conditions = conditionsOf(test);
+    if (!conditions)
+        return {};
+    if (point == "warmUp")
+        return QString::fromStdString(conditions->warmUp.text);
+    if (point == "instrumentPosition" || point == "measuringReference")
+        return QString::fromStdString(conditions->instrumentPosition);
+    if (point == "otherAxes")
+        return QString::fromStdString(conditions->otherAxes);
+    if (point == "feed")
+        return feedText(test, language);
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (!measurement)
+        return {};
+    const Quantity position = positionQuantity(measurement->axis);
+    if (point == "gradient" && measurement->conditions.gradientPerHour)
+        return language.quantity(*measurement->conditions.gradientPerHour, Quantity::gradient);
+    if (point == "dwell" && measurement->conditions.dwell)
+        return language.quantity(*measurement->conditions.dwell, Quantity::time);
+    if (point == "zone" && measurement->zone)
+        return fromTo(measurement->zone->from, measurement->zone->to, position, language);
+    if (point == "firstLastTarget" && measurement->targets.size() > 1)
+        return fromTo(measurement->targets.front(), measurement->targets.back(), position, language);
+    return {};
+}
+
+} // namespace palmer

@@ -1,0 +1,114 @@
+#include "report/planreport.h"
+
+#include "language/rounding.h"
+
+#include <algorithm>
+
+namespace palmer {
+namespace {
+
+constexpr int runsBeside = 5; ///< more runs than that are printed below
+
+QString joined(const Language &language, double value, Quantity quantity, int decimals = -1) {
+    return language.quantity(value, quantity, decimals);
+}
+
+KeyValues head(const TargetRequest &request, const TargetPlan &plan, const CycleProgram &program,
+               const Language &language) {
+    const bool linear = request.motion == Motion::linear;
+    const Quantity position = linear ? Quantity::position : Quantity::angle;
+    KeyValues result;
+    result.labelWidth = 48;
+    const auto add = [&](const Text &key, const QString &value) {
+        result.rows.push_back({language.text(key), value});
+    };
+    const Number from{request.from, position, -1};
+    const Number to{request.from + request.travel, position, -1};
+    add(REPORT_TEXT("report", "Axis"), QString::fromStdString(program.axis));
+    add(REPORT_TEXT("report", "Measurement travel"),
+        language.sentence({REPORT_TEXT("report", "%1 to %2"), {from, to}, {}}));
+    add(REPORT_TEXT("report", "Targets"),
+        language.number(static_cast<double>(plan.targets.size()), Quantity::count));
+    add(REPORT_TEXT("report", "Nominal interval"),
+        joined(language, plan.interval, position, request.decimals));
+    add(REPORT_TEXT("report", "Random part"),
+        request.rule == TargetRule::pitches1988 && request.period
+            ? language.sentence({REPORT_TEXT("report", "P = (N + r)·p, p = %1"),
+                                 {Number{*request.period, position, -1}},
+                                 {}})
+            : language.sentence({REPORT_TEXT("report", "± %1, new for every target"),
+                                 {Number{plan.randomPart, position, request.decimals}},
+                                 {}}));
+    add(REPORT_TEXT("report", "Seed"), QString::number(request.seed));
+    add(REPORT_TEXT("report", "Cycle"),
+        language.text(program.cycle == Cycle::standard ? REPORT_TEXT("report", "standard test cycle")
+                                                       : REPORT_TEXT("report", "step cycle")));
+    add(REPORT_TEXT("report", "Runs each way"), language.number(program.runs, Quantity::count));
+    add(REPORT_TEXT("report", "Feed rate"),
+        program.feed ? joined(language, *program.feed, linear ? Quantity::feed : Quantity::angularFeed)
+                     : language.text(REPORT_TEXT("report", "rapid feed")));
+    add(REPORT_TEXT("report", "Dwell at each target"), joined(language, program.dwell, Quantity::time));
+    add(REPORT_TEXT("report", "Approach distance"), joined(language, program.approach, position));
+    return result;
+}
+
+/// Runs first … last of the plan, an empty field a reading.
+Table table(const TargetPlan &plan, const TargetRequest &request, int first, int last,
+            const Language &language) {
+    const Quantity position = request.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    Table result;
+    result.columns.push_back({QStringLiteral("i"), {}, Alignment::right, false});
+    result.columns.push_back({QStringLiteral("P"), language.unit(position), Alignment::decimal, false});
+    for (int run = first; run < last; ++run) {
+        for (const char *arrow : {"↑", "↓"})
+            result.columns.push_back(
+                {QString::number(run + 1) + QString::fromUtf8(arrow), {}, Alignment::right, true});
+    }
+    for (std::size_t i = 0; i < plan.targets.size(); ++i) {
+        std::vector<Cell> row{QString::number(i + 1),
+                              language.number(plan.targets[i], position, request.decimals)};
+        for (int run = first; run < last; ++run)
+            row.insert(row.end(), 2, blankCell());
+        result.rows.push_back(std::move(row));
+        result.rulesAfter.push_back(i);
+    }
+    return result;
+}
+
+} // namespace
+
+Report composePlan(const TargetRequest &request, const TargetPlan &plan, const CycleProgram &program,
+                   const Language &language) {
+    Report report;
+    report.language = language.code();
+    report.title =
+        language.sentence({REPORT_TEXT("report", "Plan of measurement, axis %1"), {program.axis}, {}});
+    report.blocks.emplace_back(Heading{1, report.title});
+    report.blocks.emplace_back(head(request, plan, program, language));
+    const Message room{
+        REPORT_TEXT("report", "The axis moves from %1 to %2."),
+        {Number{plan.targets.empty() ? 0 : plan.targets.front() - program.approach,
+                request.motion == Motion::linear ? Quantity::position : Quantity::angle, request.decimals},
+         Number{plan.targets.empty() ? 0 : plan.targets.back() + program.approach,
+                request.motion == Motion::linear ? Quantity::position : Quantity::angle, request.decimals}},
+        {}};
+    report.blocks.emplace_back(Paragraph{language.sentence(room)});
+    report.blocks.emplace_back(
+        Heading{2, language.text(REPORT_TEXT("report", "Readings, in the order they are taken"))});
+    for (int first = 0; first < program.runs; first += runsBeside)
+        report.blocks.emplace_back(
+            table(plan, request, first, std::min(program.runs, first + runsBeside), language));
+    report.footerLeft = report.title;
+    report.footerRight = language.text(REPORT_TEXT("report", "page %1 / %2"));
+    return report;
+}
+
+QString targetList(const TargetPlan &plan, int decimals) {
+    QString list;
+    for (std::size_t i = 0; i < plan.targets.size(); ++i)
+        list += QString::number(i + 1) + u'\t' +
+                QString::fromStdString(Decimal(plan.targets[i]).rounded(decimals)) + u'\n';
+    return list;
+}
+
+} // namespace palmer

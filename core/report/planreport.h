@@ -1,0 +1,20 @@
+#pragma once
+
+#include "kernel/planning/cycleprogram.h"
+#include "kernel/planning/targetplan.h"
+#include "language/language.h"
+#include "report/report.h"
+
+#include <QString>
+
+namespace palmer {
+
+/// The plan of a measurement as it is printed and taken to the machine: what was planned and how, and a table
+/// of the targets with an empty field for every reading, in the order they are taken.
+[[nodiscard]] Report composePlan(const TargetRequest &request, const TargetPlan &plan,
+                                 const CycleProgram &program, const Language &language);
+
+/// The targets alone, one a line: number, tabulator, position with a decimal point.
+[[nodiscard]] QString targetList(const TargetPlan &plan, int decimals);
+
+} // namespace palmer

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "validation/validation.h"
+
+#include <QByteArray>
+#include <vector>
+
+namespace palmer {
+
+/// Fits circles to the embedded sets of points (`reference/circles`) and compares with their known circles:
+/// centre and radius by least squares, and width, with its certificate, of the minimum zone. The NIST sets
+/// come first, then those constructed. Throws Error if the data cannot be read.
+[[nodiscard]] std::vector<SetValidation> validateCircles();
+
+} // namespace palmer

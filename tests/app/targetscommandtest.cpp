@@ -1,0 +1,101 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Result {
+    int code = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+Result run(const QStringList &arguments) {
+    QProcess process;
+    process.start(PALMER_CLI, arguments);
+    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+        qFatal("palmer-cli did not end by itself");
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+} // namespace
+
+/// palmer-cli targets
+class TargetsCommandTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void printsThePlan() {
+        const Result result = run(
+            {"targets", "--travel", "1000", "--period", "10", "--seed", "7", "--language", "en", "-o", "-"});
+        QCOMPARE(result.code, 0);
+        QVERIFY(result.out.contains("258.986"));
+        const Result french = run({"targets", "--travel", "1000", "--language", "fr", "-o", "-"});
+        QVERIFY(french.out.contains(QByteArray("Axe")));
+    }
+
+    void writesThePartProgram() {
+        for (const char *dialect : {"iso", "siemens", "heidenhain"}) {
+            const Result result = run({"targets", "--axis", "Y", "--travel", "500", "--feed", "2000",
+                                       "--dwell", "3,5", "--cycle", "step", "--program", dialect, "-o", "-"});
+            QCOMPARE(result.code, 0);
+            QVERIFY(result.out.contains("M30"));
+            QVERIFY(result.out.contains("3.5"));
+        }
+    }
+
+    void writesATestFileToFillIn() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("plan.palmer");
+        QCOMPARE(run({"targets", "--axis", "C", "--rotary", "--travel", "360", "-o", file}).code, 0);
+        const Result checked = run({"evaluate", "--json", file});
+        QCOMPARE(checked.code, 0);
+        QVERIFY(checked.out.contains("\"ISO 230-2:2014\""));
+        QVERIFY(checked.out.contains("\"deg\""));
+    }
+
+    void writesAPdf() {
+        QTemporaryDir folder;
+        QCOMPARE(run({"targets", "--travel", "1000", "-o", folder.filePath("plan.pdf")}).code, 0);
+        QFile pdf(folder.filePath("plan.pdf"));
+        QVERIFY(pdf.open(QIODevice::ReadOnly));
+        QVERIFY(pdf.readAll().startsWith("%PDF-"));
+    }
+
+    void refusesWhatMakesNoPlan_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("no travel") << QStringList{"-o", "-"};
+        QTest::newRow("no file to write") << QStringList{"--travel", "1000"};
+        QTest::newRow("a travel that is no number") << QStringList{"--travel", "far", "-o", "-"};
+        QTest::newRow("a negative travel") << QStringList{"--travel", "-1", "-o", "-"};
+        QTest::newRow("too many targets") << QStringList{"--travel", "1e9", "-o", "-"};
+        QTest::newRow("targets that cannot be told apart")
+            << QStringList{"--travel", "2", "--decimals", "0", "-o", "-"};
+        QTest::newRow("an unknown dialect") << QStringList{"--travel", "9", "--program", "basic", "-o", "-"};
+        QTest::newRow("an unknown cycle") << QStringList{"--travel", "9", "--cycle", "round", "-o", "-"};
+        QTest::newRow("an edition for circles")
+            << QStringList{"--travel", "9", "--edition", "ISO 230-4:2005", "-o", "-"};
+        QTest::newRow("an axis no control knows")
+            << QStringList{"--travel", "9", "--axis", "X axis", "--program", "iso", "-o", "-"};
+        QTest::newRow("a file to read") << QStringList{"x.palmer", "--travel", "9", "-o", "-"};
+    }
+    void refusesWhatMakesNoPlan() {
+        QFETCH(QStringList, arguments);
+        const Result result = run(QStringList{"targets"} + arguments);
+        QCOMPARE(result.code, 2);
+        QVERIFY(result.out.isEmpty());
+        QCOMPARE(result.err.count('\n'), 1);
+    }
+
+    void saysWhenItCannotWrite() {
+        const Result result = run({"targets", "--travel", "1000", "-o", "/nowhere/plan.txt"});
+        QCOMPARE(result.code, 3);
+        QCOMPARE(result.err.count('\n'), 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(TargetsCommandTest)
+#include "targetscommandtest.moc"

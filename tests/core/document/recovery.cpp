@@ -1,0 +1,76 @@
+#undef QT_NO_CAST_FROM_ASCII
+
+#include "document/recovery.h"
+
+#include "core/kernel/evaluation/positioningdata.h"
+#include "document/savedocument.h"
+
+#include <QDir>
+#include <QFile>
+#include <QLockFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace palmer;
+using namespace palmer::testdata;
+
+namespace {
+
+Document example() {
+    Document document;
+    document.report.title = "Annual check";
+    document.tests.push_back(std::make_shared<const Test>(example1988("ISO 230-2:1988")));
+    return document;
+}
+
+const QDateTime noon(QDate(2026, 11, 21), QTime(12, 0), Qt::UTC);
+
+} // namespace
+
+class RecoveryTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void keepsDocumentAndOrigin() {
+        const Recovery read = readRecovery(writeRecovery(example(), {"/data/x “axis”.palmer", noon}));
+        QVERIFY(*read.document == example());
+        QCOMPARE(read.origin.path, QString("/data/x “axis”.palmer"));
+        QCOMPARE(read.origin.saved, noon);
+        QCOMPARE(read.title, QString("Annual check"));
+        QVERIFY(readRecovery(writeRecovery(example(), {{}, noon})).origin.path.isEmpty());
+    }
+
+    void refusesWhatIsCutOff() {
+        const QByteArray bytes = writeRecovery(example(), {"/data/x.palmer", noon});
+        for (qsizetype size = 0; size < bytes.size() - 1; size += 7)
+            QVERIFY_EXCEPTION_THROWN(std::ignore = readRecovery(bytes.left(size)), Error);
+        QVERIFY_EXCEPTION_THROWN(std::ignore = readRecovery("{}\n{}"), Error);
+        QVERIFY_EXCEPTION_THROWN(std::ignore = readRecovery("3\n"), Error);
+    }
+
+    void findsOnlyWhatNobodyHolds() {
+        const QTemporaryDir folder;
+        const auto put = [&](const char *name, const QDateTime &saved) {
+            const QString path = folder.filePath(name);
+            saveBytes(writeRecovery(example(), {name, saved}), path);
+            return path;
+        };
+        const QString held = put("held.recovery", noon);
+        const QString first = put("first.recovery", noon);
+        const QString second = put("second.recovery", noon.addSecs(60));
+        saveBytes("no copy", folder.filePath("broken.recovery"));
+        QLockFile lock(recoveryLock(held));
+        QVERIFY(lock.tryLock(0));
+        const auto found = abandonedRecoveries(folder.path());
+        QCOMPARE(found.size(), std::size_t{2});
+        QCOMPARE(found[0].file, second); // the latest first
+        QCOMPARE(found[1].file, first);
+        QVERIFY(QFile::exists(folder.filePath("broken.recovery"))); // nothing is thrown away unseen
+        discardRecovery(first);
+        QCOMPARE(abandonedRecoveries(folder.path()).size(), std::size_t{1});
+        QVERIFY(abandonedRecoveries(folder.filePath("missing")).empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(RecoveryTest)
+#include "recovery.moc"

@@ -1,0 +1,139 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "document/templatefile.h"
+
+#include <QTest>
+
+using namespace palmer;
+
+namespace {
+
+Template machine() {
+    Machine machine;
+    machine.name = "DMU 50";
+    machine.year = 2024;
+    return {"ours", machine};
+}
+
+Template instrument() {
+    Instrument laser;
+    laser.id = "laser";
+    laser.calibrationDate = "2026-01-31";
+    laser.resolution = 0.00001;
+    return {"XL-80", laser};
+}
+
+Template laboratory() {
+    Laboratory laboratory;
+    laboratory.name = "Métrologie du Rhône";
+    laboratory.logo = "iVBORw0KGgo=";
+    return {"société", laboratory};
+}
+
+Template limits(Kind kind) {
+    LimitSet set;
+    set.kind = kind;
+    set.limits[kind == Kind::circular ? "G(b)" : "A"] = {
+        0.02, kind == Kind::circular ? "ISO 230-4:2005" : "ISO 230-2:2014", "contract"};
+    set.decisionRule.rule = Rule::iso14253_1;
+    return {"contract 12", set};
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Template)
+
+/// Templates as files.
+class TemplateFileTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void comesBackAsItWas_data() {
+        QTest::addColumn<Template>("content");
+        QTest::newRow("a machine") << machine();
+        QTest::newRow("an instrument") << instrument();
+        QTest::newRow("a laboratory with its logo") << laboratory();
+        QTest::newRow("limits of positioning") << limits(Kind::positioning);
+        QTest::newRow("limits of circles") << limits(Kind::circular);
+    }
+    void comesBackAsItWas() {
+        QFETCH(Template, content);
+        const QByteArray bytes = writeTemplate(content);
+        QVERIFY(readTemplate(bytes) == content);
+        QCOMPARE(writeTemplate(readTemplate(bytes)), bytes);
+    }
+
+    void refusesWhatTheFormatDoesNotAllow_data() {
+        QTest::addColumn<QByteArray>("file");
+        QTest::addColumn<QByteArray>("place");
+        const auto file = [](const char *rest) {
+            return QByteArray(R"({"format": "palmer template", "version": 1, )") + rest + "}";
+        };
+        QTest::newRow("a test file") << QByteArray(R"({"format": "palmer test report", "version": 1})")
+                                     << QByteArray();
+        QTest::newRow("no JSON") << QByteArray("machine") << QByteArray("1:1");
+        QTest::newRow("nothing") << file(R"("name": "x")") << QByteArray();
+        QTest::newRow("two at once") << file(R"("machine": {}, "laboratory": {})") << QByteArray();
+        QTest::newRow("an unknown key") << file(R"("machine": {}, "colour": 1)") << QByteArray("colour");
+        QTest::newRow("an unknown key inside")
+            << file(R"("machine": {"colour": 1})") << QByteArray("machine.colour");
+        QTest::newRow("a wrong type")
+            << file(R"("instrument": {"resolution": "fine"})") << QByteArray("instrument.resolution");
+        QTest::newRow("a day that is none") << file(R"("instrument": {"calibrationDate": "2026-02-31"})")
+                                            << QByteArray("instrument.calibrationDate");
+        QTest::newRow("a picture that is no base64")
+            << file(R"("laboratory": {"logo": "?"})") << QByteArray("laboratory.logo");
+        QTest::newRow("an unknown parameter")
+            << file(R"("kind": "positioning", "limits": {"Q": {"value": 1}})") << QByteArray("limits.Q");
+        QTest::newRow("a parameter of the other kind")
+            << file(R"("kind": "positioning", "limits": {"G": {"value": 1}})") << QByteArray("limits.G");
+        QTest::newRow("limits of no kind") << file(R"("limits": {})") << QByteArray("kind");
+        QTest::newRow("a rule that is none")
+            << file(R"("kind": "circular", "limits": {}, "decisionRule": {"rule": "mine"})")
+            << QByteArray("decisionRule.rule");
+        QTest::newRow("a name that is none") << file(R"("name": 7, "machine": {})") << QByteArray("name");
+        QTest::newRow("a newer version")
+            << QByteArray(R"({"format": "palmer template", "version": 99, "machine": {}})")
+            << QByteArray("version");
+    }
+    void refusesWhatTheFormatDoesNotAllow() {
+        QFETCH(QByteArray, file);
+        QFETCH(QByteArray, place);
+        try {
+            static_cast<void>(readTemplate(file));
+            QFAIL("it was read");
+        } catch (const Error &error) {
+            QCOMPARE(QByteArray::fromStdString(error.place), place);
+            QVERIFY(!error.message.text.empty());
+        }
+    }
+
+    void truncatedFilesAreRefused() {
+        const QByteArray bytes = writeTemplate(limits(Kind::circular)).trimmed();
+        for (qsizetype length = 0; length < bytes.size(); ++length)
+            QVERIFY_EXCEPTION_THROWN(static_cast<void>(readTemplate(bytes.first(length))), Error);
+    }
+
+    void aSetOfLimitsNamesItsEdition() {
+        Test test;
+        test.edition = "ISO 230-2:2006";
+        test.measurement = PositioningMeasurement();
+        test.limits["A"].value = 0.02;
+        test.limits["R"] = {0.01, "ISO 230-2:1988", ""};
+        const LimitSet set = limitSetOf(test);
+        QCOMPARE(set.limits.at("A").edition, std::optional<std::string>("ISO 230-2:2006"));
+        QCOMPARE(set.limits.at("R").edition, std::optional<std::string>("ISO 230-2:1988"));
+        Test other;
+        other.edition = "ISO 230-2:2014";
+        other.measurement = PositioningMeasurement();
+        QVERIFY(applyLimitSet(other, set));
+        QCOMPARE(other.limits, set.limits);
+        Test circle;
+        circle.measurement = CircularMeasurement();
+        QVERIFY(!applyLimitSet(circle, set));
+        QVERIFY(circle.limits.empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(TemplateFileTest)
+#include "templatefile.moc"

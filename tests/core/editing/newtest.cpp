@@ -1,0 +1,117 @@
+#include "editing/newtest.h"
+
+#include "document/readdocument.h"
+#include "document/writedocument.h"
+#include "editing/editreadings.h"
+#include "editing/measuringcycle.h"
+
+#include <QTest>
+
+using namespace palmer;
+
+namespace {
+
+NewPositioningTest wanted() {
+    NewPositioningTest result;
+    result.axis.name = "X";
+    result.axis.travel = 1800;
+    result.targets = evenTargets(0, 1800, 11, 0.001);
+    return result;
+}
+
+} // namespace
+
+class NewTestTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isEmptyAndComplete() {
+        const Test test = newTest(wanted());
+        const auto &m = std::get<PositioningMeasurement>(test.measurement);
+        QCOMPARE(m.runs.size(), std::size_t{10});
+        QCOMPARE(m.runs[1].approach, Direction::negative);
+        QCOMPARE(firstMissing(m), firstOfCycle(m));
+        Document document;
+        QCOMPARE(insertTest(document, 0, test), std::size_t{0});
+        QVERIFY(readDocument(writeDocument(document)) == document);
+    }
+
+    void evenTargetsAreRound() {
+        QCOMPARE(evenTargets(0, 0.4, 5, 0.1), (std::vector<double>{0, 0.1, 0.2, 0.3, 0.4}));
+        QCOMPARE(evenTargets(-10, 10, 3, 1), (std::vector<double>{-10, 0, 10}));
+        QCOMPARE(evenTargets(0, 1000, 4, 0.001), (std::vector<double>{0, 333.333, 666.667, 1000}));
+        QCOMPARE(evenTargets(0, 1, 5, 1), (std::vector<double>{0, 1})); // no finer than the resolution
+        QVERIFY(evenTargets(5, 5, 3).empty());
+        QVERIFY(evenTargets(5, 1, 3).empty());
+    }
+
+    void wantsAsManyTargetsAsTheStandard_data() {
+        QTest::addColumn<Motion>("motion");
+        QTest::addColumn<double>("travel");
+        QTest::addColumn<std::size_t>("count");
+        QTest::newRow("short axis: five in all") << Motion::linear << 400.0 << std::size_t{5};
+        QTest::newRow("five a metre") << Motion::linear << 1800.0 << std::size_t{9};
+        QTest::newRow("long axis: one every 250 mm") << Motion::linear << 5000.0 << std::size_t{21};
+        QTest::newRow("a quarter turn") << Motion::rotary << 90.0 << std::size_t{3};
+        QTest::newRow("half a turn") << Motion::rotary << 180.0 << std::size_t{5};
+        QTest::newRow("a turn") << Motion::rotary << 360.0 << std::size_t{8};
+        QTest::newRow("two turns") << Motion::rotary << 720.0 << std::size_t{16};
+    }
+
+    void wantsAsManyTargetsAsTheStandard() {
+        QFETCH(Motion, motion);
+        QFETCH(double, travel);
+        QFETCH(std::size_t, count);
+        Axis axis;
+        axis.motion = motion;
+        axis.travel = travel;
+        QCOMPARE(targetsWanted(axis), count);
+    }
+
+    void idsAreUnique() {
+        Document document;
+        for (int i = 0; i < 3; ++i)
+            insertTest(document, document.tests.size(), newTest(wanted()));
+        QCOMPARE(document.tests[0]->id, std::string("x1"));
+        QCOMPARE(document.tests[2]->id, std::string("x3"));
+        QVERIFY(readDocument(writeDocument(document)) == document);
+    }
+
+    void duplicatesWithAndWithoutReadings() {
+        Document document;
+        Test test = newTest(wanted());
+        test.title = "as found";
+        test.date = "2026-11-21";
+        auto &m = std::get<PositioningMeasurement>(test.measurement);
+        setReading(m, {0, 0}, 0.001);
+        setRefused(m, {0, 1}, "?");
+        insertTest(document, 0, test);
+        QCOMPARE(duplicateTest(document, 0, true), std::size_t{1});
+        QVERIFY(document.tests[1]->measurement == document.tests[0]->measurement);
+        QVERIFY(document.tests[1]->id != document.tests[0]->id);
+        QCOMPARE(duplicateTest(document, 0, false), std::size_t{1});
+        const auto &empty = std::get<PositioningMeasurement>(document.tests[1]->measurement);
+        QCOMPARE(firstMissing(empty), firstOfCycle(empty));
+        QVERIFY(empty.refused.empty() && !document.tests[1]->date);
+        QVERIFY(readDocument(writeDocument(document)) == document);
+    }
+
+    void removesWhatNamesTheTest() {
+        Document document;
+        Test drift;
+        drift.id = "d1";
+        drift.measurement = DriftMeasurement{};
+        std::get<DriftMeasurement>(drift.measurement).times = {0, 1};
+        std::get<DriftMeasurement>(drift.measurement).deviations = {0, 0.001};
+        insertTest(document, 0, drift);
+        Test test = newTest(wanted());
+        std::get<PositioningMeasurement>(test.measurement).uncertainty.driftTest = "d1";
+        insertTest(document, 0, test);
+        removeTest(document, 0);
+        QCOMPARE(document.tests.size(), std::size_t{1});
+        QVERIFY(readDocument(writeDocument(document)) == document);
+    }
+};
+
+QTEST_GUILESS_MAIN(NewTestTest)
+#include "newtest.moc"

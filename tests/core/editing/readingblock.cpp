@@ -1,0 +1,218 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "editing/readingblock.h"
+
+#include "core/kernel/evaluation/positioningdata.h"
+#include "editing/editreadings.h"
+#include "editing/newtest.h"
+
+#include <QTest>
+
+using namespace palmer;
+using namespace palmer::testdata;
+
+namespace {
+
+const PositioningMeasurement &exampleMeasurement() {
+    // The doubles of the decimals, as reading a file gives them: 5.4/1000 need not be that of 0.0054.
+    static const PositioningMeasurement exact = [] {
+        Test test = example1988("ISO 230-2:1988");
+        for (Run &run : measurement(test).runs) {
+            for (auto &deviation : run.deviations)
+                deviation = std::round(*deviation * 1e9) / 1e9;
+        }
+        return measurement(test);
+    }();
+    return exact;
+}
+
+/// The test of the example with its targets and no reading.
+PositioningMeasurement emptyExample() {
+    PositioningMeasurement m = exampleMeasurement();
+    for (Run &run : m.runs)
+        std::ranges::fill(run.deviations, std::nullopt);
+    return m;
+}
+
+BlockPlace at(std::size_t row, std::size_t column, const PositioningMeasurement &m) {
+    BlockPlace place{row, column, {}};
+    for (std::size_t run = 0; run < m.runs.size(); ++run)
+        place.runs.push_back(run);
+    return place;
+}
+
+QString decimal(double value, QChar mark) {
+    QString text = QString::number(value, 'g', 10);
+    return text.replace(u'.', mark);
+}
+
+/// The example as a spreadsheet copies it: number, position, readings.
+std::string block(QChar mark, const QString &delimiter, std::size_t firstColumn, const QString &minus = "-") {
+    const PositioningMeasurement &m = exampleMeasurement();
+    QStringList lines;
+    for (std::size_t i = 0; i < m.targets.size(); ++i) {
+        QStringList cells{QString::number(i + 1), decimal(m.targets[i], mark)};
+        for (const Run &run : m.runs)
+            cells << decimal(std::round(*run.deviations[i] * 1e4) / 10, mark).replace("-", minus);
+        lines << cells.mid(static_cast<int>(firstColumn)).join(delimiter);
+    }
+    return (lines.join("\r\n") + "\r\n").toStdString();
+}
+
+} // namespace
+
+class ReadingBlockTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void takesWholeTestsInEveryLocale_data() {
+        QTest::addColumn<QString>("mark");
+        QTest::addColumn<QString>("delimiter");
+        QTest::addColumn<QString>("minus");
+        QTest::newRow("British: point, tabs") << "."
+                                              << "\t"
+                                              << "-";
+        QTest::newRow("French: comma, tabs") << ","
+                                             << "\t"
+                                             << "-";
+        QTest::newRow("Swedish: comma, typographical minus") << ","
+                                                             << "\t"
+                                                             << "−";
+        QTest::newRow("German file: comma, semicolons") << ","
+                                                        << ";"
+                                                        << "-";
+        QTest::newRow("English file: point, commas") << "."
+                                                     << ","
+                                                     << "-";
+    }
+
+    void takesWholeTestsInEveryLocale() {
+        QFETCH(QString, mark);
+        QFETCH(QString, delimiter);
+        QFETCH(QString, minus);
+        const PositioningMeasurement empty = emptyExample();
+        for (const std::size_t column : {0, 1, 2}) {
+            const PastedBlock pasted =
+                pasteBlock(empty, block(mark[0], delimiter, column, minus), at(0, column, empty), {});
+            QCOMPARE(pasted.readings, std::size_t{110});
+            QCOMPARE(pasted.targets, std::size_t{column < 2 ? 11U : 0U});
+            QVERIFY(pasted.remarks.empty());
+            QVERIFY(pasted.measurement == exampleMeasurement());
+            QCOMPARE(pasted.decimalMark.value, mark == "," ? DecimalMark::comma : DecimalMark::point);
+            QVERIFY(pasted.hasMarks);
+        }
+    }
+
+    void recognisesTargetsPutOnTheFirstReading() {
+        const PositioningMeasurement empty = emptyExample();
+        for (const std::size_t column : {0, 1}) {
+            const PastedBlock pasted = pasteBlock(empty, block(u'.', "\t", column), at(0, 2, empty), {});
+            QVERIFY(pasted.measurement == exampleMeasurement());
+            QCOMPARE(pasted.remarks.size(), std::size_t{1});
+        }
+    }
+
+    void bringsMoreTargets() {
+        NewPositioningTest wanted;
+        wanted.axis.name = "X";
+        wanted.targets = {0, 1, 2};
+        const Test test = newTest(wanted);
+        const auto &m = std::get<PositioningMeasurement>(test.measurement);
+        const PastedBlock pasted = pasteBlock(m, block(u',', "\t", 1), at(0, 1, m), {});
+        QVERIFY(pasted.measurement.targets == exampleMeasurement().targets);
+        QVERIFY(pasted.measurement.runs == exampleMeasurement().runs);
+    }
+
+    void aBlockGoesWhereItIsPut() {
+        const PositioningMeasurement empty = emptyExample();
+        const PastedBlock pasted = pasteBlock(empty, "1.5\t2\n\t-3\n", at(4, 3, empty), {});
+        PositioningMeasurement expected = empty;
+        setReading(expected, {1, 4}, 0.0015);
+        setReading(expected, {2, 4}, 0.002);
+        setReading(expected, {2, 5}, -0.003);
+        QVERIFY(pasted.measurement == expected);
+        QCOMPARE(pasted.readings, std::size_t{3});
+    }
+
+    void anEmptyLineIsAMissingReading() {
+        PositioningMeasurement m = exampleMeasurement();
+        const PastedBlock pasted = pasteBlock(m, "1\n\n3\n", at(0, 2, m), {});
+        QCOMPARE(readingAt(pasted.measurement, {0, 0}), std::optional(0.001));
+        QCOMPARE(readingAt(pasted.measurement, {0, 1}), std::nullopt);
+        QCOMPARE(readingAt(pasted.measurement, {0, 2}), std::optional(0.003));
+    }
+
+    void aChosenMarkRefusesTheOther() {
+        const PositioningMeasurement empty = emptyExample();
+        BlockChoices choices;
+        choices.decimalMark = DecimalMark::point;
+        const PastedBlock pasted = pasteBlock(empty, "32,56\t1,5\n2.5\t3\n", at(0, 2, empty), choices);
+        QCOMPARE(pasted.readings, std::size_t{2});
+        QCOMPARE(pasted.refused, std::size_t{2});
+        QCOMPARE(refusedAt(pasted.measurement, {0, 0})->text, std::string("32,56"));
+        choices.decimalMark = DecimalMark::comma;
+        const PastedBlock comma = pasteBlock(empty, "32,56\t1,5\n2\t3\n", at(0, 2, empty), choices);
+        QCOMPARE(readingAt(comma.measurement, {0, 0}), std::optional(0.03256));
+    }
+
+    void leavesHeadingsOut() {
+        const PositioningMeasurement empty = emptyExample();
+        const PastedBlock pasted = pasteBlock(empty, "Run 1 up\tRun 1 down\n1.5\t2.5\n", at(0, 2, empty), {});
+        QCOMPARE(readingAt(pasted.measurement, {0, 0}), std::optional(0.0015));
+        QCOMPARE(readingAt(pasted.measurement, {1, 0}), std::optional(0.0025));
+        QCOMPARE(pasted.remarks.size(), std::size_t{1});
+    }
+
+    void keepsWhatIsNoNumber() {
+        const PositioningMeasurement empty = emptyExample();
+        const PastedBlock pasted = pasteBlock(empty, "1\t4,,8\nn/a\tlost\n", at(0, 2, empty), {});
+        QCOMPARE(pasted.readings, std::size_t{1});
+        QCOMPARE(pasted.refused, std::size_t{2});
+        QCOMPARE(refusedAt(pasted.measurement, {1, 1})->text, std::string("lost"));
+        QVERIFY(!refusedAt(pasted.measurement, {0, 1}));
+    }
+
+    void saysWhatHasNoPlace() {
+        const PositioningMeasurement empty = emptyExample();
+        const PastedBlock pasted = pasteBlock(empty, "1\t2\t3\n4\t5\t6\n", at(10, 10, empty), {});
+        QCOMPARE(pasted.readings, std::size_t{2});
+        QCOMPARE(pasted.left, std::size_t{4});
+        QCOMPARE(pasted.remarks.size(), std::size_t{1});
+    }
+
+    void contentIsAChoice() {
+        const PositioningMeasurement empty = emptyExample();
+        BlockChoices choices;
+        choices.content = BlockContent::longDeviations;
+        PastedBlock pasted = pasteBlock(empty, "0.0054\n-0.0015\n", at(1, 3, empty), choices);
+        QCOMPARE(readingAt(pasted.measurement, {1, 1}), std::optional(0.0054));
+        choices.content = BlockContent::positions;
+        pasted = pasteBlock(empty, "150.7154\n300.8485\n", at(1, 3, empty), choices);
+        QCOMPARE(readingAt(pasted.measurement, {1, 1}), std::optional(0.0054));
+        QCOMPARE(readingAt(pasted.measurement, {1, 2}), std::optional(-0.0015));
+        // Taken for µm they are a question, not an answer.
+        pasted = pasteBlock(empty, "0.0054\n-0.0015\n0.001\n0.002\n", at(1, 3, empty), {});
+        QCOMPARE(pasted.remarks.size(), std::size_t{1});
+    }
+
+    void targetsThatDoNotAscendStay() {
+        const PositioningMeasurement empty = emptyExample();
+        const PastedBlock pasted = pasteBlock(empty, "5\t1\n5\t2\n", at(0, 1, empty), {});
+        QVERIFY(pasted.measurement.targets == empty.targets);
+        QCOMPARE(pasted.readings, std::size_t{2});
+        QCOMPARE(pasted.targets, std::size_t{0});
+        QCOMPARE(pasted.remarks.size(), std::size_t{1});
+    }
+
+    void textWithoutNumbersChangesNothing() {
+        const PositioningMeasurement m = exampleMeasurement();
+        for (const char *text : {"", "\n\n", "hello\nworld\n"}) {
+            const PastedBlock pasted = pasteBlock(m, text, at(0, 2, m), {});
+            QVERIFY(pasted.measurement == m);
+            QCOMPARE(pasted.remarks.size(), std::size_t{1});
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ReadingBlockTest)
+#include "readingblock.moc"

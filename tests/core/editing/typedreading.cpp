@@ -1,0 +1,74 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "editing/typedreading.h"
+
+#include "language/language.h"
+
+#include <QTest>
+#include <random>
+
+using namespace palmer;
+
+namespace {
+
+Axis axis(Motion motion) {
+    Axis result;
+    result.motion = motion;
+    return result;
+}
+
+constexpr DisplayUnits usual;
+constexpr DisplayUnits millimetres{LengthDisplay::millimetres, AngleDisplay::degrees};
+constexpr DisplayUnits inches{LengthDisplay::inches, AngleDisplay::arcSeconds};
+
+} // namespace
+
+class TypedReadingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isTheDecimalThatWasTyped() {
+        QCOMPARE(*typedReading(u"5,4", axis(Motion::linear), usual).value, 0.0054);
+        QCOMPARE(*typedReading(u"-0.3", axis(Motion::linear), usual).value, -0.0003);
+        QCOMPARE(*typedReading(u"0.0054", axis(Motion::linear), millimetres).value, 0.0054);
+        QCOMPARE(*typedReading(u"100", axis(Motion::linear), inches).value, 0.00254);
+        QCOMPARE(*typedReading(u"36", axis(Motion::rotary), usual).value, 0.01);
+        QCOMPARE(*typedReading(u"0.01", axis(Motion::rotary), millimetres).value, 0.01);
+    }
+
+    void positionsBecomeDeviations() {
+        QCOMPARE(*typedReading(u"150.7154", axis(Motion::linear), usual, 150.71).value, 0.0054);
+        QCOMPARE(*typedReading(u"1050,0152", axis(Motion::linear), usual, 1050.02).value, -0.0048);
+        QCOMPARE(*typedReading(u"1", axis(Motion::linear), inches, 25.4).value, 0.0);
+        QCOMPARE(*typedReading(u"90.0011", axis(Motion::rotary), usual, 90).value, 0.0011);
+    }
+
+    void refusesAndKeepsEmpty() {
+        for (const char16_t *nothing : {u"", u"  ", u"–", u"-"}) {
+            const NumberEntry entry = typedReading(nothing, axis(Motion::linear), usual);
+            QVERIFY(!entry.value && !entry.refusal);
+        }
+        QCOMPARE(typedReading(u"4,,8", axis(Motion::linear), usual).refusal,
+                 std::optional(REPORT_TEXT("report", "two commas")));
+    }
+
+    /// What is shown with all its digits and typed again is the same number.
+    void shownAndTypedAgain() {
+        std::mt19937 random(7); // NOLINT: the same every time
+        std::uniform_int_distribution<int> tenths(-2000, 2000);
+        for (const DisplayUnits &units : {usual, millimetres, inches}) {
+            const Language language = Language(Language::Id::french).withUnits(units);
+            for (int i = 0; i < 500; ++i) {
+                const double deviation = tenths(random) / 1e4;
+                const QString shown = language.number(deviation, Quantity::deviation);
+                const auto again = typedReading(shown, axis(Motion::linear), units).value;
+                QVERIFY(again);
+                // In microinches to two digits: 0.01 µin are 0.25 nm.
+                QVERIFY(std::abs(*again - deviation) <= (units == inches ? 2.6e-7 : 0.0));
+            }
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TypedReadingTest)
+#include "typedreading.moc"

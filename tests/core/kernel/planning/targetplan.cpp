@@ -1,0 +1,197 @@
+#include "kernel/planning/targetplan.h"
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace palmer;
+
+namespace {
+
+TargetRequest linear(double travel) {
+    TargetRequest request;
+    request.travel = travel;
+    return request;
+}
+
+TargetRequest rotary(double travel) {
+    TargetRequest request = linear(travel);
+    request.motion = Motion::rotary;
+    return request;
+}
+
+bool isMultiple(double value, double unit) {
+    return std::abs(std::remainder(value, unit)) < 1e-9;
+}
+
+} // namespace
+
+class TargetPlanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void asManyTargetsAsTheStandardAsks_data() {
+        QTest::addColumn<bool>("turns");
+        QTest::addColumn<double>("travel");
+        QTest::addColumn<std::size_t>("count");
+        QTest::addColumn<int>("runs");
+        // clang-format off
+        QTest::newRow("never fewer than 5")              << false <<   200.0 << std::size_t(5)  << 5;
+        QTest::newRow("5 a metre")                       << false <<  1000.0 << std::size_t(5)  << 5;
+        QTest::newRow("a part of a metre counts")        << false <<  1001.0 << std::size_t(6)  << 5;
+        QTest::newRow("the longest short axis")          << false <<  2000.0 << std::size_t(10) << 5;
+        QTest::newRow("a long axis, once each way")      << false <<  3000.0 << std::size_t(15) << 1;
+        QTest::newRow("a quarter turn")                  << true  <<    90.0 << std::size_t(3)  << 5;
+        QTest::newRow("half a turn")                     << true  <<   180.0 << std::size_t(5)  << 5;
+        QTest::newRow("more than half a turn")           << true  <<   270.0 << std::size_t(8)  << 5;
+        QTest::newRow("a turn: 8 and the end")           << true  <<   360.0 << std::size_t(9)  << 5;
+        QTest::newRow("two turns: 8 each, once each way")<< true  <<   720.0 << std::size_t(17) << 1;
+        // clang-format on
+    }
+    void asManyTargetsAsTheStandardAsks() {
+        QFETCH(bool, turns);
+        QFETCH(double, travel);
+        QFETCH(std::size_t, count);
+        QFETCH(int, runs);
+        const TargetPlan plan = planTargets(turns ? rotary(travel) : linear(travel));
+        QCOMPARE(plan.targets.size(), count);
+        QCOMPARE(plan.runs, runs);
+    }
+
+    /// Whatever is asked for: ascending, inside, on the resolution, near the nominal positions.
+    void everyPlanIsSound() {
+        std::mt19937 generator(20260101);
+        std::uniform_real_distribution<double> share(0, 1);
+        for (int round = 0; round < 2000; ++round) {
+            TargetRequest request = linear(20 + 5000 * share(generator));
+            if (round % 3 == 0)
+                request = rotary(20 + 1500 * share(generator));
+            request.from = 2000 * share(generator) - 1000;
+            request.decimals = 2 + round % 3;
+            request.seed = static_cast<std::uint64_t>(round);
+            request.rule = round % 2 == 0 ? TargetRule::nominalInterval : TargetRule::pitches1988;
+            if (round % 5 != 0)
+                request.period = 0.5 + 40 * share(generator);
+            const TargetPlan plan = planTargets(request);
+            QVERIFY2(!plan.targets.empty(), qPrintable(QString::number(round)));
+            const double last = request.from + request.travel;
+            for (std::size_t i = 0; i < plan.targets.size(); ++i) {
+                const double target = plan.targets[i];
+                QVERIFY(target >= request.from - 1e-9 && target <= last + 1e-9); // 1e-9: rounding of decimals
+                QVERIFY(i == 0 || plan.targets[i - 1] < target);
+                const double scale = std::pow(10, request.decimals);
+                QVERIFY(std::abs(target * scale - std::round(target * scale)) < 1e-5);
+            }
+            if (request.rule == TargetRule::nominalInterval) {
+                for (std::size_t i = 0; i < plan.targets.size(); ++i) {
+                    const double rest =
+                        plan.targets[i] - request.from - static_cast<double>(i) * plan.interval;
+                    QVERIFY(std::abs(rest) <= plan.randomPart + 0.01); // 0.01: the coarsest resolution
+                }
+                QVERIFY(plan.randomPart <= 0.3 * plan.interval + 1e-12);
+                QVERIFY(!request.period || plan.randomPart <= *request.period);
+            }
+        }
+    }
+
+    void theSeedDecides() {
+        TargetRequest request = linear(1500);
+        request.period = 10;
+        const auto first = planTargets(request).targets;
+        QCOMPARE(planTargets(request).targets, first);
+        request.seed = 2;
+        QVERIFY(planTargets(request).targets != first);
+        // Written down once: the same on every machine and with every library.
+        TargetRequest known = linear(1000);
+        known.period = 10;
+        known.seed = 7;
+        QCOMPARE(planTargets(known).targets, (std::vector{5.088, 258.986, 492.348, 757.838, 992.825}));
+    }
+
+    /// Every target has another phase of the period: its error does not stay hidden.
+    void phasesAreSpread() {
+        for (const TargetRule rule : {TargetRule::nominalInterval, TargetRule::pitches1988}) {
+            TargetRequest request = linear(2000);
+            request.perMetre = 50;
+            request.period = 5;
+            request.rule = rule;
+            const TargetPlan plan = planTargets(request);
+            std::array<int, 5> phases{};
+            for (const double target : plan.targets) {
+                const double phase = std::fmod(target, 5) / 5;
+                ++phases[std::min<std::size_t>(4, static_cast<std::size_t>(phase * 5))];
+            }
+            for (const int count : phases)
+                QVERIFY(count > 5); // of 100 in 5 classes, about 20 each
+        }
+    }
+
+    void theRuleOf1988TakesWholePitches() {
+        TargetRequest request = linear(1000);
+        request.rule = TargetRule::pitches1988;
+        request.period = 10;
+        const TargetPlan plan = planTargets(request);
+        for (std::size_t i = 0; i < plan.targets.size(); ++i) {
+            const double nominal = static_cast<double>(i) * 250;
+            const double pitch = std::min(std::floor(nominal / 10), 99.0) * 10;
+            QVERIFY(plan.targets[i] >= pitch && plan.targets[i] <= pitch + 10);
+        }
+    }
+
+    void quarterTurnsOf1988() {
+        TargetRequest request = rotary(360);
+        request.rule = TargetRule::pitches1988;
+        const auto targets = planTargets(request).targets;
+        QCOMPARE(targets.size(), std::size_t(7));
+        QCOMPARE(std::ranges::count_if(targets, [](double p) { return isMultiple(p, 90); }), 4);
+        QVERIFY(!targets.empty() && targets.back() < 360); // which is 0° again
+    }
+
+    void whatHasNoAnswerHasNoTargets() {
+        QVERIFY(planTargets(linear(0)).targets.empty());
+        QVERIFY(planTargets(linear(-5)).targets.empty());
+        QVERIFY(planTargets(linear(std::nan(""))).targets.empty());
+        QVERIFY(planTargets(linear(1e12)).targets.empty());
+        TargetRequest coarse = linear(2);
+        coarse.decimals = 0;
+        QVERIFY(planTargets(coarse).targets.empty());
+        TargetRequest odd = linear(100);
+        odd.period = 0;
+        QVERIFY(planTargets(odd).targets.empty());
+        odd = linear(100);
+        odd.perMetre = -1;
+        QVERIFY(planTargets(odd).targets.empty());
+    }
+
+    void cyclesVisitEveryReadingOnce_data() {
+        QTest::addColumn<Cycle>("cycle");
+        QTest::newRow("standard") << Cycle::standard;
+        QTest::newRow("step") << Cycle::step;
+    }
+    void cyclesVisitEveryReadingOnce() {
+        QFETCH(Cycle, cycle);
+        auto stops = measuringCycle(4, 3, cycle);
+        QCOMPARE(stops.size(), std::size_t(24));
+        const auto key = [](const Stop &stop) {
+            return std::tuple(stop.target, stop.run, stop.approach == Direction::negative);
+        };
+        std::ranges::sort(stops, {}, key);
+        QVERIFY(std::ranges::adjacent_find(stops) == stops.end());
+        QVERIFY(measuringCycle(0, 3, cycle).empty());
+        QVERIFY(measuringCycle(4, 0, cycle).empty());
+    }
+
+    void theStandardCycleTurnsAtTheEnds() {
+        const auto stops = measuringCycle(3, 2, Cycle::standard);
+        std::vector<std::size_t> targets;
+        for (const Stop &stop : stops)
+            targets.push_back(stop.target);
+        QCOMPARE(targets, (std::vector<std::size_t>{0, 1, 2, 2, 1, 0, 0, 1, 2, 2, 1, 0}));
+        QCOMPARE(stops[2].approach, Direction::positive);
+        QCOMPARE(stops[3].approach, Direction::negative);
+    }
+};
+
+QTEST_APPLESS_MAIN(TargetPlanTest)
+#include "targetplan.moc"

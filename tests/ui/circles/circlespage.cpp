@@ -1,0 +1,300 @@
+#include "ui/circles/circlespage.h"
+
+#include "ui/circles.h"
+#include "ui/circles/arccurvesview.h"
+#include "ui/model/documentmodel.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+#include <QUndoStack>
+
+using namespace palmer;
+using namespace palmer::ui;
+using namespace palmer::testdata;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// The page with a document behind it: what is edited is evaluated and shown again.
+struct Shown {
+    explicit Shown(const Test &test = decidedPair(), Language::Id language = Language::Id::english)
+        : page(model, selection) {
+        Document document;
+        document.tests.push_back(std::make_shared<const Test>(test));
+        page.resize(620, 640);
+        page.setLanguage(Language(language));
+        QObject::connect(&model, &DocumentModel::changed, &page, [this] { present(); });
+        model.setDocument(std::move(document), {});
+        page.setVisible(true);
+        page.grab(); // lays it out
+    }
+    void present() {
+        evaluated = evaluate(model.document());
+        page.show(evaluated, 0);
+    }
+
+    [[nodiscard]] const CircularMeasurement &circles() const {
+        return std::get<CircularMeasurement>(model.document()->tests[0]->measurement);
+    }
+    template <class Widget>
+    [[nodiscard]] Widget *find(const char *name) const {
+        auto *found = page.findChild<Widget *>(QLatin1StringView(name));
+        if (!found)
+            qFatal("no %s", name);
+        return found;
+    }
+    [[nodiscard]] QString cell(const char *table, int row, int column) const {
+        return find<QTableView>(table)->model()->index(row, column).data().toString();
+    }
+    [[nodiscard]] QString head(const char *table, int column) const {
+        return find<QTableView>(table)
+            ->model()
+            ->headerData(column, Qt::Horizontal, Qt::DisplayRole)
+            .toString();
+    }
+    void choose(const char *name, int index) const {
+        auto *box = find<QComboBox>(name);
+        box->setCurrentIndex(index);
+        emit box->activated(index);
+    }
+    void type(const char *name, const QString &text) const {
+        auto *box = find<QDoubleSpinBox>(name);
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, text);
+        QTest::keyClick(box, Qt::Key_Return);
+    }
+
+    DocumentModel model;
+    Selection selection;
+    EvaluatedDocument evaluated;
+    CirclesPage page;
+};
+
+} // namespace
+
+/// Readings of circular tests in the window.
+class CirclesPageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void arcsSayWhatTheyAre() {
+        const Shown shown;
+        QCOMPARE(shown.find<QTableView>("arcs")->model()->rowCount(), 2);
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::sense), u"anticlockwise, XY"_s);
+        QCOMPARE(shown.cell("arcs", 1, ArcsModel::sense), u"clockwise, YX"_s);
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::points), u"1\u202f800"_s);
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::from), u"0.1°"_s);
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::to), u"359.9°"_s);
+        QCOMPARE(shown.cell("arcs", 1, ArcsModel::from), u"359.9°"_s); // as it was run through
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::cut), u"0.0°"_s);
+        const auto *circle = std::get<CircularResults>(shown.evaluated.tests[0]->results)
+                                 .circle(CircleOf::counterclockwise, ReferenceCircle::leastSquares);
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::radius),
+                 QString::number(1000 * (circle->radius - 150), 'f', 2));
+    }
+
+    void repetitionsAreNamed() {
+        Test test = decidedPair();
+        circular(test).arcs.push_back(circular(test).arcs[1]);
+        const Shown shown(test);
+        QCOMPARE(shown.cell("arcs", 1, ArcsModel::use), u"evaluated"_s);
+        QCOMPARE(shown.cell("arcs", 2, ArcsModel::use), u"repetition"_s);
+        QCOMPARE(shown.cell("arcs", 2, ArcsModel::radius), u"–"_s);
+    }
+
+    void pointsInThreeUnits() {
+        const Shown shown;
+        const Arc &arc = shown.circles().arcs[0];
+        auto *points = shown.find<QTableView>("points");
+        QCOMPARE(points->model()->rowCount(), 1800);
+        QCOMPARE(points->model()->columnCount(), 5);
+        QCOMPARE(shown.cell("points", 9, 0), u"10"_s);
+        QCOMPARE(shown.cell("points", 9, 1).toDouble(), arc.angles[9]);
+        const auto number = [&](int column) {
+            return shown.cell("points", 9, column).replace(QChar(0x2212), u'-').toDouble();
+        };
+        QVERIFY(std::abs(number(2) - 1000 * arc.radialDeviations[9]) <= 0.0005); // three decimals
+        shown.find<QToolButton>("showLengths")->click();
+        QVERIFY(std::abs(number(2) - (150 + arc.radialDeviations[9])) <= 0.000005);
+        shown.find<QToolButton>("showCoordinates")->click();
+        QCOMPARE(points->model()->columnCount(), 7);
+        const Point unit = direction(arc.angles[9]);
+        QVERIFY(std::abs(number(2) - (150 + arc.radialDeviations[9]) * unit.x) <= 0.000005);
+        QVERIFY(std::abs(number(3) - (150 + arc.radialDeviations[9]) * unit.y) <= 0.000005);
+        QVERIFY(shown.head("points", 2).startsWith(u"X mm"_s));
+    }
+
+    void aShorterArcEndsEarlier() {
+        Test test = decidedPair();
+        auto &arc = circular(test).arcs[1];
+        arc.angles.resize(100);
+        arc.radialDeviations.resize(100);
+        const Shown shown(test);
+        QVERIFY(!shown.cell("points", 99, 4).isEmpty());
+        QVERIFY(shown.cell("points", 100, 4).isEmpty());
+        QVERIFY(!shown.cell("points", 100, 2).isEmpty());
+    }
+
+    void aMillionPointsOpenAtOnce() {
+        PointsModel model;
+        Document document;
+        document.tests.push_back(std::make_shared<const Test>(longPair(1000000)));
+        EvaluatedDocument evaluated;
+        evaluated.document = std::make_shared<const Document>(std::move(document));
+        evaluated.tests.push_back(std::make_shared<const TestEvaluation>());
+        model.show(evaluated, 0, Language(Language::Id::french));
+        QCOMPARE(model.rowCount(), 1000000);
+        QCOMPARE(model.index(999999, 0).data().toString(), u"1\u202f000\u202f000"_s);
+        QVERIFY(!model.index(999999, 4).data().toString().isEmpty());
+    }
+
+    void rangeByNumberIsOneStep() {
+        Shown shown;
+        QCOMPARE(shown.find<QDoubleSpinBox>("evaluatedFrom")->value(), 0.1);
+        shown.type("evaluatedFrom", u"20"_s);
+        QCOMPARE(shown.circles().arcs[0].evaluated, (Interval{20, 359.9}));
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::from), u"20.0°"_s);
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::cut), u"19.9°"_s);
+        QCOMPARE(shown.model.undoStack()->count(), 1);
+        shown.find<QTableView>("arcs")->selectRow(1); // the fields are those of the current arc
+        QCOMPARE(shown.find<QDoubleSpinBox>("evaluatedFrom")->value(), 0.1);
+        shown.model.undoStack()->undo();
+        QVERIFY(!shown.circles().arcs[0].evaluated);
+    }
+
+    void anEmptyRangeIsNotTaken() {
+        Shown shown;
+        shown.type("evaluatedTo", u"-5"_s);
+        QVERIFY(!shown.circles().arcs[0].evaluated);
+        QCOMPARE(shown.find<QDoubleSpinBox>("evaluatedTo")->value(), 359.9);
+        QCOMPARE(shown.model.undoStack()->count(), 0);
+    }
+
+    void handlesSetTheRange() {
+        Shown shown;
+        auto *curves = shown.find<ArcCurvesView>("arcCurves");
+        const int y = curves->height() / 2;
+        const auto at = [&](double angle) { return QPointF(curves->xOf(angle), y); };
+        const auto send = [&](QEvent::Type type, QPointF place) {
+            const bool move = type == QEvent::MouseMove;
+            QMouseEvent event(type, place, curves->mapToGlobal(place), move ? Qt::NoButton : Qt::LeftButton,
+                              type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
+                              Qt::NoModifier);
+            QCoreApplication::sendEvent(curves, &event);
+        };
+        send(QEvent::MouseButtonPress, at(0.1));
+        send(QEvent::MouseMove, at(30));
+        QVERIFY(!shown.circles().arcs[0].evaluated); // nothing until it is let go
+        send(QEvent::MouseMove, at(45));
+        send(QEvent::MouseButtonRelease, at(45));
+        QVERIFY(shown.circles().arcs[0].evaluated.has_value());
+        QVERIFY(std::abs(shown.circles().arcs[0].evaluated->from - 45) < 1); // a pixel is 0.8°
+        QCOMPARE(shown.model.undoStack()->count(), 1);
+        shown.find<QPushButton>("wholeArc")->click();
+        QVERIFY(!shown.circles().arcs[0].evaluated);
+        QVERIFY(!shown.find<QPushButton>("wholeArc")->isEnabled());
+        // a press beside the handles moves nothing
+        send(QEvent::MouseButtonPress, at(180));
+        send(QEvent::MouseMove, at(200));
+        send(QEvent::MouseButtonRelease, at(200));
+        QVERIFY(!shown.circles().arcs[0].evaluated);
+    }
+
+    void senseAndOrderCanBeChanged() {
+        Shown shown;
+        shown.find<QPushButton>("reverseSense")->click();
+        QCOMPARE(shown.circles().arcs[0].sense, Sense::clockwise);
+        QCOMPARE(shown.cell("arcs", 1, ArcsModel::use), u"repetition"_s); // the second of its sense now
+        shown.model.undoStack()->undo();
+        QCOMPARE(shown.circles().arcs[0].sense, Sense::counterclockwise);
+        QVERIFY(!shown.find<QToolButton>("moveArcUp")->isEnabled());
+        shown.find<QToolButton>("moveArcDown")->click();
+        QCOMPARE(shown.circles().arcs[0].sense, Sense::clockwise);
+        QCOMPARE(shown.find<QTableView>("arcs")->currentIndex().row(), 1); // the arc stays the current one
+        QVERIFY(!shown.find<QToolButton>("moveArcDown")->isEnabled());
+    }
+
+    void parametersCanBeChanged() {
+        Shown shown;
+        shown.choose("plane", 1);
+        QCOMPARE(shown.circles().plane.first + shown.circles().plane.second, std::string("YZ"));
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::sense), u"anticlockwise, YZ"_s);
+        shown.type("nominalRadius", u"149.9995"_s);
+        QCOMPARE(shown.circles().nominalRadius, 149.9995);
+        QCOMPARE(shown.find<QDoubleSpinBox>("contouringFeed")->text(), u"1\u202f000 mm/min"_s);
+        shown.type("contouringFeed", u"500"_s);
+        QCOMPARE(shown.circles().feed, std::optional(500.0));
+        shown.type("contouringFeed", u"0"_s);
+        QVERIFY(!shown.circles().feed);
+        QCOMPARE(shown.find<QDoubleSpinBox>("contouringFeed")->text(), u"not stated"_s);
+        shown.choose("signalSource", 1);
+        QCOMPARE(shown.circles().source, SignalSource::feedback);
+        shown.choose("referenceCircle", 1);
+        QCOMPARE(shown.circles().referenceCircle, ReferenceCircle::leastSquares);
+        shown.choose("centring", 1);
+        QCOMPARE(shown.circles().centring, Centring::instrument);
+        shown.choose("angleReference", 1);
+        for (const Arc &arc : shown.circles().arcs)
+            QCOMPARE(arc.angleReference, AngleReference::commanded);
+        while (shown.model.undoStack()->canUndo())
+            shown.model.undoStack()->undo();
+        QCOMPARE(shown.circles(), std::get<CircularMeasurement>(decidedPair().measurement));
+    }
+
+    void frenchNumbersAreReadAndWritten() {
+        Shown shown(decidedPair(), Language::Id::french);
+        shown.type("nominalRadius", u"149,5"_s);
+        QCOMPARE(shown.circles().nominalRadius, 149.5);
+        QCOMPARE(shown.find<QDoubleSpinBox>("nominalRadius")->text(), u"149,5 mm"_s);
+        QCOMPARE(shown.cell("arcs", 0, ArcsModel::from), u"0,1°"_s);
+    }
+
+    void aPlaneOfOtherAxesIsOffered() {
+        Test test = decidedPair();
+        circular(test).plane = {"U", "V"};
+        const Shown shown(test);
+        QCOMPARE(shown.find<QComboBox>("plane")->currentText(), u"U → V"_s);
+    }
+
+    void pointsFollowTheFigure() {
+        Shown shown;
+        shown.selection.setReading(ReadingPlace{1, 1234});
+        auto *points = shown.find<QTableView>("points");
+        QCOMPARE(points->currentIndex().row(), 1234);
+        QCOMPARE(points->currentIndex().column(), 4);
+        points->setCurrentIndex(points->model()->index(5, 2));
+        QCOMPARE(shown.selection.reading(), std::optional(ReadingPlace{0, 5}));
+    }
+
+    void theCurveTellsThePointUnderThePointer() {
+        Shown shown;
+        auto *curves = shown.find<ArcCurvesView>("arcCurves");
+        bool found = false;
+        for (int y = 0; y < curves->height() && !found; ++y) {
+            QTest::mouseMove(curves, QPoint(int(curves->xOf(130)), y));
+            QCoreApplication::processEvents();
+            found = shown.selection.hovered().has_value();
+        }
+        QVERIFY(found);
+        const auto place = *shown.selection.hovered();
+        QVERIFY(std::abs(shown.circles().arcs[place.run].angles[place.target] - 130) < 10);
+    }
+
+    void withoutArcsItIsStillThere() {
+        const Shown shown(circularTest({}));
+        QCOMPARE(shown.find<QTableView>("arcs")->model()->rowCount(), 0);
+        QVERIFY(!shown.find<QPushButton>("reverseSense")->isEnabled());
+        QVERIFY(!shown.find<QDoubleSpinBox>("evaluatedFrom")->isEnabled());
+        QVERIFY(!shown.find<QComboBox>("angleReference")->isEnabled());
+        const Shown empty(circularTest({Arc()}));
+        QCOMPARE(empty.cell("arcs", 0, ArcsModel::points), u"0"_s);
+    }
+};
+
+QTEST_MAIN(CirclesPageTest)
+#include "circlespage.moc"

@@ -1,0 +1,533 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/window/shownwindow.h"
+
+#include "core/kernel/evaluation/positioningdata.h"
+#include "document/readdocument.h"
+#include "document/writedocument.h"
+#include "editing/measuringcycle.h"
+#include "editing/newtest.h"
+#include "ui/examples.h"
+#include "ui/readings/readingspage.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QComboBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTimer>
+#include <QToolButton>
+#include <QUndoStack>
+#include <cmath>
+#include <random>
+
+using namespace palmer;
+using namespace palmer::ui;
+using namespace palmer::testdata;
+
+namespace {
+
+const PositioningMeasurement &published() {
+    // The doubles of the decimals, as typing gives them: 5.4/1000 need not be that of 0.0054.
+    static const PositioningMeasurement exact = [] {
+        Test test = example1988("ISO 230-2:1988");
+        for (Run &run : testdata::measurement(test).runs) {
+            for (auto &deviation : run.deviations)
+                deviation = std::round(*deviation * 1e9) / 1e9;
+        }
+        return testdata::measurement(test);
+    }();
+    return exact;
+}
+
+Test publishedTest() {
+    Test test = example1988("ISO 230-2:1988");
+    testdata::measurement(test) = published();
+    return test;
+}
+
+/// A window with one test in it, of which nothing is saved.
+struct TypingWindow : ShownWindow {
+    explicit TypingWindow(const Test &test)
+        : ShownWindow(examplePath("one-direction")) {
+        window->model().edit("prepare", [&](Document &document) {
+            document.tests.clear();
+            insertTest(document, 0, test);
+        });
+        window->model().undoStack()->clear();
+        window->workplace().showPage(Page::readings);
+        view = find<QTableView>("readings");
+        window->activateWindow();
+        if (!QTest::qWaitForWindowActive(window))
+            qFatal("no active window to type in");
+        view->setFocus();
+    }
+
+    [[nodiscard]] const PositioningMeasurement &measurement() const {
+        return std::get<PositioningMeasurement>(window->model().document()->tests.at(0)->measurement);
+    }
+
+    void type(const QString &text) const {
+        for (const QChar c : text)
+            QTest::keyClick(QApplication::focusWidget(), c.toLatin1() ? c.toLatin1() : ' ');
+    }
+
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const {
+        QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+    }
+
+    void setCurrent(std::size_t run, std::size_t target) const {
+        window->workplace().selection().setReading(ReadingPlace{run, target});
+    }
+
+    [[nodiscard]] std::optional<ReadingPlace> current() const {
+        return window->workplace().selection().reading();
+    }
+
+    void paste(const QString &text) const {
+        QGuiApplication::clipboard()->setText(text);
+        press(Qt::Key_V, Qt::ControlModifier);
+    }
+
+    QTableView *view;
+};
+
+Test emptyTest(Cycle cycle = Cycle::standard) {
+    Test test = example1988("ISO 230-2:1988");
+    PositioningMeasurement &m = measurement(test);
+    m.cycle = cycle;
+    for (Run &run : m.runs)
+        std::ranges::fill(run.deviations, std::nullopt);
+    return test;
+}
+
+/// A reading as somebody types it: µm, with that decimal mark.
+QString typedText(double deviation, char mark) {
+    return QString::number(std::round(deviation * 1e4) / 10, 'f', 1).replace('.', mark);
+}
+
+/// The published readings as a spreadsheet copies them.
+QString block(char mark, std::size_t first = 0, std::size_t count = 10) {
+    QStringList lines;
+    for (std::size_t i = 0; i < published().targets.size(); ++i) {
+        QStringList cells;
+        for (std::size_t j = first; j < first + count; ++j)
+            cells << typedText(*published().runs[j].deviations[i], mark);
+        lines << cells.join('\t');
+    }
+    return lines.join('\n') + '\n';
+}
+
+} // namespace
+
+/// Readings typed, pasted and changed in the real window.
+class TypingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareApplication(); }
+    void init() {
+        QSettings().clear();
+        setWindowLanguage(Language::Id::english);
+    }
+
+    void aWholeTestByKeyboardAlone_data() {
+        QTest::addColumn<Cycle>("cycle");
+        QTest::addColumn<char>("mark");
+        QTest::newRow("standard cycle, point") << Cycle::standard << '.';
+        QTest::newRow("standard cycle, comma") << Cycle::standard << ',';
+        QTest::newRow("step cycle") << Cycle::step << '.';
+    }
+
+    void aWholeTestByKeyboardAlone() {
+        QFETCH(Cycle, cycle);
+        QFETCH(char, mark);
+        const TypingWindow typing(emptyTest(cycle));
+        const Document empty = *typing.window->model().document();
+        typing.window->workplace().beginTyping();
+        auto place = firstOfCycle(typing.measurement());
+        while (place) {
+            QCOMPARE(typing.current(), place);
+            typing.type(typedText(*published().runs[place->run].deviations[place->target], mark));
+            const auto next = nextInCycle(typing.measurement(), *place);
+            typing.press(Qt::Key_Return);
+            place = next;
+        }
+        QVERIFY(typing.measurement().runs == published().runs);
+        QCOMPARE(typing.window->model().undoStack()->count(), 110);
+
+        // The results are those of the readings, and all of it can be undone and redone.
+        const Document full = *typing.window->model().document();
+        QVERIFY(!typing.window->evaluator().current().tests[0]->parameters.empty());
+        typing.window->model().undoStack()->setIndex(0);
+        QVERIFY(*typing.window->model().document() == empty);
+        typing.window->model().undoStack()->setIndex(110);
+        QVERIFY(*typing.window->model().document() == full);
+    }
+
+    void keysDoWhatTheySay() {
+        const TypingWindow typing(emptyTest());
+        typing.setCurrent(0, 10);
+        typing.press(Qt::Key_Return); // from the top of run 1 ↑ to the top of run 1 ↓
+        QCOMPARE(typing.current(), (ReadingPlace{1, 10}));
+        typing.press(Qt::Key_Return);
+        QCOMPARE(typing.current(), (ReadingPlace{1, 9}));
+        typing.press(Qt::Key_Return, Qt::ShiftModifier);
+        typing.press(Qt::Key_Return, Qt::ShiftModifier);
+        QCOMPARE(typing.current(), (ReadingPlace{0, 10}));
+        typing.press(Qt::Key_Tab);
+        QCOMPARE(typing.current(), (ReadingPlace{1, 10}));
+        typing.press(Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(typing.current(), (ReadingPlace{0, 10}));
+
+        // Typing replaces, F2 edits, Esc restores.
+        typing.type("12");
+        typing.press(Qt::Key_Tab);
+        QCOMPARE(readingAt(typing.measurement(), {0, 10}), std::optional(0.012));
+        typing.setCurrent(0, 10);
+        typing.press(Qt::Key_F2);
+        typing.press(Qt::Key_End);
+        typing.type("3");
+        typing.press(Qt::Key_Down);
+        QCOMPARE(readingAt(typing.measurement(), {0, 10}), std::optional(0.123));
+        typing.setCurrent(0, 10);
+        typing.type("7");
+        typing.press(Qt::Key_Escape);
+        QCOMPARE(readingAt(typing.measurement(), {0, 10}), std::optional(0.123));
+        QCOMPARE(typing.window->model().undoStack()->count(), 2);
+        typing.press(Qt::Key_F2);
+        typing.press(Qt::Key_Return); // nothing was changed
+        QCOMPARE(typing.window->model().undoStack()->count(), 2);
+
+        typing.setCurrent(0, 10);
+        typing.press(Qt::Key_Delete);
+        QCOMPARE(readingAt(typing.measurement(), {0, 10}), std::nullopt);
+        QCOMPARE(typing.find<QAction>("undo")->text(), QString("&Undo: clear 1 reading"));
+    }
+
+    void textThatIsNoNumberStays() {
+        const TypingWindow typing(publishedTest());
+        typing.setCurrent(3, 8);
+        typing.type("4,,8");
+        typing.press(Qt::Key_Return);
+        const QModelIndex cell = typing.view->model()->index(8, 5);
+        QCOMPARE(cell.data().toString(), QString("4,,8"));
+        QCOMPARE(cell.data(ReadingsModel::refusedRole).toString(), QString("two commas"));
+        QCOMPARE(readingAt(typing.measurement(), {3, 8}), std::nullopt);
+        auto *reason = typing.find<QLabel>("reason");
+        QVERIFY(reason->isVisible() && reason->text().contains("two commas"));
+        const auto &findings = typing.window->evaluator().current().tests[0]->findings;
+        QVERIFY(std::ranges::any_of(findings, [](const Finding &f) { return f.id == "refusedReadings"; }));
+        // It is part of the file, can be undone, and a number takes its place.
+        QVERIFY(readDocument(writeDocument(*typing.window->model().document())) ==
+                *typing.window->model().document());
+        typing.setCurrent(3, 8);
+        typing.press(Qt::Key_F2);
+        typing.press(Qt::Key_Home);
+        typing.press(Qt::Key_Right);
+        typing.press(Qt::Key_Delete);
+        typing.press(Qt::Key_Return);
+        QCOMPARE(readingAt(typing.measurement(), {3, 8}), std::optional(0.0048));
+        QVERIFY(!reason->isVisible());
+        typing.window->model().undoStack()->undo();
+        QCOMPARE(refusedAt(typing.measurement(), {3, 8})->text, std::string("4,,8"));
+        typing.window->model().undoStack()->undo();
+        QVERIFY(typing.measurement() == published());
+    }
+
+    void positionsAreTypedAsPositions() {
+        const TypingWindow typing(emptyTest());
+        typing.find<QToolButton>("showPositions")->click();
+        typing.view->setFocus();
+        typing.setCurrent(2, 1);
+        typing.type("150,7154");
+        typing.press(Qt::Key_Return);
+        QCOMPARE(readingAt(typing.measurement(), {2, 1}), std::optional(0.0054));
+        typing.find<QToolButton>("showDeviations")->click();
+        QCOMPARE(typing.view->model()->index(1, 4).data().toString(), QString("5.4"));
+    }
+
+    void targetsAreMovedAndRefused() {
+        const TypingWindow typing(publishedTest());
+        const QModelIndex cell = typing.view->model()->index(1, ReadingsModel::positionColumn);
+        typing.view->setCurrentIndex(cell);
+        typing.type("150.8");
+        typing.press(Qt::Key_Return);
+        QCOMPARE(typing.measurement().targets[1], 150.8);
+        QCOMPARE(typing.view->currentIndex(), cell.siblingAtRow(2));
+        typing.view->setCurrentIndex(cell);
+        typing.type("400");
+        typing.press(Qt::Key_Return);
+        QCOMPARE(typing.measurement().targets[1], 150.8);
+        QCOMPARE(cell.data().toString(), QString("400"));
+        QVERIFY(cell.data(ReadingsModel::refusedRole).toString().contains("300.85"));
+        typing.view->setCurrentIndex(cell);
+        typing.type("151");
+        typing.press(Qt::Key_Return);
+        QCOMPARE(typing.measurement().targets[1], 151.0);
+        QVERIFY(cell.data(ReadingsModel::refusedRole).toString().isEmpty());
+    }
+
+    void blocksOfFourLocales_data() {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("English: point") << block('.');
+        QTest::newRow("French: comma") << block(',');
+        QTest::newRow("Swedish: comma and typographical minus") << block(',').replace('-', "\u2212");
+        QTest::newRow("Swiss: point, lines ended as on Windows") << block('.').replace("\n", "\r\n");
+    }
+
+    void blocksOfFourLocales() {
+        QFETCH(QString, text);
+        for (const Language::Id language : {Language::Id::english, Language::Id::french}) {
+            setWindowLanguage(language);
+            const TypingWindow typing(emptyTest());
+            typing.setCurrent(0, 0);
+            typing.paste(text);
+            QVERIFY(typing.measurement().runs == published().runs);
+            QCOMPARE(typing.window->model().undoStack()->count(), 1);
+            QVERIFY(typing.find<QWidget>("pasteBar")->isVisible());
+        }
+    }
+
+    void onePasteIsOneNamedStep() {
+        const TypingWindow typing(emptyTest());
+        typing.setCurrent(0, 0);
+        typing.find<QToolButton>("groupByDirection")->click();
+        typing.view->setFocus();
+        QStringList up;
+        for (std::size_t i = 0; i < 11; ++i) {
+            QStringList cells;
+            for (std::size_t j = 0; j < 10; j += 2)
+                cells << typedText(*published().runs[j].deviations[i], '.');
+            up << cells.join('\t');
+        }
+        typing.paste(up.join('\n'));
+        QCOMPARE(typing.find<QAction>("undo")->text(), QString("&Undo: paste of 55 readings"));
+        QVERIFY(typing.measurement().runs[8] == published().runs[8]);
+        setWindowLanguage(Language::Id::french);
+        QTRY_COMPARE(typing.find<QAction>("undo")->text(), QString("&Annuler\u00A0: collage de 55 relevés"));
+        typing.find<QAction>("undo")->trigger();
+        QVERIFY(!firstMissing(typing.measurement())->run && !firstMissing(typing.measurement())->target);
+    }
+
+    void decimalMarkAndContentAreChosenVisibly() {
+        const TypingWindow typing(emptyTest());
+        typing.setCurrent(0, 0);
+        typing.paste("1,5\n2,25\n");
+        QVERIFY(typing.find<QToolButton>("pasteComma")->isChecked());
+        QCOMPARE(readingAt(typing.measurement(), {0, 0}), std::optional(0.0015));
+        typing.find<QToolButton>("pastePoint")->click();
+        QVERIFY(refusedAt(typing.measurement(), {0, 0}));
+        QCOMPARE(typing.window->model().undoStack()->count(), 1);
+        typing.find<QToolButton>("pasteComma")->click();
+        auto *content = typing.find<QComboBox>("pasteContent");
+        content->setCurrentIndex(1);
+        emit content->activated(1);
+        QCOMPARE(readingAt(typing.measurement(), {0, 0}), std::optional(1.5));
+        QCOMPARE(typing.window->model().undoStack()->count(), 1);
+        typing.view->setFocus();
+        typing.type("1");
+        typing.press(Qt::Key_Return);
+        QVERIFY(!typing.find<QWidget>("pasteBar")->isVisible());
+    }
+
+    void copiesWhatCanBePasted() {
+        for (const Language::Id language : {Language::Id::english, Language::Id::french}) {
+            setWindowLanguage(language);
+            const TypingWindow typing(publishedTest());
+            auto &page = typing.window->workplace().readings();
+            typing.view->selectionModel()->select(
+                QItemSelection(typing.view->model()->index(0, 1), typing.view->model()->index(10, 11)),
+                QItemSelectionModel::ClearAndSelect);
+            typing.press(Qt::Key_C, Qt::ControlModifier);
+            const QString copied = QGuiApplication::clipboard()->text();
+            QCOMPARE(copied, page.copied());
+            QVERIFY(copied.contains(language == Language::Id::french ? "1050,02\t-5,5" : "1050.02\t-5.5"));
+            const TypingWindow other(emptyTest());
+            other.view->setCurrentIndex(other.view->model()->index(0, 1));
+            other.paste(copied);
+            QVERIFY(other.measurement() == published());
+        }
+    }
+
+    void setsAsideWithAReason() {
+        const TypingWindow typing(publishedTest());
+        typing.setCurrent(1, 1);
+        typing.press(Qt::Key_E, Qt::ControlModifier);
+        auto *dialog = typing.find<QInputDialog>("reasonDialog");
+        dialog->setTextValue("beam interrupted");
+        dialog->accept();
+        const ExcludedReading *excluded = excludedAt(typing.measurement(), {1, 1});
+        QVERIFY(excluded);
+        QCOMPARE(excluded->reason, std::string("beam interrupted"));
+        const QModelIndex cell = typing.view->model()->index(1, 3);
+        QCOMPARE(cell.data().toString(), QString("5.4"));
+        QVERIFY(cell.data(ReadingsModel::excludedRole).toBool());
+        typing.press(Qt::Key_F2);
+        typing.press(Qt::Key_Return); // looking at it changes nothing
+        QVERIFY(excludedAt(typing.measurement(), {1, 1}));
+        typing.setCurrent(1, 1);
+        typing.press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(typing.measurement() == published());
+    }
+
+    void fillsInsertsAndDeletes() {
+        const TypingWindow typing(publishedTest());
+        typing.view->selectionModel()->select(
+            QItemSelection(typing.view->model()->index(2, 2), typing.view->model()->index(4, 2)),
+            QItemSelectionModel::ClearAndSelect);
+        typing.press(Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(readingAt(typing.measurement(), {0, 4}), readingAt(published(), {0, 2}));
+        typing.find<QAction>("insertTargetBelow")->trigger();
+        QCOMPARE(typing.measurement().targets.size(), std::size_t{12});
+        typing.find<QToolButton>("addRunButton")->click();
+        QCOMPARE(typing.measurement().runs.size(), std::size_t{12});
+        typing.view->setCurrentIndex(typing.view->model()->index(0, 3));
+        typing.find<QAction>("removeRuns")->trigger();
+        QCOMPARE(typing.measurement().runs.size(), std::size_t{11});
+        typing.view->setCurrentIndex(typing.view->model()->index(0, 2));
+        typing.find<QAction>("removeTargets")->trigger();
+        QCOMPARE(typing.measurement().targets.size(), std::size_t{11});
+        typing.window->model().undoStack()->setIndex(0);
+        QVERIFY(typing.measurement() == published());
+    }
+
+    void hintsAtATypingError() {
+        const TypingWindow typing(publishedTest());
+        typing.setCurrent(3, 6);
+        typing.type("-45");
+        typing.press(Qt::Key_Return);
+        const QModelIndex cell = typing.view->model()->index(6, 5);
+        QVERIFY(cell.data(ReadingsModel::outlierRole).toBool());
+        QVERIFY(!cell.data(Qt::ToolTipRole).toString().isEmpty());
+        QCOMPARE(readingAt(typing.measurement(), {3, 6}), std::optional(-0.045)); // and nothing is removed
+    }
+
+    /// Anything done a hundred times over: undone it is the beginning, redone the end.
+    void undoToEmptyAndRedoToTheEnd() {
+        const TypingWindow typing(publishedTest());
+        const Document first = *typing.window->model().document();
+        std::mt19937 random(230); // NOLINT: the same every time
+        const auto below = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
+        for (int step = 0; step < 100; ++step) {
+            const int rows = typing.view->model()->rowCount();
+            const int columns = static_cast<int>(typing.measurement().runs.size());
+            if (rows > 0 && columns > 0)
+                typing.view->setCurrentIndex(typing.view->model()->index(below(rows), 2 + below(columns)));
+            typing.view->setFocus();
+            switch (below(8)) {
+            case 0:
+                typing.press(Qt::Key_Delete);
+                break;
+            case 1:
+                typing.paste("1.5\t2\n-3\tx\n");
+                break;
+            case 2:
+                typing.find<QAction>("insertTargetAbove")->trigger();
+                break;
+            case 3:
+                typing.find<QAction>("removeTargets")->trigger();
+                break;
+            case 4:
+                typing.find<QAction>("insertRun")->trigger();
+                break;
+            case 5:
+                typing.find<QAction>("removeRuns")->trigger();
+                break;
+            default:
+                typing.type(QString::number(below(90)) + "." + QString::number(below(10)));
+                typing.press(Qt::Key_Return);
+            }
+        }
+        const Document last = *typing.window->model().document();
+        QVERIFY(readDocument(writeDocument(last)) == last);
+        QUndoStack &stack = *typing.window->model().undoStack();
+        QVERIFY(stack.count() > 60);
+        stack.setIndex(0);
+        QVERIFY(*typing.window->model().document() == first);
+        stack.setIndex(stack.count());
+        QVERIFY(*typing.window->model().document() == last);
+        const EvaluatedDocument fresh = evaluate(typing.window->model().document());
+        const TestEvaluation &shown = *typing.window->evaluator().current().tests[0];
+        QVERIFY(fresh.tests[0]->findings == shown.findings);
+        QVERIFY(std::ranges::equal(fresh.tests[0]->parameters, shown.parameters, {}, &Parameter::value,
+                                   &Parameter::value));
+    }
+
+    /// 12 000 readings are evaluated on a thread; who types meanwhile loses nothing.
+    void editsWhileEvaluating() {
+        Test test = largeTest();
+        const PositioningMeasurement half = measurement(test);
+        for (const Run &run : half.runs)
+            measurement(test).runs.push_back(run);
+        const TypingWindow typing(test);
+        int busy = 0;
+        for (std::size_t i = 0; i < 40; ++i) {
+            typing.setCurrent(0, i);
+            typing.type("12.5");
+            typing.press(Qt::Key_Return);
+            busy += typing.window->evaluator().isBusy() ? 1 : 0;
+        }
+        QVERIFY(busy > 0);
+        for (std::size_t i = 0; i < 40; ++i)
+            QCOMPARE(readingAt(typing.measurement(), {0, i}), std::optional(0.0125));
+        QTRY_VERIFY(!typing.window->evaluator().isBusy());
+        QVERIFY(typing.window->evaluator().current().document == typing.window->model().document());
+        QCOMPARE(typing.window->model().undoStack()->count(), 40);
+    }
+
+    void aNewTestFromTheWindow() {
+        const ShownWindow shown;
+        QTimer::singleShot(0, shown.window, [] {
+            auto *dialog = QApplication::activeModalWidget();
+            QVERIFY(dialog);
+            const auto field = [&](const char *name) {
+                return dialog->findChild<QLineEdit *>(QLatin1StringView(name));
+            };
+            field("newAxis")->setText("Y");
+            field("newTravel")->setText("1800");
+            auto *list = dialog->findChild<QPlainTextEdit *>("newTargets");
+            QCOMPARE(list->toPlainText().count(';'), 8); // five a metre
+            list->setPlainText("0 150,71 300,85");
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+        shown.find<QAction>("new")->trigger();
+        QVERIFY(shown.window->hasDocument());
+        QVERIFY(shown.window->isWindowModified());
+        const Document &document = *shown.window->model().document();
+        const auto &m = std::get<PositioningMeasurement>(document.tests.at(0)->measurement);
+        QCOMPARE(m.targets, (std::vector<double>{0, 150.71, 300.85}));
+        QCOMPARE(m.axis.travel, std::optional(1800.0));
+        QCOMPARE(m.runs.size(), std::size_t{10});
+        QCOMPARE(shown.window->workplace().selection().reading(), (ReadingPlace{0, 0}));
+        QCOMPARE(shown.window->focusWidget()->objectName(), QString("readings"));
+    }
+
+    void testsAreRenamedRepeatedAndDeleted() {
+        const ShownWindow shown(examplePath("iso230-2-1988-example"));
+        DocumentModel &model = shown.window->model();
+        shown.find<QAction>("renameTest")->trigger();
+        auto *dialog = shown.find<QInputDialog>("renameDialog");
+        dialog->setTextValue("as found");
+        dialog->accept();
+        QCOMPARE(model.document()->tests[0]->title, std::string("as found"));
+        shown.find<QAction>("repeatTest")->trigger();
+        QCOMPARE(model.document()->tests.size(), std::size_t{2});
+        QCOMPARE(shown.window->workplace().selection().test(), std::size_t{1});
+        shown.find<QAction>("deleteTest")->trigger();
+        shown.find<QAction>("deleteTest")->trigger();
+        QVERIFY(model.document()->tests.empty());
+        QVERIFY(!shown.find<QAction>("deleteTest")->isEnabled());
+        model.undoStack()->setIndex(0);
+        QCOMPARE(model.document()->tests.size(), std::size_t{1});
+        QVERIFY(!shown.window->isWindowModified());
+    }
+};
+
+QTEST_MAIN(TypingTest)
+#include "typing.moc"

@@ -1,0 +1,346 @@
+#include "ui/circles/arccurvesview.h"
+
+#include "figures/circlefigure.h"
+#include "figures/ticks.h"
+#include "kernel/evaluation/iso230_4/paths.h"
+#include "ui/figures/style.h"
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double left = 44;
+constexpr double right = 14;
+constexpr double top = 12;
+constexpr double bottom = 22;
+constexpr double reach = 12; ///< of the pointer, pixels
+constexpr double handleReach = 7;
+constexpr double ring = 5;
+constexpr double gripWidth = 7;
+constexpr double gripHeight = 16;
+constexpr double margin = 0.08; ///< of the values, above and below
+constexpr double mostAngleParts = 4;
+constexpr double mostValueParts = 5;
+constexpr double quarterTurn = 90;
+constexpr double nearTurn = 0.02; ///< of the range
+constexpr double roundTo = 0.1;   ///< degrees a dragged handle is rounded to
+constexpr double leastRange = 1;  ///< degrees
+
+Medium mediumOf(const QWidget &widget) {
+    return isDark(widget.palette()) ? Medium::screenDark : Medium::screenLight;
+}
+
+FigureRole roleOf(Sense sense) {
+    return sense == Sense::counterclockwise ? FigureRole::counterclockwise : FigureRole::clockwise;
+}
+
+} // namespace
+
+ArcCurvesView::ArcCurvesView(Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection) {
+    setObjectName(QStringLiteral("arcCurves"));
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    connect(&selection, &Selection::hoveredChanged, this, qOverload<>(&QWidget::update));
+}
+
+void ArcCurvesView::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
+    const Test &shown = *evaluated.document->tests[test];
+    if (m_profilesOf != evaluated.tests[test]) {
+        m_profiles.clear();
+        const auto &measurement = std::get<CircularMeasurement>(shown.measurement);
+        for (std::size_t k = 0; k < measurement.arcs.size(); ++k)
+            m_profiles.push_back(wholeArc(shown, *evaluated.tests[test], k));
+    }
+    m_evaluated = evaluated;
+    m_test = test;
+    m_profilesOf = evaluated.tests[test];
+    m_measurement = &std::get<CircularMeasurement>(shown.measurement);
+    m_language = language;
+    m_dragged = Handle::none;
+    m_preview.reset();
+    m_drawn = {};
+    Interval angles{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    Interval values = angles;
+    for (const PathProfile &profile : m_profiles) {
+        for (std::size_t i = 0; i < profile.angles.size(); ++i) {
+            angles = {std::min(angles.from, profile.angles[i]), std::max(angles.to, profile.angles[i])};
+            values = {std::min(values.from, profile.deviations[i]),
+                      std::max(values.to, profile.deviations[i])};
+        }
+    }
+    if (!(angles.from < angles.to))
+        angles = {0, 360};
+    // A full circle of points begins and ends a step beside its turn.
+    const double near = nearTurn * (angles.to - angles.from);
+    if (const double quarter = std::floor(angles.from / quarterTurn) * quarterTurn;
+        angles.from - quarter < near)
+        angles.from = quarter;
+    if (const double quarter = std::ceil(angles.to / quarterTurn) * quarterTurn; quarter - angles.to < near)
+        angles.to = quarter;
+    if (!(values.from < values.to))
+        values = {-1, 1};
+    const double space = margin * (values.to - values.from);
+    setRange(m_angles, angles.from, angles.to, mostAngleParts, TickSteps::angles, language);
+    setRange(m_deviations, values.from - space, values.to + space, mostValueParts, TickSteps::values,
+             language);
+    update();
+}
+
+void ArcCurvesView::setCurrentArc(std::size_t arc) {
+    m_arc = arc;
+    m_preview.reset();
+    update();
+}
+
+QRectF ArcCurvesView::plot() const {
+    return QRectF(rect()).adjusted(left, top, -right, -bottom);
+}
+
+double ArcCurvesView::xOf(double angle) const {
+    return plot().left() + (angle - m_angles.from) / (m_angles.to - m_angles.from) * plot().width();
+}
+
+double ArcCurvesView::yOf(double deviation) const {
+    return plot().bottom() -
+           (deviation - m_deviations.from) / (m_deviations.to - m_deviations.from) * plot().height();
+}
+
+double ArcCurvesView::angleAt(double x) const {
+    return m_angles.from + (x - plot().left()) / plot().width() * (m_angles.to - m_angles.from);
+}
+
+std::optional<Interval> ArcCurvesView::range() const {
+    if (m_preview)
+        return m_preview;
+    if (!m_measurement || m_arc >= m_measurement->arcs.size())
+        return std::nullopt;
+    return iso230_4::evaluatedRange(m_measurement->arcs[m_arc]);
+}
+
+// ---- Painting --------------------------------------------------------------------------------------------
+
+void ArcCurvesView::drawAnew() {
+    const double ratio = devicePixelRatioF();
+    if (!m_drawn.isNull() && m_drawn.size() == (QSizeF(size()) * ratio).toSize())
+        return;
+    m_drawn = QPixmap((QSizeF(size()) * ratio).toSize());
+    m_drawn.setDevicePixelRatio(ratio);
+    m_drawn.fill(palette().color(QPalette::Base));
+    QPainter painter(&m_drawn);
+    drawAxes(painter);
+    drawCurves(painter);
+}
+
+void ArcCurvesView::drawAxes(QPainter &painter) const {
+    const Medium medium = mediumOf(*this);
+    const QRectF area = plot();
+    painter.setFont(themeFont(TextSize::tiny));
+    const QFontMetricsF metrics(painter.font());
+    const QColor secondary = token(Token::secondaryText, palette());
+    for (const Tick &tick : m_deviations.ticks) {
+        const double y = std::round(yOf(tick.value)) + 0.5;
+        painter.setPen(
+            QPen(figureColor(tick.value == 0 ? FigureRole::zeroLine : FigureRole::grid, medium), 1));
+        painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        painter.setPen(secondary);
+        painter.drawText(QRectF(0, y - 10, left - 6, 20), Qt::AlignRight | Qt::AlignVCenter, tick.label);
+    }
+    // Where the path crosses an axis of the machine its name stands beside the angle.
+    double lastRight = -1;
+    for (const Tick &tick : m_angles.ticks) {
+        const double x = std::round(xOf(tick.value)) + 0.5;
+        painter.setPen(QPen(figureColor(FigureRole::zeroLine, medium), 1, Qt::DashLine));
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        QString text = tick.label + QStringLiteral("°");
+        const double quarters = tick.value / quarterTurn;
+        if (quarters == std::round(quarters) && m_measurement) {
+            const int quarter = (static_cast<int>(std::fmod(quarters, 4)) + 4) % 4;
+            const std::string &axis =
+                quarter % 2 == 0 ? m_measurement->plane.first : m_measurement->plane.second;
+            text += QStringLiteral(" (") + (quarter < 2 ? QStringLiteral("+") : QStringLiteral("−")) +
+                    QString::fromStdString(axis) + u')';
+        }
+        const double width = metrics.horizontalAdvance(text);
+        const double begin = std::clamp(x - width / 2, 2.0, std::max(2.0, this->width() - width - 2));
+        if (begin < lastRight + 6)
+            continue;
+        lastRight = begin + width;
+        painter.setPen(secondary);
+        painter.drawText(QPointF(begin, area.bottom() + metrics.ascent() + 5), text);
+    }
+    const QString title = tr("Δr µm, least squares centre");
+    const QRectF box(area.left() + 5, area.top() - 2, metrics.horizontalAdvance(title) + 6, metrics.height());
+    painter.fillRect(box, palette().color(QPalette::Base));
+    painter.setPen(secondary);
+    painter.drawText(box, Qt::AlignCenter, title);
+}
+
+void ArcCurvesView::drawCurves(QPainter &painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(plot().adjusted(0, -2, 0, 2));
+    const double step = (m_angles.to - m_angles.from) / std::max(1.0, plot().width());
+    for (auto profile = m_profiles.rbegin(); profile != m_profiles.rend(); ++profile) {
+        QPen line = figurePen(roleOf(profile->sense), mediumOf(*this));
+        line.setWidthF(profile->sense == Sense::counterclockwise ? 1.6 : 0.99);
+        painter.setPen(line);
+        for (const CircleTrace &trace : decimated(*profile, step)) {
+            QPolygonF chain;
+            chain.reserve(static_cast<qsizetype>(trace.points.size()));
+            for (const TracePoint &point : trace.points)
+                chain << QPointF(xOf(point.angle), yOf(point.deviation));
+            painter.drawPolyline(chain);
+        }
+    }
+}
+
+void ArcCurvesView::paintRange(QPainter &painter) const {
+    const auto shown = range();
+    if (!shown)
+        return;
+    const QRectF area = plot();
+    QColor shade = palette().color(QPalette::Base);
+    shade.setAlphaF(0.65F);
+    const double from = std::clamp(xOf(shown->from), area.left(), area.right());
+    const double to = std::clamp(xOf(shown->to), area.left(), area.right());
+    painter.fillRect(QRectF(area.topLeft(), QPointF(from, area.bottom())), shade);
+    painter.fillRect(QRectF(QPointF(to, area.top()), area.bottomRight()), shade);
+    const QColor accent = token(Token::accent, palette());
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const double x : {from, to}) {
+        painter.setPen(QPen(accent, 1.5));
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        painter.setBrush(palette().color(QPalette::Base));
+        painter.drawRoundedRect(
+            QRectF(x - gripWidth / 2, area.center().y() - gripHeight / 2, gripWidth, gripHeight), 3, 3);
+    }
+}
+
+void ArcCurvesView::paintHovered(QPainter &painter) const {
+    const auto place = m_selection.hovered();
+    if (!place || place->run >= m_profiles.size() || place->target >= m_profiles[place->run].angles.size())
+        return;
+    const TracePoint at = m_profiles[place->run][place->target]; // the whole arc: its own indices
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(token(Token::accent, palette()), 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(QPointF(xOf(at.angle), yOf(at.deviation)), ring, ring);
+}
+
+void ArcCurvesView::paintEvent(QPaintEvent *) {
+    drawAnew();
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_drawn);
+    paintRange(painter);
+    paintHovered(painter);
+}
+
+// ---- Pointer ---------------------------------------------------------------------------------------------
+
+ArcCurvesView::Handle ArcCurvesView::handleAt(QPointF at) const {
+    const auto shown = range();
+    if (!shown)
+        return Handle::none;
+    const double toFrom = std::abs(at.x() - xOf(shown->from));
+    const double toTo = std::abs(at.x() - xOf(shown->to));
+    if (std::min(toFrom, toTo) > handleReach)
+        return Handle::none;
+    return toFrom <= toTo ? Handle::from : Handle::to;
+}
+
+std::optional<ReadingPlace> ArcCurvesView::nearest(QPointF at) const {
+    std::optional<ReadingPlace> found;
+    double least = reach;
+    const double window = reach * (m_angles.to - m_angles.from) / std::max(1.0, plot().width());
+    const double middle = angleAt(at.x());
+    for (std::size_t k = 0; k < m_profiles.size(); ++k) {
+        const auto &angles = m_profiles[k].angles;
+        if (angles.empty())
+            continue;
+        const bool ascending = angles.back() >= angles.front();
+        std::size_t i = 0;
+        if (m_profiles[k].ordered) {
+            const auto before = [&](double angle) {
+                return ascending ? angle < middle - window : angle > middle + window;
+            };
+            i = static_cast<std::size_t>(std::ranges::partition_point(angles, before) - angles.begin());
+        }
+        for (; i < angles.size(); ++i) {
+            if (std::abs(angles[i] - middle) > window) {
+                if (m_profiles[k].ordered)
+                    break;
+                continue;
+            }
+            const TracePoint point = m_profiles[k][i];
+            const double far = std::hypot(xOf(point.angle) - at.x(), yOf(point.deviation) - at.y());
+            if (far < least) {
+                least = far;
+                found = ReadingPlace{k, i};
+            }
+        }
+    }
+    return found;
+}
+
+void ArcCurvesView::mousePressEvent(QMouseEvent *event) {
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_dragged = handleAt(event->position());
+    if (m_dragged == Handle::none) {
+        if (const auto point = nearest(event->position()))
+            m_selection.setReading(*point);
+    }
+}
+
+void ArcCurvesView::mouseMoveEvent(QMouseEvent *event) {
+    if (m_dragged == Handle::none) {
+        setCursor(handleAt(event->position()) == Handle::none ? Qt::ArrowCursor : Qt::SplitHCursor);
+        m_selection.setHovered(nearest(event->position()));
+        return;
+    }
+    Interval wanted = *range();
+    const double angle =
+        std::round(std::clamp(angleAt(event->position().x()), m_angles.from, m_angles.to) / roundTo) *
+        roundTo;
+    if (m_dragged == Handle::from)
+        wanted.from = std::min(angle, wanted.to - leastRange);
+    else
+        wanted.to = std::max(angle, wanted.from + leastRange);
+    m_preview = wanted;
+    update();
+}
+
+void ArcCurvesView::mouseReleaseEvent(QMouseEvent *event) {
+    if (event->button() != Qt::LeftButton || m_dragged == Handle::none)
+        return;
+    m_dragged = Handle::none;
+    if (const auto wanted = std::exchange(m_preview, std::nullopt))
+        emit rangeWanted(m_arc, *wanted);
+    update();
+}
+
+void ArcCurvesView::leaveEvent(QEvent *) {
+    m_selection.setHovered({});
+}
+
+void ArcCurvesView::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange ||
+        event->type() == QEvent::FontChange) {
+        m_drawn = {};
+        update();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

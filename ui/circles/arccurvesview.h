@@ -1,0 +1,75 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "figures/figure.h"
+#include "figures/pathprofile.h"
+#include "language/language.h"
+#include "ui/model/selection.h"
+
+#include <QPixmap>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace palmer::ui {
+
+/// The arcs of a circular test unwrapped: radial deviation about the least squares centre over the angle. The
+/// evaluated range of the current arc has a handle at either end; what lies outside of it is shaded.
+class ArcCurvesView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ArcCurvesView(Selection &selection, QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
+    void setCurrentArc(std::size_t arc);
+
+    /// x of an angle (degrees) on the widget.
+    [[nodiscard]] double xOf(double angle) const;
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 110}; }
+    [[nodiscard]] QSize sizeHint() const override { return {528, 164}; }
+
+signals:
+    /// The user drew a handle of the current arc: this range is to be evaluated (degrees).
+    void rangeWanted(std::size_t arc, const palmer::Interval &range);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+
+private:
+    enum class Handle { none, from, to };
+
+    void drawAnew();
+    void drawAxes(QPainter &painter) const;
+    void drawCurves(QPainter &painter) const;
+    void paintRange(QPainter &painter) const;
+    void paintHovered(QPainter &painter) const;
+    [[nodiscard]] QRectF plot() const;
+    [[nodiscard]] double yOf(double deviation) const;
+    [[nodiscard]] double angleAt(double x) const;
+    [[nodiscard]] std::optional<Interval> range() const;
+    [[nodiscard]] Handle handleAt(QPointF at) const;
+    [[nodiscard]] std::optional<ReadingPlace> nearest(QPointF at) const;
+
+    Selection &m_selection;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    TestEvaluationPointer m_profilesOf;
+    Language m_language{Language::Id::english};
+    const CircularMeasurement *m_measurement = nullptr; ///< of m_evaluated
+    std::vector<PathProfile> m_profiles;
+    std::size_t m_arc = 0;
+    FigureAxis m_angles;
+    FigureAxis m_deviations;
+    QPixmap m_drawn; ///< null: to be drawn
+    Handle m_dragged = Handle::none;
+    std::optional<Interval> m_preview; ///< the range while a handle is dragged
+};
+
+} // namespace palmer::ui

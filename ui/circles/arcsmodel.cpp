@@ -1,0 +1,132 @@
+#include "ui/circles/arcsmodel.h"
+
+#include "kernel/evaluation/iso230_4/paths.h"
+#include "ui/circles/arctexts.h"
+#include "ui/figures/style.h"
+#include "ui/theme.h"
+
+#include <QApplication>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int mostAngleDecimals = 2;
+constexpr int radiusDecimals = 2;
+
+} // namespace
+
+void ArcsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
+    beginResetModel();
+    m_rows.clear();
+    const auto *measurement =
+        test < evaluated.tests.size()
+            ? std::get_if<CircularMeasurement>(&evaluated.document->tests[test]->measurement)
+            : nullptr;
+    const QString none = QStringLiteral("–");
+    for (std::size_t k = 0; measurement && k < measurement->arcs.size(); ++k) {
+        const auto &results = std::get<CircularResults>(evaluated.tests[test]->results);
+        const Arc &arc = measurement->arcs[k];
+        const bool repetition = std::ranges::find(results.repetitions, k) != results.repetitions.end();
+        const auto range = iso230_4::evaluatedRange(arc);
+        QStringList texts;
+        for (int column = 0; column < columns; ++column)
+            texts << none;
+        texts[sense] = arcName(*measurement, k);
+        texts[points] = language.number(static_cast<double>(arc.angles.size()), Quantity::count, 0);
+        if (range) {
+            const int decimals = decimalsOf(arc.angles, Quantity::angle, mostAngleDecimals);
+            const auto angle = [&](double value) {
+                return language.quantity(value, Quantity::angle, decimals);
+            };
+            const bool ascending = arc.angles.back() >= arc.angles.front();
+            const auto [low, high] = std::ranges::minmax(arc.angles);
+            const double first = std::max(low, range->from);
+            const double last = std::min(high, range->to);
+            texts[from] = angle(ascending ? first : last);
+            texts[to] = angle(ascending ? last : first);
+            texts[cut] = angle(std::max(0.0, first - low) + std::max(0.0, high - last));
+        }
+        const CircleResult *circle =
+            repetition ? nullptr
+                       : results.circle(arc.sense == Sense::counterclockwise ? CircleOf::counterclockwise
+                                                                             : CircleOf::clockwise,
+                                        ReferenceCircle::leastSquares);
+        if (circle)
+            texts[radius] = language.number(circle->radius - measurement->nominalRadius, Quantity::deviation,
+                                            radiusDecimals);
+        texts[use] = repetition ? tr("repetition") : tr("evaluated");
+        m_rows.push_back({arc.sense, texts});
+    }
+    endResetModel();
+}
+
+int ArcsModel::rowCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int ArcsModel::columnCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : columns;
+}
+
+QVariant ArcsModel::data(const QModelIndex &index, int role) const {
+    const Row &row = m_rows[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return row.texts[index.column()];
+    case Qt::TextAlignmentRole:
+        return static_cast<int>(
+            (index.column() == sense || index.column() == use ? Qt::AlignLeft : Qt::AlignRight) |
+            Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+        if (index.column() != sense)
+            return {};
+        return token(row.sense == Sense::counterclockwise ? Token::up : Token::downText,
+                     QApplication::palette());
+    default:
+        return {};
+    }
+}
+
+QVariant ArcsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>((section == sense || section == use ? Qt::AlignLeft : Qt::AlignRight) |
+                                Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole) {
+        switch (section) {
+        case cut:
+            return tr("Measured but not evaluated: feed-in, feed-out, angular overshoot");
+        case radius:
+            return tr("Radius of the least squares circle − nominal radius");
+        case use:
+            return tr("Of each sense the first arc is evaluated; further ones are repetitions");
+        default:
+            return {};
+        }
+    }
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case sense:
+        return tr("Sense");
+    case points:
+        return tr("points");
+    case from:
+        return tr("from");
+    case to:
+        return tr("to");
+    case cut:
+        return tr("cut off");
+    case radius:
+        return tr("R LSC − R µm");
+    case use:
+        return tr("use");
+    default:
+        return {};
+    }
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+
+#include <QAbstractTableModel>
+#include <QStringList>
+#include <vector>
+
+namespace palmer::ui {
+
+/// The arcs of a circular test in the order of measurement: how many points, from where to where, what of it
+/// is left out, and its least squares radius.
+class ArcsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { sense, points, from, to, cut, radius, use, columns };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    struct Row {
+        Sense sense = Sense::counterclockwise;
+        QStringList texts; ///< by column
+    };
+    std::vector<Row> m_rows;
+};
+
+} // namespace palmer::ui

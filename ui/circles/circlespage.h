@@ -1,0 +1,113 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "ui/circles/arcsmodel.h"
+#include "ui/circles/pointsmodel.h"
+#include "ui/model/documentmodel.h"
+#include "ui/model/selection.h"
+
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+class QButtonGroup;
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QTableView;
+class QToolButton;
+
+namespace palmer::ui {
+
+class ArcCurvesView;
+
+/// The page "Readings" of a circular test: its parameters, the arcs with their evaluated range, the unwrapped
+/// curve and the points. Parameters, sense, order and evaluated range are changed here, each as one step to
+/// undo.
+class CirclesPage : public QWidget {
+    Q_OBJECT
+
+public:
+    CirclesPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
+    ~CirclesPage() override; ///< the tables go before the models they look at
+
+    /// Shows a circular test; nothing for any other.
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    struct Labelled {
+        QLabel *label;
+        const char *source;
+        QWidget *field;
+    };
+
+    void makeParameters(QGridLayout &grid);
+    void makeRangeRow(QHBoxLayout &row);
+    void makeTables();
+    QComboBox *addChoice(QGridLayout &grid, int row, int column, int span, const char *name,
+                         const char *label);
+    QDoubleSpinBox *addNumber(QGridLayout &grid, int row, int column, int span, const char *name,
+                              const char *label, const QString &unit);
+    QWidget *labelled(QGridLayout &grid, int row, int column, int span, const char *label, QWidget *field);
+    QToolButton *addUnit(QButtonGroup &group, const char *segment, const char *name, PointUnit unit);
+
+    void refresh();
+    void fillParameters(const CircularMeasurement &measurement);
+    void fillRange();
+    void fitColumns();
+    void chooseArc(int row);
+    void setPlane();
+    void hover(const QModelIndex &index);
+    void showHovered();
+    void showCurrent();
+    void retranslate();
+    [[nodiscard]] const CircularMeasurement *measurement() const;
+    /// Changes the test in view; `name` is a source of the context "edits".
+    void edit(const char *name, const std::function<void(CircularMeasurement &)> &change);
+    void setRange(std::size_t arc, std::optional<Interval> range);
+
+    DocumentModel &m_model;
+    Selection &m_selection;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    Language m_language{Language::Id::english};
+    std::size_t m_arc = 0; ///< the current one
+    bool m_filling = false;
+    ArcsModel m_arcsModel;
+    PointsModel m_pointsModel;
+
+    std::vector<Labelled> m_labels;
+    QComboBox *m_plane;
+    QDoubleSpinBox *m_radius;
+    QDoubleSpinBox *m_feed;
+    QComboBox *m_source;
+    QComboBox *m_circle;
+    QComboBox *m_centring;
+    QComboBox *m_angle;
+    QTableView *m_arcs;
+    QLabel *m_rangeLabel;
+    QDoubleSpinBox *m_from;
+    QDoubleSpinBox *m_to;
+    QPushButton *m_whole;
+    QPushButton *m_reverse;
+    QToolButton *m_earlier;
+    QToolButton *m_later;
+    ArcCurvesView *m_curves;
+    QTableView *m_points;
+    QToolButton *m_deviations;
+    QToolButton *m_coordinates;
+    QToolButton *m_lengths;
+    bool m_following = false; ///< the selection of the window is what moves the current cell
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,140 @@
+#include "ui/circles/pointsmodel.h"
+
+#include "kernel/evaluation/iso230_4/paths.h"
+#include "ui/theme.h"
+
+#include <QApplication>
+#include <algorithm>
+#include <limits>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int mostAngleDecimals = 4;
+constexpr int mostDeviationDecimals = 3;
+constexpr int lengthDecimals = 5; ///< mm, as fine as the deviations
+
+} // namespace
+
+void PointsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
+    beginResetModel();
+    m_document = evaluated.document;
+    m_measurement = test < evaluated.tests.size()
+                        ? std::get_if<CircularMeasurement>(&m_document->tests[test]->measurement)
+                        : nullptr;
+    m_language = language;
+    m_arcs.clear();
+    std::size_t rows = 0;
+    for (std::size_t k = 0; m_measurement && k < m_measurement->arcs.size(); ++k) {
+        const Arc &arc = m_measurement->arcs[k];
+        rows = std::max(rows, arc.angles.size());
+        m_arcs.push_back({iso230_4::evaluatedRange(arc),
+                          decimalsOf(arc.angles, Quantity::angle, mostAngleDecimals),
+                          decimalsOf(arc.radialDeviations, Quantity::deviation, mostDeviationDecimals)});
+    }
+    m_rows = static_cast<int>(std::min<std::size_t>(rows, std::numeric_limits<int>::max() / 64));
+    endResetModel();
+}
+
+void PointsModel::setUnit(PointUnit unit) {
+    if (m_unit == unit)
+        return;
+    beginResetModel();
+    m_unit = unit;
+    endResetModel();
+}
+
+int PointsModel::rowCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : m_rows;
+}
+
+int PointsModel::columnCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : 1 + columnsPerArc() * static_cast<int>(m_arcs.size());
+}
+
+std::optional<ReadingPlace> PointsModel::placeAt(const QModelIndex &index) const {
+    if (!index.isValid() || index.column() == 0)
+        return std::nullopt;
+    const ReadingPlace place{arcOf(index.column()), static_cast<std::size_t>(index.row())};
+    return place.target < m_measurement->arcs[place.run].angles.size() ? std::optional(place) : std::nullopt;
+}
+
+QModelIndex PointsModel::indexOf(const ReadingPlace &place) const {
+    if (place.run >= m_arcs.size() || place.target >= m_measurement->arcs[place.run].angles.size())
+        return {};
+    return index(static_cast<int>(place.target), 2 + columnsPerArc() * static_cast<int>(place.run));
+}
+
+QString PointsModel::text(const Arc &arc, const ArcColumns &columns, std::size_t point, int part) const {
+    if (part == 0)
+        return m_language.number(arc.angles[point], Quantity::angle, columns.angleDecimals);
+    const double distance = m_measurement->nominalRadius + arc.radialDeviations[point];
+    switch (m_unit) {
+    case PointUnit::deviations:
+        return m_language.number(arc.radialDeviations[point], Quantity::deviation, columns.deviationDecimals);
+    case PointUnit::lengths:
+        return m_language.number(distance, Quantity::position, lengthDecimals);
+    case PointUnit::coordinates: {
+        const Point unit = direction(arc.angles[point]);
+        return m_language.number(distance * (part == 1 ? unit.x : unit.y), Quantity::position,
+                                 lengthDecimals);
+    }
+    }
+    return {};
+}
+
+QVariant PointsModel::data(const QModelIndex &index, int role) const {
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole && role != Qt::ForegroundRole)
+        return {};
+    if (index.column() == 0)
+        return role == Qt::DisplayRole ? QVariant(m_language.number(index.row() + 1, Quantity::count, 0))
+                                       : QVariant(token(Token::secondaryText, QApplication::palette()));
+    const auto place = placeAt(index);
+    if (!place)
+        return {};
+    const Arc &arc = m_measurement->arcs[place->run];
+    const ArcColumns &columns = m_arcs[place->run];
+    if (role == Qt::DisplayRole)
+        return text(arc, columns, place->target, (index.column() - 1) % columnsPerArc());
+    const double angle = arc.angles[place->target];
+    const bool evaluated =
+        columns.evaluated && angle >= columns.evaluated->from && angle <= columns.evaluated->to;
+    return evaluated ? QVariant() : QVariant(token(Token::secondaryText, QApplication::palette()));
+}
+
+QVariant PointsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    if (section == 0)
+        return role == Qt::DisplayRole ? QVariant(QStringLiteral("n")) : QVariant();
+    const std::size_t arc = arcOf(section);
+    if (arc >= m_arcs.size())
+        return {};
+    const Sense sense = m_measurement->arcs[arc].sense;
+    if (role == Qt::ForegroundRole)
+        return token(sense == Sense::counterclockwise ? Token::up : Token::downText, QApplication::palette());
+    if (role == Qt::ToolTipRole)
+        return arcName(*m_measurement, arc);
+    if (role != Qt::DisplayRole)
+        return {};
+    const int part = (section - 1) % columnsPerArc();
+    if (part == 0)
+        return tr("angle °");
+    switch (m_unit) {
+    case PointUnit::deviations:
+        return QStringLiteral("Δr µm ") + senseWord(sense);
+    case PointUnit::lengths:
+        return QStringLiteral("r mm ") + senseWord(sense);
+    case PointUnit::coordinates:
+        return QString::fromStdString(part == 1 ? m_measurement->plane.first : m_measurement->plane.second) +
+               QStringLiteral(" mm ") + senseWord(sense);
+    }
+    return {};
+}
+
+} // namespace palmer::ui

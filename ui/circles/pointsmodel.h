@@ -1,0 +1,57 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "ui/circles/arctexts.h"
+#include "ui/model/selection.h"
+
+#include <QAbstractTableModel>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace palmer::ui {
+
+/// The points of all arcs beside each other, in the order of measurement: number, and for each arc angle and
+/// what was read. Holds no texts: a cell is written when it is asked for, so that millions of points cost
+/// nothing.
+class PointsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
+    void setUnit(PointUnit unit);
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+    /// The point of a cell; nothing in the column of numbers and below the end of an arc.
+    [[nodiscard]] std::optional<ReadingPlace> placeAt(const QModelIndex &index) const;
+    [[nodiscard]] QModelIndex indexOf(const ReadingPlace &place) const;
+
+private:
+    struct ArcColumns {
+        std::optional<Interval> evaluated;
+        int angleDecimals = 0;
+        int deviationDecimals = 0;
+    };
+
+    [[nodiscard]] int columnsPerArc() const { return m_unit == PointUnit::coordinates ? 3 : 2; }
+    [[nodiscard]] std::size_t arcOf(int column) const {
+        return static_cast<std::size_t>((column - 1) / columnsPerArc());
+    }
+    [[nodiscard]] QString text(const Arc &arc, const ArcColumns &columns, std::size_t point, int part) const;
+
+    std::shared_ptr<const Document> m_document; ///< owns the measurement
+    const CircularMeasurement *m_measurement = nullptr;
+    Language m_language{Language::Id::english};
+    PointUnit m_unit = PointUnit::deviations;
+    std::vector<ArcColumns> m_arcs;
+    int m_rows = 0;
+};
+
+} // namespace palmer::ui

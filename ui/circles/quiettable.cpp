@@ -1,0 +1,65 @@
+#include "ui/circles/quiettable.h"
+
+#include "ui/theme.h"
+
+#include <QPainter>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int padding = 6;
+
+Qt::Alignment alignmentOf(const QVariant &value) {
+    return value.isValid() ? static_cast<Qt::Alignment>(value.toInt()) : Qt::AlignLeft | Qt::AlignVCenter;
+}
+
+} // namespace
+
+QuietHeader::QuietHeader(QWidget *parent)
+    : QHeaderView(Qt::Horizontal, parent) {}
+
+void QuietHeader::paintEvent(QPaintEvent *) {
+    QPainter painter(viewport());
+    painter.fillRect(viewport()->rect(), palette().color(QPalette::Base));
+    painter.setFont(themeFont(TextSize::small));
+    const QFontMetrics metrics(painter.font());
+    for (int column = 0; column < count(); ++column) {
+        const QRect section(sectionViewportPosition(column), 0, sectionSize(column), height());
+        if (section.right() < 0 || section.left() > viewport()->width())
+            continue;
+        const QRect room = section.adjusted(padding, 0, -padding, -2);
+        const QVariant colour = model()->headerData(column, Qt::Horizontal, Qt::ForegroundRole);
+        painter.setPen(colour.isValid() ? colour.value<QColor>() : token(Token::secondaryText, palette()));
+        const QString text = model()->headerData(column, Qt::Horizontal).toString();
+        painter.drawText(room,
+                         alignmentOf(model()->headerData(column, Qt::Horizontal, Qt::TextAlignmentRole)),
+                         metrics.elidedText(text, Qt::ElideRight, room.width()));
+    }
+    painter.setPen(token(Token::lineStrong, palette()));
+    painter.drawLine(0, height() - 1, viewport()->width(), height() - 1);
+}
+
+void QuietDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
+                          const QModelIndex &index) const {
+    const QPalette &palette = option.palette;
+    const bool hovered = index == m_hovered;
+    painter->fillRect(option.rect, option.state & QStyle::State_Selected ? selectedGround(palette)
+                                   : hovered                             ? token(Token::hover, palette)
+                                                                         : palette.color(QPalette::Base));
+    painter->setPen(token(Token::line, palette));
+    painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+    const QVariant colour = index.data(Qt::ForegroundRole);
+    painter->setFont(option.font);
+    painter->setPen(colour.isValid() ? colour.value<QColor>() : palette.color(QPalette::Text));
+    const QRect room = option.rect.adjusted(padding, 0, -padding, 0);
+    painter->drawText(room, alignmentOf(index.data(Qt::TextAlignmentRole)),
+                      option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, room.width()));
+    if (hovered || (option.state & QStyle::State_HasFocus)) {
+        painter->setPen(QPen(token(Token::accent, palette), hovered ? 1 : 2));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(option.rect.adjusted(1, 1, -1, -2));
+    }
+}
+
+} // namespace palmer::ui

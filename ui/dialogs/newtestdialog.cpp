@@ -1,0 +1,221 @@
+#include "ui/dialogs/newtestdialog.h"
+
+#include "kernel/evaluation/edition.h"
+#include "language/decimals.h"
+#include "language/entry.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double proposedTravel = 1000;
+constexpr double proposedAngle = 360;
+constexpr double resolution = 0.001; ///< of proposed targets, mm or degrees
+
+} // namespace
+
+NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget *parent)
+    : QDialog(parent)
+    , m_language(language)
+    , m_name(new QLineEdit(this))
+    , m_motion(new QComboBox(this))
+    , m_travel(new QLineEdit(this))
+    , m_edition(new QComboBox(this))
+    , m_cycle(new QComboBox(this))
+    , m_runs(new QSpinBox(this))
+    , m_both(new QCheckBox(this))
+    , m_first(new QLineEdit(this))
+    , m_last(new QLineEdit(this))
+    , m_count(new QSpinBox(this))
+    , m_list(new QPlainTextEdit(this))
+    , m_problem(new QLabel(this)) {
+    setObjectName(QStringLiteral("newTestDialog"));
+    setWindowTitle(tr("New positioning test"));
+    m_name->setObjectName(QStringLiteral("newAxis"));
+    m_motion->setObjectName(QStringLiteral("newMotion"));
+    m_travel->setObjectName(QStringLiteral("newTravel"));
+    m_edition->setObjectName(QStringLiteral("newEdition"));
+    m_cycle->setObjectName(QStringLiteral("newCycle"));
+    m_runs->setObjectName(QStringLiteral("newRuns"));
+    m_both->setObjectName(QStringLiteral("newBothDirections"));
+    m_first->setObjectName(QStringLiteral("newFirst"));
+    m_last->setObjectName(QStringLiteral("newLast"));
+    m_count->setObjectName(QStringLiteral("newCount"));
+    m_list->setObjectName(QStringLiteral("newTargets"));
+    m_problem->setObjectName(QStringLiteral("newProblem"));
+
+    m_motion->addItem(tr("linear"), static_cast<int>(Motion::linear));
+    m_motion->addItem(tr("rotary"), static_cast<int>(Motion::rotary));
+    for (const Edition *edition : editions()) {
+        if (edition->kind == Kind::positioning)
+            m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
+    }
+    m_cycle->addItem(tr("standard cycle"), static_cast<int>(Cycle::standard));
+    m_cycle->addItem(tr("step cycle"), static_cast<int>(Cycle::step));
+    m_runs->setRange(1, 50);
+    m_runs->setValue(5);
+    m_both->setText(tr("from &both sides"));
+    m_both->setChecked(true);
+    m_count->setRange(2, 10'000);
+    m_list->setMaximumHeight(110);
+    m_list->setTabChangesFocus(true);
+    m_problem->setWordWrap(true);
+    m_problem->setProperty("reason", true);
+    m_problem->setTextFormat(Qt::PlainText);
+
+    m_edition->setCurrentIndex(m_edition->findData(QStringLiteral("ISO 230-2:2014")));
+    if (like && !like->edition.empty() && m_edition->findData(QString::fromStdString(like->edition)) >= 0)
+        m_edition->setCurrentIndex(m_edition->findData(QString::fromStdString(like->edition)));
+    m_name->setText(QStringLiteral("X"));
+    m_travel->setText(m_language.number(proposedTravel, Quantity::position));
+
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Axis"), m_name);
+    form->addRow(tr("&Motion"), m_motion);
+    form->addRow(tr("&Travel"), m_travel);
+    form->addRow(tr("&Edition"), m_edition);
+    form->addRow(tr("C&ycle"), m_cycle);
+    auto *runs = new QHBoxLayout;
+    runs->addWidget(m_runs);
+    runs->addWidget(m_both);
+    runs->addStretch();
+    form->addRow(tr("&Runs"), runs);
+    form->addRow(tr("&First target"), m_first);
+    form->addRow(tr("&Last target"), m_last);
+    form->addRow(tr("&Number of targets"), m_count);
+    form->addRow(tr("Target &positions"), m_list);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
+    m_create->setObjectName(QStringLiteral("createTest"));
+    m_create->setProperty("primary", true);
+    m_create->setDefault(true);
+    auto *column = new QVBoxLayout(this);
+    column->addLayout(form);
+    column->addWidget(m_problem);
+    column->addWidget(buttons);
+    resize(460, sizeHint().height());
+
+    connect(m_motion, &QComboBox::currentIndexChanged, this, [this] {
+        const bool linear = axis().motion == Motion::linear;
+        m_name->setText(linear ? QStringLiteral("X") : QStringLiteral("C"));
+        m_travel->setText(m_language.number(linear ? proposedTravel : proposedAngle,
+                                            linear ? Quantity::position : Quantity::angle));
+    });
+    connect(m_travel, &QLineEdit::textChanged, this, &NewTestDialog::propose);
+    for (QLineEdit *field : {m_first, m_last}) {
+        connect(field, &QLineEdit::textEdited, this, [this] {
+            m_listed = false;
+            propose();
+        });
+        field->setProperty("proposed", true);
+    }
+    connect(m_first, &QLineEdit::textEdited, this, [this] { m_first->setProperty("proposed", false); });
+    connect(m_last, &QLineEdit::textEdited, this, [this] { m_last->setProperty("proposed", false); });
+    connect(m_count, &QSpinBox::valueChanged, this, [this] {
+        m_counted = true;
+        m_listed = false;
+        propose();
+    });
+    connect(m_list, &QPlainTextEdit::textChanged, this, [this] {
+        m_listed = true;
+        check();
+    });
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    propose();
+}
+
+Axis NewTestDialog::axis() const {
+    Axis result;
+    result.name = m_name->text().trimmed().toStdString();
+    result.motion = static_cast<Motion>(m_motion->currentData().toInt());
+    result.travel = number(m_travel);
+    return result;
+}
+
+std::optional<double> NewTestDialog::number(const QLineEdit *field) const {
+    const bool linear = static_cast<Motion>(m_motion->currentData().toInt()) == Motion::linear;
+    return enteredNumber(field->text(), linear ? Quantity::position : Quantity::angle, m_language.units())
+        .value;
+}
+
+void NewTestDialog::propose() {
+    const Axis asked = axis();
+    const Quantity quantity = positionQuantity(asked);
+    const double travel = asked.travel.value_or(0);
+    if (m_first->property("proposed").toBool())
+        m_first->setText(m_language.number(0, quantity));
+    if (m_last->property("proposed").toBool())
+        m_last->setText(m_language.number(travel, quantity));
+    if (!m_counted) {
+        const QSignalBlocker blocker(m_count);
+        m_count->setValue(static_cast<int>(std::clamp<std::size_t>(targetsWanted(asked), 2, 10'000)));
+    }
+    const auto first = number(m_first);
+    const auto last = number(m_last);
+    if (!m_listed && first && last) {
+        QStringList positions;
+        for (const double target :
+             evenTargets(*first, *last, static_cast<std::size_t>(m_count->value()), resolution))
+            positions << m_language.number(target, quantity);
+        const QSignalBlocker blocker(m_list);
+        m_list->setPlainText(positions.join(QStringLiteral("; ")));
+    }
+    check();
+}
+
+std::optional<std::vector<double>> NewTestDialog::targets() const {
+    static const QRegularExpression between(QStringLiteral("[;\\s]*[;\\n\\t][;\\s]*|[ ]+"));
+    std::vector<double> result;
+    for (const QString &word : m_list->toPlainText().split(between, Qt::SkipEmptyParts)) {
+        const NumberEntry typed = enteredNumber(word, positionQuantity(axis()), m_language.units());
+        if (!typed.value)
+            return std::nullopt;
+        result.push_back(*typed.value);
+    }
+    return result;
+}
+
+void NewTestDialog::check() {
+    QString problem;
+    const auto list = targets();
+    if (axis().name.empty())
+        problem = tr("The axis needs a name.");
+    else if (!list)
+        problem = tr("The target positions are numbers, parted by semicolons, blanks or lines.");
+    else if (list->size() < 2)
+        problem = tr("A test has two targets at least.");
+    else if (std::ranges::adjacent_find(*list, std::greater_equal<>()) != list->end())
+        problem = tr("The target positions have to ascend.");
+    m_problem->setText(problem);
+    m_problem->setVisible(!problem.isEmpty());
+    m_create->setEnabled(problem.isEmpty());
+}
+
+NewPositioningTest NewTestDialog::wanted() const {
+    NewPositioningTest result;
+    result.axis = axis();
+    result.edition = m_edition->currentData().toString().toStdString();
+    result.cycle = static_cast<Cycle>(m_cycle->currentData().toInt());
+    result.targets = targets().value_or(std::vector<double>());
+    result.runs = m_runs->value();
+    result.bothDirections = m_both->isChecked();
+    return result;
+}
+
+} // namespace palmer::ui

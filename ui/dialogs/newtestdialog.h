@@ -1,0 +1,56 @@
+#pragma once
+
+#include "editing/newtest.h"
+#include "language/language.h"
+
+#include <QDialog>
+#include <optional>
+
+class QComboBox;
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace palmer::ui {
+
+/// Asks what a new positioning test begins with. Targets are proposed from travel and number, and may be
+/// typed or pasted as a list, which then is what counts.
+class NewTestDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// `like`: the test whose axis, edition and runs are proposed; null: none.
+    explicit NewTestDialog(const Language &language, const Test *like = nullptr, QWidget *parent = nullptr);
+
+    /// What was asked for; complete once the dialog is accepted.
+    [[nodiscard]] NewPositioningTest wanted() const;
+
+private:
+    void propose();
+    void check();
+    [[nodiscard]] Axis axis() const;
+    [[nodiscard]] std::optional<double> number(const QLineEdit *field) const;
+    [[nodiscard]] std::optional<std::vector<double>> targets() const;
+
+    Language m_language;
+    bool m_counted = false; ///< the number of targets was chosen, not proposed
+    bool m_listed = false;  ///< the list was typed, not proposed
+    QLineEdit *m_name;
+    QComboBox *m_motion;
+    QLineEdit *m_travel;
+    QComboBox *m_edition;
+    QComboBox *m_cycle;
+    QSpinBox *m_runs;
+    QCheckBox *m_both;
+    QLineEdit *m_first;
+    QLineEdit *m_last;
+    QSpinBox *m_count;
+    QPlainTextEdit *m_list;
+    QLabel *m_problem;
+    QPushButton *m_create;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "document/recovery.h"
+
+#include <QDialog>
+#include <vector>
+
+class QListWidget;
+class QPushButton;
+
+namespace palmer::ui {
+
+/// After a crash: which documents had changes that were not saved, and what to do with them. Leaving it
+/// decides nothing; the copies are offered again at the next start.
+class RecoveryDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit RecoveryDialog(std::vector<Recovery> recoveries, QWidget *parent = nullptr);
+
+signals:
+    /// These are to be opened, each in a window with unsaved changes; whoever opens one discards its copy.
+    void recovered(const palmer::Recovery &recovery);
+
+private:
+    void recover();
+    void discard();
+    [[nodiscard]] std::vector<std::size_t> checked() const;
+
+    std::vector<Recovery> m_recoveries;
+    QListWidget *m_list;
+    QPushButton *m_recover;
+    QPushButton *m_discard;
+};
+
+} // namespace palmer::ui

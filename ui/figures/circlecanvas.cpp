@@ -1,0 +1,421 @@
+#include "ui/figures/circlecanvas.h"
+
+#include "ui/figures/canvaslabel.h"
+#include "ui/theme.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double reach = 14; ///< of the pointer, pixels
+constexpr double ring = 6.5;
+constexpr double zoomStep = 1.25;
+constexpr double panStep = 40;      ///< of the arrow keys, pixels
+constexpr double deepestZoom = 500; ///< times
+constexpr double millimetresPerPixel = 25.4 / 96;
+constexpr int angleDecimals = 2;
+constexpr int deviationDecimals = 2;
+constexpr int timeDecimals = 2;
+
+} // namespace
+
+CircleCanvas::CircleCanvas(Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection) {
+    setObjectName(QStringLiteral("circleCanvas"));
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&selection, &Selection::hoveredChanged, this, qOverload<>(&QWidget::update));
+}
+
+void CircleCanvas::show(const EvaluatedDocument &evaluated, std::size_t test,
+                        const CircleCanvasContent &content, const Language &language) {
+    const TestEvaluationPointer &evaluation = evaluated.tests[test];
+    const auto samePaths = [](const CircleFigureOptions &a, const CircleFigureOptions &b) {
+        return a.of == b.of && a.subject == b.subject && a.repetitions == b.repetitions;
+    };
+    if (m_profilesOf != evaluation || !samePaths(m_content.options, content.options))
+        m_profiles = pathProfiles(*evaluated.document->tests[test], *evaluation, content.options);
+    m_profilesOf = evaluation;
+    m_evaluated = evaluated;
+    m_test = test;
+    m_content = content;
+    m_language = language;
+    m_whole.reset();
+    m_drawn = {};
+    update();
+}
+
+void CircleCanvas::clear() {
+    m_evaluated = {};
+    m_profilesOf.reset();
+    m_profiles.clear();
+    m_whole.reset();
+    m_drawn = {};
+    update();
+}
+
+void CircleCanvas::setMarking(const QString &label, const std::vector<RulingPoint> &points) {
+    m_markingLabel = label;
+    m_ruling = points;
+    update();
+}
+
+bool CircleCanvas::shows(Sense sense) const {
+    return sense == Sense::counterclockwise ? m_content.counterclockwise : m_content.clockwise;
+}
+
+CircleFigure CircleCanvas::withoutHidden(CircleFigure figure) const {
+    std::erase_if(figure.traces, [&](const CircleTrace &trace) { return !shows(trace.sense); });
+    std::erase_if(figure.starts, [&](const TraceMark &start) { return !shows(start.sense); });
+    std::erase_if(figure.arrows, [&](const SenseArrow &arrow) { return !shows(arrow.sense); });
+    std::erase_if(figure.contacts, [&](const ContactMark &contact) { return !shows(contact.mark.sense); });
+    std::erase_if(figure.legend, [&](const CircleLegendEntry &entry) {
+        return (entry.sample == CircleLegendSample::counterclockwise && !shows(Sense::counterclockwise)) ||
+               (entry.sample == CircleLegendSample::clockwise && !shows(Sense::clockwise));
+    });
+    return figure;
+}
+
+void CircleCanvas::drawAnew() {
+    if (!m_profilesOf)
+        return;
+    const double ratio = devicePixelRatioF();
+    const QSizeF wanted = QSizeF(size()) * millimetresPerPixel;
+    if (!m_whole || m_whole->size != wanted || m_whole->pointStep != millimetresPerPixel / ratio) {
+        const double before = m_whole ? m_whole->figureRadius : 0;
+        CircleFigureOptions options = m_content.options;
+        options.size = wanted;
+        options.pointStep = millimetresPerPixel / ratio; // one step a pixel of the device
+        m_whole = circleFigure(*m_evaluated.document->tests[m_test], *m_profilesOf, m_profiles, m_language,
+                               options);
+        if (before > 0) {
+            m_view.x *= m_whole->figureRadius / before;
+            m_view.y *= m_whole->figureRadius / before;
+        }
+        m_drawn = {};
+    }
+    if (!m_drawn.isNull())
+        return;
+    m_view = within(m_view, *m_whole);
+    m_shown =
+        withoutHidden(m_view == CircleView{} ? *m_whole : withView(*m_whole, m_profiles, m_view, m_language));
+    // The toggles beside the figure name the paths.
+    std::erase_if(m_shown.legend, [](const CircleLegendEntry &entry) {
+        return entry.sample == CircleLegendSample::counterclockwise ||
+               entry.sample == CircleLegendSample::clockwise ||
+               entry.sample == CircleLegendSample::repetitions;
+    });
+    m_drawn = QPixmap((QSizeF(size()) * ratio).toSize());
+    m_drawn.setDevicePixelRatio(ratio);
+    QPainter painter(&m_drawn);
+    m_transform = drawFigure(painter, QRectF(rect()), m_shown,
+                             isDark(palette()) ? Medium::screenDark : Medium::screenLight);
+}
+
+std::optional<CircleFigure> CircleCanvas::paperFigure() const {
+    if (!m_profilesOf)
+        return std::nullopt;
+    CircleFigureOptions options = m_content.options;
+    options.size = CircleFigureOptions().size;
+    options.pointStep = CircleFigureOptions().pointStep;
+    CircleFigure figure =
+        circleFigure(*m_evaluated.document->tests[m_test], *m_profilesOf, m_profiles, m_language, options);
+    if (m_view != CircleView{} && m_whole) {
+        const double scale = figure.figureRadius / m_whole->figureRadius;
+        figure = withView(figure, m_profiles, {m_view.x * scale, m_view.y * scale, m_view.zoom}, m_language);
+    }
+    return withoutHidden(std::move(figure));
+}
+
+CircleView CircleCanvas::within(CircleView view, const CircleFigure &figure) const {
+    view.zoom = std::clamp(view.zoom, 1.0, deepestZoom);
+    const double free = 1 - 1 / view.zoom;
+    const double x = figure.size.width() / 2 * free;
+    const double y = figure.size.height() / 2 * free;
+    return {std::clamp(view.x, -x, x), std::clamp(view.y, -y, y), view.zoom};
+}
+
+void CircleCanvas::setView(const CircleView &view) {
+    const CircleView next = m_whole ? within(view, *m_whole) : view;
+    if (next == m_view)
+        return;
+    m_view = next;
+    m_drawn = {};
+    update();
+}
+
+// ---- Points ----------------------------------------------------------------------------------------------
+
+QPointF CircleCanvas::shown(const TracePoint &point) const {
+    const double angle = point.angle * std::numbers::pi / 180;
+    const double radius = m_shown.radius(point.deviation);
+    return m_transform.map(radius * std::cos(angle), radius * std::sin(angle));
+}
+
+std::optional<CircleCanvas::ProfilePoint> CircleCanvas::nearest(QPointF at) const {
+    if (!m_whole)
+        return std::nullopt;
+    const QPointF centre = m_transform.map(0, 0);
+    const QPointF way = at - centre;
+    const double distance = std::hypot(way.x(), way.y());
+    if (distance < reach)
+        return std::nullopt;
+    const double direction = std::atan2(-way.y(), way.x()) * 180 / std::numbers::pi;
+    const double window = std::asin(reach / distance) * 180 / std::numbers::pi;
+    std::optional<ProfilePoint> found;
+    double least = reach;
+    const auto look = [&](std::size_t profile, std::size_t i) {
+        const QPointF away = shown(m_profiles[profile][i]) - at;
+        const double far = std::hypot(away.x(), away.y());
+        if (far < least) {
+            least = far;
+            found = ProfilePoint{profile, i};
+        }
+    };
+    for (std::size_t k = 0; k < m_profiles.size(); ++k) {
+        const PathProfile &profile = m_profiles[k];
+        const auto &angles = profile.angles;
+        if (!shows(profile.sense) || angles.empty())
+            continue;
+        if (!profile.ordered) {
+            for (std::size_t i = 0; i < angles.size(); ++i) {
+                if (std::abs(std::remainder(angles[i] - direction, 360.0)) <= window)
+                    look(k, i);
+            }
+            continue;
+        }
+        const bool ascending = angles.back() >= angles.front();
+        const double lowest = std::min(angles.front(), angles.back());
+        const double highest = std::max(angles.front(), angles.back());
+        double middle = direction + std::ceil((lowest - window - direction) / 360) * 360;
+        for (; middle - window <= highest; middle += 360) {
+            const auto before = [&](double angle) {
+                return ascending ? angle < middle - window : angle > middle + window;
+            };
+            auto i = static_cast<std::size_t>(std::ranges::partition_point(angles, before) - angles.begin());
+            for (; i < angles.size() && std::abs(angles[i] - middle) <= window; ++i)
+                look(k, i);
+        }
+    }
+    return found;
+}
+
+std::optional<CircleCanvas::ProfilePoint> CircleCanvas::find(const ReadingPlace &place) const {
+    for (std::size_t k = 0; k < m_profiles.size(); ++k) {
+        const PathProfile &profile = m_profiles[k];
+        if (profile.arc != place.run || !shows(profile.sense))
+            continue;
+        const auto found = std::ranges::lower_bound(profile.source, place.target);
+        if (found != profile.source.end() && *found == place.target)
+            return ProfilePoint{k, static_cast<std::size_t>(found - profile.source.begin())};
+    }
+    return std::nullopt;
+}
+
+/// The point of the path nearest to the angle: about another centre the angle of a point is a little another.
+std::optional<CircleCanvas::ProfilePoint> CircleCanvas::pointOf(const RulingPoint &ruling) const {
+    for (std::size_t k = 0; k < m_profiles.size(); ++k) {
+        const PathProfile &profile = m_profiles[k];
+        if (profile.repetition || profile.index != ruling.path.toStdString() || !shows(profile.sense))
+            continue;
+        const auto away = [&](double angle) { return std::abs(std::remainder(angle - ruling.angle, 360.0)); };
+        const auto found = std::ranges::min_element(profile.angles, {}, away);
+        if (found != profile.angles.end())
+            return ProfilePoint{k, static_cast<std::size_t>(found - profile.angles.begin())};
+    }
+    return std::nullopt;
+}
+
+ReadingPlace CircleCanvas::placeOf(const ProfilePoint &point) const {
+    const PathProfile &profile = m_profiles[point.profile];
+    return {profile.arc, profile.source[point.point]};
+}
+
+std::optional<QPointF> CircleCanvas::placeOf(const ReadingPlace &point) {
+    drawAnew();
+    const auto found = find(point);
+    if (!found || !m_whole)
+        return std::nullopt;
+    const QPointF at = shown(m_profiles[found->profile][found->point]);
+    return QRectF(rect()).contains(at) ? std::optional(at) : std::nullopt;
+}
+
+QString CircleCanvas::readOut(const ReadingPlace &point) const {
+    const auto found = find(point);
+    if (!found)
+        return {};
+    const PathProfile &profile = m_profiles[found->profile];
+    const TracePoint at = profile[found->point];
+    QString text = QString::fromStdString(profile.index) + QStringLiteral("  ") +
+                   m_language.quantity(at.angle, Quantity::angle, angleDecimals) + QStringLiteral("  ") +
+                   m_language.quantity(at.deviation, Quantity::micrometres, deviationDecimals);
+    if (profile.sampleInterval)
+        text += QStringLiteral("  ") +
+                m_language.quantity(static_cast<double>(point.target) * *profile.sampleInterval,
+                                    Quantity::time, timeDecimals);
+    return text;
+}
+
+// ---- Painting --------------------------------------------------------------------------------------------
+
+void CircleCanvas::paintEvent(QPaintEvent *) {
+    drawAnew();
+    QPainter painter(this);
+    if (!m_profilesOf) {
+        painter.fillRect(rect(), palette().color(QPalette::Base));
+        return;
+    }
+    painter.drawPixmap(0, 0, m_drawn);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintMarking(painter);
+    paintHover(painter);
+    if (hasFocus()) {
+        painter.setPen(QPen(token(Token::accent, palette()), 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
+    }
+}
+
+void CircleCanvas::paintHover(QPainter &painter) const {
+    const auto place = m_selection.hovered();
+    const auto found = place ? find(*place) : std::nullopt;
+    if (!found)
+        return;
+    const QPointF at = shown(m_profiles[found->profile][found->point]);
+    if (!QRectF(rect()).contains(at))
+        return;
+    const QColor accent = token(Token::accent, palette());
+    painter.setPen(QPen(accent, 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, ring, ring);
+    paintCanvasLabel(painter, *this, at, readOut(*place), accent);
+}
+
+void CircleCanvas::paintMarking(QPainter &painter) const {
+    if (m_markingLabel.isEmpty())
+        return;
+    const QColor colour = token(Token::explanation, palette());
+    painter.setPen(QPen(colour, 2));
+    painter.setBrush(Qt::NoBrush);
+    for (const RulingPoint &ruling : m_ruling) {
+        if (const auto point = pointOf(ruling))
+            painter.drawEllipse(shown(m_profiles[point->profile][point->point]), ring, ring);
+    }
+    paintCanvasLabel(painter, *this, {-10, 14}, m_markingLabel, colour);
+}
+
+// ---- Pointer and keys ------------------------------------------------------------------------------------
+
+void CircleCanvas::zoom(double factor, QPointF about) {
+    drawAnew();
+    if (!m_whole)
+        return;
+    const QPointF at = m_transform.toData(about);
+    const double zoomed = std::clamp(m_view.zoom / factor, 1.0, deepestZoom);
+    const double shrink = m_view.zoom / zoomed; // what is under the pointer stays there
+    setView({at.x() + (m_view.x - at.x()) * shrink, at.y() + (m_view.y - at.y()) * shrink, zoomed});
+}
+
+void CircleCanvas::pan(QPointF by) {
+    drawAnew();
+    if (!m_whole)
+        return;
+    const QPointF moved = m_transform.toData(QPointF(0, 0)) - m_transform.toData(by);
+    setView({m_view.x + moved.x(), m_view.y + moved.y(), m_view.zoom});
+}
+
+void CircleCanvas::mousePressEvent(QMouseEvent *event) {
+    emit pressed();
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_drag = event->position();
+    m_dragged = false;
+}
+
+void CircleCanvas::mouseMoveEvent(QMouseEvent *event) {
+    if (m_drag && (event->buttons() & Qt::LeftButton)) {
+        const QPointF by = event->position() - *m_drag;
+        if (m_dragged || by.manhattanLength() >= QApplication::startDragDistance()) {
+            m_dragged = true;
+            m_drag = event->position();
+            pan(by);
+        }
+        return;
+    }
+    drawAnew();
+    const auto found = nearest(event->position());
+    m_selection.setHovered(found ? std::optional(placeOf(*found)) : std::nullopt);
+}
+
+void CircleCanvas::mouseReleaseEvent(QMouseEvent *event) {
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_drag.reset();
+    if (!m_dragged) {
+        if (const auto found = nearest(event->position()))
+            m_selection.setReading(placeOf(*found));
+    }
+}
+
+void CircleCanvas::mouseDoubleClickEvent(QMouseEvent *) {
+    fit();
+}
+
+void CircleCanvas::wheelEvent(QWheelEvent *event) {
+    // Passing over a figure while scrolling must not change it.
+    if (!hasFocus() && !(event->modifiers() & Qt::ControlModifier)) {
+        event->ignore();
+        return;
+    }
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps != 0)
+        zoom(std::pow(zoomStep, -steps), event->position());
+    event->accept();
+}
+
+void CircleCanvas::keyPressEvent(QKeyEvent *event) {
+    const QPointF centre = QRectF(rect()).center();
+    switch (event->key()) {
+    case Qt::Key_Plus:
+        return zoom(1 / zoomStep, centre);
+    case Qt::Key_Minus:
+        return zoom(zoomStep, centre);
+    case Qt::Key_0:
+        return fit();
+    case Qt::Key_Left:
+        return pan({panStep, 0});
+    case Qt::Key_Right:
+        return pan({-panStep, 0});
+    case Qt::Key_Up:
+        return pan({0, panStep});
+    case Qt::Key_Down:
+        return pan({0, -panStep});
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void CircleCanvas::leaveEvent(QEvent *) {
+    m_selection.setHovered({});
+}
+
+void CircleCanvas::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::PaletteChange) {
+        m_drawn = {};
+        update();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "figures/circlefigure.h"
+#include "language/language.h"
+#include "report/explanation.h"
+#include "ui/figures/drawfigure.h"
+#include "ui/model/selection.h"
+
+#include <QPixmap>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace palmer::ui {
+
+/// What of a circle figure is shown, whatever the test.
+struct CircleCanvasContent {
+    CircleFigureOptions options; ///< size: that of the canvas counts
+    bool counterclockwise = true;
+    bool clockwise = true;
+
+    bool operator==(const CircleCanvasContent &) const = default;
+};
+
+/// The surface of a circle figure: zoom, pan, reads angle, deviation and time of the point under the pointer.
+/// A point is named by a ReadingPlace: its arc and its index there. The points about the centre are computed
+/// once per evaluation; every view bins what is in it anew, so that millions of points stay fluid.
+class CircleCanvas : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CircleCanvas(Selection &selection, QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test, const CircleCanvasContent &content,
+              const Language &language);
+    void clear();
+    /// What the explanation of the chosen parameter says ("G = 20,42 µm"), and the points that rule it.
+    void setMarking(const QString &label, const std::vector<RulingPoint> &points);
+
+    /// The figure for paper: the same content and view in the size of a page; nothing without a test.
+    [[nodiscard]] std::optional<CircleFigure> paperFigure() const;
+    [[nodiscard]] const CircleView &view() const { return m_view; }
+    void setView(const CircleView &view);
+    void fit() { setView({}); }
+    /// Where a point stands on the canvas; nothing where it is out of view.
+    [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &point);
+    /// "XY 12,30°  −2,21 µm  0,39 s" of a point; empty where it is not shown.
+    [[nodiscard]] QString readOut(const ReadingPlace &point) const;
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {140, 140}; }
+    [[nodiscard]] QSize sizeHint() const override { return {480, 330}; }
+
+signals:
+    void pressed();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+
+private:
+    /// A point of a profile: indices of both.
+    struct ProfilePoint {
+        std::size_t profile = 0;
+        std::size_t point = 0;
+    };
+
+    void drawAnew();
+    void zoom(double factor, QPointF about);
+    void pan(QPointF by);
+    [[nodiscard]] CircleView within(CircleView view, const CircleFigure &figure) const;
+    [[nodiscard]] CircleFigure withoutHidden(CircleFigure figure) const;
+    [[nodiscard]] bool shows(Sense sense) const;
+    [[nodiscard]] QPointF shown(const TracePoint &point) const;
+    [[nodiscard]] std::optional<ProfilePoint> nearest(QPointF at) const;
+    [[nodiscard]] std::optional<ProfilePoint> pointOf(const RulingPoint &ruling) const;
+    [[nodiscard]] std::optional<ProfilePoint> find(const ReadingPlace &place) const;
+    [[nodiscard]] ReadingPlace placeOf(const ProfilePoint &point) const;
+    void paintMarking(QPainter &painter) const;
+    void paintHover(QPainter &painter) const;
+
+    Selection &m_selection;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    CircleCanvasContent m_content;
+    Language m_language{Language::Id::english};
+    TestEvaluationPointer m_profilesOf; ///< the evaluation the profiles were made from
+    std::vector<PathProfile> m_profiles;
+    std::optional<CircleFigure> m_whole; ///< for the size of the canvas; null: to be made
+    CircleFigure m_shown;                ///< in view
+    CircleView m_view;
+    QString m_markingLabel;
+    std::vector<RulingPoint> m_ruling;
+    QPixmap m_drawn; ///< null: to be drawn
+    FigureTransform m_transform;
+    std::optional<QPointF> m_drag; ///< where the pointer was
+    bool m_dragged = false;
+};
+
+} // namespace palmer::ui

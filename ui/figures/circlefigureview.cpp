@@ -1,0 +1,269 @@
+#include "ui/figures/circlefigureview.h"
+
+#include "kernel/evaluation/iso230_4/paths.h"
+#include "ui/figures/circlecanvas.h"
+#include "ui/figures/style.h"
+#include "ui/theme.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QIconEngine>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+/// The line a path is drawn with, before its name.
+class TraceIcon : public QIconEngine {
+public:
+    TraceIcon(Sense sense, bool repetition, const QWidget *owner)
+        : m_sense(sense)
+        , m_repetition(repetition)
+        , m_owner(owner) {}
+
+    void paint(QPainter *painter, const QRect &area, QIcon::Mode, QIcon::State state) override {
+        const Medium medium = isDark(m_owner->palette()) ? Medium::screenDark : Medium::screenLight;
+        const auto draw = [&](Sense sense, double y) {
+            QPen pen = figurePen(sense == Sense::counterclockwise ? FigureRole::counterclockwise
+                                                                  : FigureRole::clockwise,
+                                 medium);
+            pen.setWidthF(pen.widthF() * 96 / 72 / (m_repetition ? 2 : 1));
+            pen.setCapStyle(Qt::FlatCap);
+            if (state == QIcon::Off)
+                pen.setColor(blend(pen.color(), figureColor(FigureRole::background, medium), 0.35));
+            painter->setPen(pen);
+            painter->drawLine(QPointF(area.left(), y), QPointF(area.right() + 1, y));
+        };
+        const double middle = QRectF(area).center().y();
+        painter->setRenderHint(QPainter::Antialiasing);
+        if (!m_repetition)
+            return draw(m_sense, middle);
+        draw(Sense::counterclockwise, middle - 2);
+        draw(Sense::clockwise, middle + 2);
+    }
+    QPixmap pixmap(const QSize &size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap result(size);
+        result.fill(Qt::transparent);
+        QPainter painter(&result);
+        paint(&painter, QRect(QPoint(), size), mode, state);
+        return result;
+    }
+    [[nodiscard]] QIconEngine *clone() const override { return new TraceIcon(*this); }
+
+private:
+    Sense m_sense;
+    bool m_repetition;
+    const QWidget *m_owner;
+};
+
+constexpr int combined = -1;
+constexpr int sideBySide = -2;
+
+} // namespace
+
+CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection)
+    , m_choice(new QComboBox(this)) {
+    setObjectName(QStringLiteral("circleFigureView"));
+    m_choice->setObjectName(QStringLiteral("circleChoice"));
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    const auto toggle = [&](const char *name, Sense sense, bool repetition) {
+        auto *button = new QToolButton(this);
+        button->setObjectName(QString::fromLatin1(name));
+        button->setCheckable(true);
+        button->setChecked(!repetition);
+        button->setAutoRaise(true);
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setIconSize({22, 16});
+        button->setIcon(QIcon(new TraceIcon(sense, repetition, this)));
+        button->setFocusPolicy(Qt::StrongFocus);
+        connect(button, &QToolButton::toggled, this, &CircleFigureView::refresh);
+        return button;
+    };
+    m_counterclockwise = toggle("showCounterclockwise", Sense::counterclockwise, false);
+    m_clockwise = toggle("showClockwise", Sense::clockwise, false);
+    m_repetitions = toggle("showRepetitions", Sense::counterclockwise, true);
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    for (QToolButton *button : {m_counterclockwise, m_clockwise, m_repetitions})
+        row->addWidget(button);
+    row->addStretch();
+    row->addWidget(m_choice);
+    auto *surfaces = new QHBoxLayout;
+    surfaces->setContentsMargins(0, 0, 0, 0);
+    surfaces->setSpacing(4);
+    for (CircleCanvas *&canvas : m_canvases) {
+        canvas = new CircleCanvas(selection, this);
+        surfaces->addWidget(canvas, 1);
+        connect(canvas, &CircleCanvas::pressed, this, [this, canvas] { m_current = canvas; });
+    }
+    m_current = m_canvases.front();
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addLayout(row);
+    column->addLayout(surfaces, 1);
+    connect(m_choice, &QComboBox::activated, this, [this] {
+        fit();
+        refresh();
+    });
+    retranslate();
+}
+
+void CircleFigureView::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    const bool other = test != m_test || m_evaluated.tests.empty();
+    m_evaluated = evaluated;
+    m_test = test;
+    m_separate = separateCircleFigures(*evaluated.document->tests[test], *evaluated.tests[test]);
+    fillChoice();
+    if (other) {
+        m_choice->setCurrentIndex(0);
+        fit(); // zoom belongs to a test
+    }
+    refresh();
+}
+
+void CircleFigureView::setLanguage(const Language &language) {
+    m_language = language;
+    retranslate();
+}
+
+void CircleFigureView::setContacts(bool shown) {
+    m_contacts = shown;
+    refresh();
+}
+
+void CircleFigureView::setMarking(const QString &label, const std::vector<RulingPoint> &points) {
+    for (CircleCanvas *canvas : m_canvases)
+        canvas->setMarking(label, points);
+}
+
+void CircleFigureView::clear() {
+    m_evaluated = {};
+    m_separate.clear();
+    for (CircleCanvas *canvas : m_canvases)
+        canvas->clear();
+}
+
+void CircleFigureView::fit() {
+    for (CircleCanvas *canvas : m_canvases)
+        canvas->fit();
+}
+
+std::optional<CircleFigure> CircleFigureView::paperFigure() const {
+    return m_evaluated.tests.empty() ? std::nullopt : m_current->paperFigure();
+}
+
+/// Combined; G(b) and G side by side; each figure of the standard by itself.
+void CircleFigureView::fillChoice() {
+    const QSignalBlocker blocker(m_choice);
+    const QVariant before = m_choice->currentData();
+    m_choice->clear();
+    m_choice->addItem(tr("Combined"), combined);
+    const auto circular =
+        std::ranges::count(m_separate, CircleSubject::circularDeviation, &CircleFigureOptions::subject);
+    if (circular == 3)
+        m_choice->addItem(tr("G(b) and G side by side"), sideBySide);
+    const auto *measurement =
+        m_test < m_evaluated.tests.size()
+            ? std::get_if<CircularMeasurement>(&m_evaluated.document->tests[m_test]->measurement)
+            : nullptr;
+    for (std::size_t i = 0; measurement && i < m_separate.size(); ++i) {
+        const CircleFigureOptions &one = m_separate[i];
+        if (one.of == CircleOf::both)
+            continue; // the combined one
+        const Sense sense = one.of == CircleOf::clockwise ? Sense::clockwise : Sense::counterclockwise;
+        const QString symbol =
+            one.subject == CircleSubject::radialDeviation ? QStringLiteral("F") : QStringLiteral("G");
+        m_choice->addItem(symbol + u' ' +
+                              QString::fromStdString(iso230_4::axisIndex(measurement->plane, sense)),
+                          static_cast<int>(i));
+    }
+    m_choice->setCurrentIndex(std::max(0, m_choice->findData(before)));
+}
+
+std::vector<CircleFigureOptions> CircleFigureView::chosen() const {
+    const int choice = m_choice->currentData().toInt();
+    std::vector<CircleFigureOptions> result;
+    if (choice == sideBySide) {
+        for (const CircleFigureOptions &one : m_separate) {
+            if (one.subject == CircleSubject::circularDeviation)
+                result.push_back(one);
+        }
+    } else if (choice >= 0 && static_cast<std::size_t>(choice) < m_separate.size()) {
+        result.push_back(m_separate[static_cast<std::size_t>(choice)]);
+    } else {
+        result.emplace_back();
+    }
+    return result;
+}
+
+void CircleFigureView::refresh() {
+    if (m_test >= m_evaluated.tests.size())
+        return;
+    const auto &results = std::get<CircularResults>(m_evaluated.tests[m_test]->results);
+    const auto measured = [&](Sense sense) {
+        return std::ranges::any_of(results.paths,
+                                   [sense](const EvaluatedPath &path) { return path.sense == sense; });
+    };
+    m_counterclockwise->setVisible(measured(Sense::counterclockwise));
+    m_clockwise->setVisible(measured(Sense::clockwise));
+    m_repetitions->setVisible(!results.repetitions.empty());
+    const std::vector<CircleFigureOptions> figures = chosen();
+    for (std::size_t i = 0; i < m_canvases.size(); ++i) {
+        m_canvases[i]->setVisible(i < figures.size());
+        if (i >= figures.size()) {
+            m_canvases[i]->clear();
+            continue;
+        }
+        CircleCanvasContent content;
+        content.options = figures[i];
+        content.options.contacts = m_contacts;
+        content.options.repetitions = m_repetitions->isChecked() && !results.repetitions.empty();
+        content.counterclockwise = m_counterclockwise->isChecked();
+        content.clockwise = m_clockwise->isChecked();
+        m_canvases[i]->show(m_evaluated, m_test, content, m_language);
+    }
+    if (!m_current->isVisibleTo(this))
+        m_current = m_canvases.front();
+    emit figureChanged();
+}
+
+void CircleFigureView::retranslate() {
+    m_choice->setAccessibleName(tr("Which figure"));
+    m_choice->setToolTip(
+        tr("All paths in one figure, or the figures of the standard about their own centres"));
+    const auto name = [](QToolButton *button, const QString &text, const QString &tip) {
+        button->setText(text);
+        button->setAccessibleName(tip);
+        button->setToolTip(tip);
+        button->setFont(themeFont(TextSize::small));
+    };
+    name(m_counterclockwise, tr("anticlockwise"), tr("Show the path anticlockwise"));
+    name(m_clockwise, tr("clockwise"), tr("Show the path clockwise"));
+    name(m_repetitions, tr("repetitions"), tr("Show repeated paths"));
+    m_choice->setFont(themeFont(TextSize::small));
+    for (CircleCanvas *canvas : m_canvases) {
+        canvas->setAccessibleName(tr("Circle figure"));
+        canvas->setAccessibleDescription(tr("Plus and minus zoom, arrows move, 0 shows the whole; the wheel "
+                                            "zooms with Ctrl or after a click"));
+    }
+    fillChoice();
+    refresh();
+}
+
+void CircleFigureView::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

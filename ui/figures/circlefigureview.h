@@ -1,0 +1,69 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "figures/circlefigure.h"
+#include "language/language.h"
+#include "report/explanation.h"
+#include "ui/model/selection.h"
+
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QHBoxLayout;
+class QToolButton;
+
+namespace palmer::ui {
+
+class CircleCanvas;
+
+/// The figures of a circular test: which of them is shown (combined, one of those of the standard, or G(b)
+/// and both G side by side), what of it, and the surface.
+class CircleFigureView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CircleFigureView(Selection &selection, QWidget *parent = nullptr);
+
+    /// `test` is a circular one.
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+    void setContacts(bool shown);
+    void setMarking(const QString &label, const std::vector<RulingPoint> &points);
+    void clear();
+    void fit();
+
+    /// The figure that is copied and saved: of several that used last. Nothing without a test.
+    [[nodiscard]] std::optional<CircleFigure> paperFigure() const;
+    [[nodiscard]] CircleCanvas *canvas() const { return m_canvases.front(); }
+
+signals:
+    /// Another figure is shown, or other paths of it.
+    void figureChanged();
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void refresh();
+    void fillChoice();
+    [[nodiscard]] std::vector<CircleFigureOptions> chosen() const;
+    void retranslate();
+
+    Selection &m_selection;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    Language m_language{Language::Id::english};
+    bool m_contacts = true;
+    std::vector<CircleFigureOptions> m_separate; ///< those of the standard that the test has
+    QComboBox *m_choice;
+    QToolButton *m_counterclockwise;
+    QToolButton *m_clockwise;
+    QToolButton *m_repetitions;
+    std::array<CircleCanvas *, 3> m_canvases{};
+    CircleCanvas *m_current;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,710 @@
+#include "ui/figures/drawcirclefigure.h"
+
+#include "ui/figures/drawtext.h"
+
+#include <QPaintEngine>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double mm = pointsPerMillimetre;
+
+// Measures of the printed page, mm of the figure unless points are said.
+constexpr double axisTip = 3.2; ///< of the positive ends, beyond the figure's radius
+constexpr double axisTail = 1.4;
+constexpr double arrowLength = 2.1;
+constexpr double arrowWidth = 1.3;
+constexpr double dimensionArrowLength = 1.3;
+constexpr double dimensionArrowWidth = 0.9;
+constexpr double letterBeside = 3.2;
+constexpr double centreMark = 2;
+constexpr double startRadius = 1.3;
+constexpr double halo = 0.35;
+constexpr double contactWidth = 1.7;
+constexpr double senseRadius = 14;
+constexpr double senseRoom = 3; ///< between the arrows of the sense and what is drawn around them
+constexpr double spokes = 30;   ///< degrees
+constexpr double ringLabels = -60;
+constexpr std::array dimensionAngles{135.0, 123.0, 147.0, 111.0, 159.0};
+constexpr std::array limitAngles{225.0, 213.0, 237.0, 201.0, 249.0};
+constexpr double freeOfMarks = 9;  ///< degrees
+constexpr double roomForLabel = 9; ///< between the circles of a dimension
+constexpr double limitTick = 1;
+constexpr double scaleLeft = 2.8; ///< from the left edge
+constexpr double scaleBottom = 3.9;
+constexpr double scaleTick = 1.1;
+constexpr double scaleText = 1.8;
+constexpr double ratioAbove = 4.6;
+constexpr double sampleWidth = 8;
+constexpr double sampleText = 10;
+constexpr double secondColumn = 39;
+constexpr double thirdColumn = 76;
+constexpr double keyTop = 1;
+constexpr double keyRow = 4.8;
+constexpr double repetitionStrength = 0.45;
+constexpr double textHeight = figureTextSize * 1.15; ///< points
+
+constexpr double screenInset = 4; ///< points
+constexpr double screenRow = 11;
+constexpr double screenSample = 20;
+constexpr double screenSampleGap = 5;
+
+/// Points of a path from which on most lie on one another in a picture.
+constexpr std::size_t denseTrace = 2500;
+/// Flatness of a circle drawn as a chain of chords, points.
+constexpr double flatness = 0.02;
+
+double radians(double degrees) {
+    return degrees * std::numbers::pi / 180;
+}
+
+/// The part of a segment inside a rectangle; false: none.
+bool clip(QPointF &a, QPointF &b, const QRectF &rect) {
+    double from = 0;
+    double to = 1;
+    const QPointF way = b - a;
+    const auto cut = [&](double along, double distance) {
+        if (along == 0)
+            return distance >= 0;
+        const double at = distance / along;
+        if (along < 0)
+            from = std::max(from, at);
+        else
+            to = std::min(to, at);
+        return from <= to;
+    };
+    if (!cut(-way.x(), a.x() - rect.left()) || !cut(way.x(), rect.right() - a.x()) ||
+        !cut(-way.y(), a.y() - rect.top()) || !cut(way.y(), rect.bottom() - a.y()))
+        return false;
+    b = a + to * way;
+    a = a + from * way;
+    return true;
+}
+
+class CircleFigurePainter {
+public:
+    CircleFigurePainter(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium)
+        : p(painter)
+        , m_figure(figure)
+        , m_medium(medium)
+        , m_area(area) {
+        const double keyHeight = medium == Medium::paper ? figure.keyHeight : 0;
+        m_unit =
+            std::min(area.width() / figure.size.width(), area.height() / (figure.size.height() + keyHeight));
+        m_plot = medium == Medium::paper ? QRectF(area.topLeft(), figure.size * m_unit)
+                                         : area; // what stands beside the figure is part of the picture
+        if (medium == Medium::paper)
+            m_plot.moveLeft(area.left() + (area.width() - m_plot.width()) / 2);
+        m_scale = m_unit * figure.view.zoom;
+        m_centre = m_plot.center() + QPointF(-figure.view.x, figure.view.y) * m_scale;
+        m_guard = m_plot.adjusted(-20, -20, 20, 20);
+    }
+
+    FigureTransform draw() {
+        p.setRenderHint(QPainter::Antialiasing);
+        p.setRenderHint(QPainter::TextAntialiasing);
+        if (m_plot.width() <= 0 || m_plot.height() <= 0)
+            return {};
+        p.save();
+        p.setClipRect(m_plot, Qt::IntersectClip);
+        drawRings();
+        drawAxes();
+        if (whole())
+            drawScale();
+        drawCircle(0, FigureRole::nominal);
+        drawLimitsOfF();
+        drawEnvelope();
+        for (const bool repetitions : {true, false})
+            drawTraces(repetitions);
+        drawStarts();
+        drawContacts();
+        drawCentre();
+        drawDimension();
+        drawSenses();
+        if (m_medium != Medium::paper && whole())
+            drawCorners();
+        drawRingLabels();
+        drawLimitOfG();
+        p.restore();
+        if (!whole()) { // what is in view lies below
+            drawScale();
+            if (m_medium != Medium::paper)
+                drawCorners();
+        }
+        if (m_medium == Medium::paper)
+            drawKey();
+        return {m_plot, QTransform(m_scale, 0, 0, -m_scale, m_centre.x(), m_centre.y()), 0};
+    }
+
+private:
+    [[nodiscard]] QPen pen(FigureRole role) const { return figurePen(role, m_medium); }
+    [[nodiscard]] QColor colour(FigureRole role) const { return figureColor(role, m_medium); }
+    [[nodiscard]] bool whole() const { return m_figure.view.zoom <= 1; }
+
+    /// A place given by its direction (degrees) and its distance from the centre (mm).
+    [[nodiscard]] QPointF polar(double degrees, double radius) const {
+        const double angle = radians(degrees);
+        return m_centre + QPointF(std::cos(angle), -std::sin(angle)) * (radius * m_scale);
+    }
+    [[nodiscard]] QPointF place(const TracePoint &point) const {
+        return polar(point.angle, m_figure.radius(point.deviation));
+    }
+    [[nodiscard]] static FigureRole roleOf(Sense sense) {
+        return sense == Sense::counterclockwise ? FigureRole::counterclockwise : FigureRole::clockwise;
+    }
+
+    // ---- Lines -------------------------------------------------------------------------------------------
+
+    /// A chain of points, as far as it is near the view: beyond, coordinates are no affair of the painter.
+    void drawChain(const QPolygonF &chain) {
+        QPolygonF piece;
+        for (qsizetype i = 1; i < chain.size(); ++i) {
+            QPointF a = chain[i - 1];
+            QPointF b = chain[i];
+            if (!clip(a, b, m_guard)) {
+                flush(piece);
+                continue;
+            }
+            if (piece.isEmpty() || piece.back() != a) {
+                flush(piece);
+                piece << a;
+            }
+            piece << b;
+        }
+        flush(piece);
+    }
+    void flush(QPolygonF &piece) {
+        if (piece.size() > 1)
+            p.drawPolyline(piece);
+        piece.clear();
+    }
+
+    void drawCircle(double deviation, FigureRole role) {
+        const double radius = m_figure.radius(deviation) * m_scale;
+        if (radius <= 0)
+            return;
+        p.setPen(pen(role));
+        p.setBrush(Qt::NoBrush);
+        if (whole()) {
+            p.drawEllipse(m_centre, radius, radius);
+            return;
+        }
+        // Only what is in view, as chords: a circle of a thousand times the view is too much for a painter.
+        const double step = 2 * std::acos(std::max(0.5, 1 - flatness / radius));
+        const auto [from, to] = anglesInView();
+        const int parts = std::max(1, static_cast<int>(std::ceil((to - from) / step)));
+        QPolygonF chain;
+        chain.reserve(parts + 1);
+        for (int i = 0; i <= parts; ++i) {
+            const double angle = from + (to - from) * i / parts;
+            chain << m_centre + QPointF(std::cos(angle), -std::sin(angle)) * radius;
+        }
+        drawChain(chain);
+    }
+
+    /// Directions from the centre of the circles to what is in view, radians.
+    [[nodiscard]] Interval anglesInView() const {
+        if (m_guard.contains(m_centre))
+            return {0, 2 * std::numbers::pi};
+        const QPointF towards = m_guard.center() - m_centre;
+        const double middle = std::atan2(-towards.y(), towards.x());
+        Interval result{middle, middle};
+        for (const QPointF corner :
+             {m_guard.topLeft(), m_guard.topRight(), m_guard.bottomLeft(), m_guard.bottomRight()}) {
+            const QPointF way = corner - m_centre;
+            const double angle =
+                middle + std::remainder(std::atan2(-way.y(), way.x()) - middle, 2 * std::numbers::pi);
+            result = {std::min(result.from, angle), std::max(result.to, angle)};
+        }
+        return result;
+    }
+
+    void drawRings() {
+        for (const DeviationCircle &ring : m_figure.rings) {
+            if (ring.deviation != 0)
+                drawCircle(ring.deviation, FigureRole::ring);
+        }
+        if (m_figure.rings.size() < 2)
+            return;
+        const double inner = m_figure.radius(whole() ? m_figure.rings.front().deviation
+                                                     : -m_figure.plotRadius * 1000 / m_figure.magnification);
+        const double outer =
+            whole() ? m_figure.radius(m_figure.rings.back().deviation) : m_figure.figureRadius;
+        p.setPen(pen(FigureRole::ring));
+        for (double angle = 0; angle < 360; angle += spokes) {
+            if (std::fmod(angle, 90) != 0)
+                drawChain({polar(angle, inner), polar(angle, outer)});
+        }
+    }
+
+    void drawArrowHead(QPointF tip, double degrees, double length, double width, const QColor &fill) {
+        const double angle = radians(degrees);
+        const QPointF along(std::cos(angle), -std::sin(angle));
+        const QPointF across(-along.y(), along.x());
+        p.setPen(Qt::NoPen);
+        p.setBrush(fill);
+        p.drawPolygon(QPolygonF{tip, tip - length * along + width / 2 * across,
+                                tip - length * along - width / 2 * across});
+    }
+
+    void drawAxes() {
+        const double tip = m_figure.figureRadius + axisTip;
+        const double tail = m_figure.figureRadius + axisTail;
+        QPen line = pen(FigureRole::planeAxis);
+        line.setCapStyle(Qt::FlatCap);
+        for (const double angle : {0.0, 90.0}) {
+            p.setPen(line);
+            const double head = arrowLength / 2 / m_figure.view.zoom;
+            drawChain({polar(angle + 180, tail), polar(angle, tip - head)});
+            drawArrowHead(polar(angle, tip), angle, arrowLength * m_unit, arrowWidth * m_unit,
+                          colour(FigureRole::planeAxis));
+        }
+        const double width = textWidth(m_figure.firstAxis);
+        drawLetter(polar(0, tip) + QPointF(-width / 2 - 0.2 * mm, letterBeside * mm), m_figure.firstAxis);
+        drawLetter(polar(90, tip) + QPointF(-1.6 * mm - textWidth(m_figure.secondAxis) / 2, textHeight / 2),
+                   m_figure.secondAxis);
+    }
+
+    void drawLetter(QPointF centre, const QString &letter) {
+        const double width = textWidth(letter);
+        if (take(boxOf(centre, width)))
+            drawText(p, centre - QPointF(width / 2, 0), letter, colour(FigureRole::text));
+    }
+
+    void drawLimitsOfF() {
+        for (const DeviationCircle &limit : m_figure.limits)
+            drawCircle(limit.deviation, FigureRole::limit);
+    }
+
+    void drawEnvelope() {
+        if (!m_figure.envelope)
+            return;
+        drawCircle(m_figure.envelope->outer, FigureRole::envelope);
+        drawCircle(m_figure.envelope->inner, FigureRole::envelope);
+    }
+
+    void drawTraces(bool repetitions) {
+        p.setBrush(Qt::NoBrush);
+        for (const CircleTrace &trace : m_figure.traces) {
+            if (trace.repetition != repetitions)
+                continue;
+            QPen line = pen(roleOf(trace.sense));
+            if (repetitions) {
+                line.setColor(blend(line.color(), colour(FigureRole::background), repetitionStrength));
+                line.setWidthF(line.widthF() / 2);
+            }
+            drawTrace(trace.points, line);
+        }
+    }
+
+    /// A raster picture takes a second for the joins of thousands of points that lie on one another: a dense
+    /// path is drawn there as lines of a pixel beside each other, which looks the same.
+    void drawTrace(const std::vector<TracePoint> &points, QPen line) {
+        const bool picture = p.paintEngine() && p.paintEngine()->type() == QPaintEngine::Raster;
+        const double pixel = 1 / std::sqrt(std::abs(p.deviceTransform().determinant()));
+        const double width = line.widthF();
+        int lines = 1;
+        if (picture && points.size() >= denseTrace && width > pixel) {
+            lines = static_cast<int>(std::ceil(width / pixel));
+            line.setWidthF(0.99 * pixel); // what the painter draws quickly
+        }
+        p.setPen(line);
+        for (int i = 0; i < lines; ++i) {
+            const double offset =
+                lines == 1 ? 0 : (width - pixel) * (static_cast<double>(i) / (lines - 1) - 0.5);
+            QPolygonF chain;
+            chain.reserve(static_cast<qsizetype>(points.size()));
+            for (const TracePoint &point : points)
+                chain << polar(point.angle, m_figure.radius(point.deviation) + offset / m_scale);
+            if (chain.size() == 1)
+                p.drawPoint(chain.front());
+            else if (whole())
+                p.drawPolyline(chain);
+            else
+                drawChain(chain);
+        }
+    }
+
+    // ---- Marks -------------------------------------------------------------------------------------------
+
+    void drawStar(QPointF at, const QColor &ink, double width, Qt::PenCapStyle cap = Qt::FlatCap) {
+        QPen line(ink);
+        line.setWidthF(width);
+        line.setCapStyle(cap);
+        p.setPen(line);
+        for (const double angle : {30.0, 90.0, 150.0}) {
+            const QPointF arm =
+                QPointF(std::cos(radians(angle)), std::sin(radians(angle))) * (startRadius * mm);
+            p.drawLine(at - arm, at + arm);
+        }
+    }
+
+    /// All halos first: starting points often lie beside each other.
+    void drawStarts() {
+        for (const bool ground : {true, false}) {
+            for (const TraceMark &start : m_figure.starts) {
+                const QPen line = pen(roleOf(start.sense));
+                const double width = std::max(0.24 * mm, 0.75 * line.widthF());
+                if (ground)
+                    drawStar(place(start.at), colour(FigureRole::background), width + 2 * halo * mm,
+                             Qt::RoundCap);
+                else
+                    drawStar(place(start.at), line.color(), width);
+            }
+        }
+    }
+
+    /// Squares: full on the outer circle, open on the inner.
+    void drawContact(QPointF at, bool outer) {
+        const double half = contactWidth * mm / 2;
+        QPen line = pen(FigureRole::nominal);
+        line.setJoinStyle(Qt::MiterJoin);
+        p.setPen(line);
+        p.setBrush(outer ? line.color() : colour(FigureRole::background));
+        p.drawRect(QRectF(at - QPointF(half, half), at + QPointF(half, half)));
+    }
+
+    void drawContacts() {
+        for (const ContactMark &contact : m_figure.contacts)
+            drawContact(place(contact.mark.at), contact.outer);
+    }
+
+    void drawPlus(QPointF at) {
+        QPen line = pen(FigureRole::centre);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
+        const double arm = centreMark * mm;
+        p.drawLine(at - QPointF(arm, 0), at + QPointF(arm, 0));
+        p.drawLine(at - QPointF(0, arm), at + QPointF(0, arm));
+    }
+
+    void drawCentre() { drawPlus(m_centre); }
+
+    // ---- Dimensions and texts ----------------------------------------------------------------------------
+
+    [[nodiscard]] static QRectF boxOf(QPointF centre, double width) {
+        return {centre.x() - width / 2 - 1, centre.y() - textHeight / 2, width + 2, textHeight};
+    }
+
+    /// Whether a text of this box is in view and on no other; it is not so any more for the next.
+    bool take(const QRectF &box) {
+        if (!m_plot.contains(box) ||
+            std::ranges::any_of(m_taken, [&](const QRectF &other) { return other.intersects(box); }))
+            return false;
+        m_taken.push_back(box);
+        return true;
+    }
+
+    void drawOnGround(QPointF centre, const TextLine &line, const QColor &ink, bool bold = false) {
+        const double width = textWidth(line, bold);
+        p.fillRect(boxOf(centre, width), colour(FigureRole::background));
+        drawText(p, {centre.x() - width / 2, centre.y()}, line, ink, bold);
+    }
+
+    /// The first of the angles at which no marked point stands, else the one farthest from them.
+    [[nodiscard]] double freeAngle(const std::array<double, 5> &angles) const {
+        double best = angles.front();
+        double widest = -1;
+        for (const double angle : angles) {
+            double least = 180;
+            for (const ContactMark &contact : m_figure.contacts)
+                least = std::min(least, std::abs(std::remainder(contact.mark.at.angle - angle, 360.0)));
+            if (least > freeOfMarks)
+                return angle;
+            if (least > widest) {
+                widest = least;
+                best = angle;
+            }
+        }
+        return best;
+    }
+
+    void drawDimension() {
+        if (!m_figure.envelope || !m_figure.envelope->dimension)
+            return;
+        const CircleEnvelope &envelope = *m_figure.envelope;
+        const double degrees = freeAngle(dimensionAngles);
+        const double inner = m_figure.radius(envelope.inner);
+        const double outer = m_figure.radius(envelope.outer);
+        const double width = (outer - inner) * m_scale; // as it is drawn, points
+        const bool inside = width >= 2.4 * dimensionArrowLength * mm;
+        const double beyond = inside ? 0 : 2.5 * dimensionArrowLength * mm / m_scale;
+        QPen line = pen(FigureRole::dimension);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
+        if (inside) {
+            drawChain({polar(degrees, inner), polar(degrees, outer)});
+        } else {
+            drawChain({polar(degrees, inner - beyond), polar(degrees, inner)});
+            drawChain({polar(degrees, outer), polar(degrees, outer + beyond)});
+        }
+        const double away = degrees + 180;
+        drawArrowHead(polar(degrees, outer), inside ? degrees : away, dimensionArrowLength * mm,
+                      dimensionArrowWidth * mm, colour(FigureRole::dimension));
+        drawArrowHead(polar(degrees, inner), inside ? away : degrees, dimensionArrowLength * mm,
+                      dimensionArrowWidth * mm, colour(FigureRole::dimension));
+        TextLine label{{envelope.label}};
+        if (!envelope.subscript.isEmpty())
+            label.push_back({envelope.subscript, true});
+        const double across = textWidth(label, true);
+        // In the line, else beyond the outer circle, else within the inner one.
+        const double clear =
+            (0.5 * across * std::abs(std::cos(radians(degrees))) + 0.75 * textHeight) / m_scale;
+        std::vector<double> radii{outer + beyond + clear, inner - beyond - clear};
+        if (width >= roomForLabel * mm)
+            radii.insert(radii.begin(), outer - 0.25 * (outer - inner));
+        for (const double radius : radii) {
+            const QPointF at = polar(degrees, radius);
+            if (radius > 0 && take(boxOf(at, across)))
+                return drawOnGround(at, label, colour(FigureRole::text), true);
+        }
+    }
+
+    /// The limit of a width, as long as it is, in the middle of the circles it limits.
+    void drawLimitOfG() {
+        if (!m_figure.envelope || !m_figure.envelope->limit)
+            return;
+        const CircleEnvelope &envelope = *m_figure.envelope;
+        const double limitAngle = freeAngle(limitAngles);
+        const double middle = (m_figure.radius(envelope.inner) + m_figure.radius(envelope.outer)) / 2;
+        const double half = *envelope.limit * m_figure.magnification / 1000 / 2;
+        const QPointF from = polar(limitAngle, middle - half);
+        const QPointF to = polar(limitAngle, middle + half);
+        QPen line = pen(FigureRole::limit);
+        line.setStyle(Qt::SolidLine);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
+        drawChain({from, to});
+        const double angle = radians(limitAngle);
+        const QPointF tick = QPointF(std::sin(angle), std::cos(angle)) * (limitTick * mm);
+        p.drawLine(from - tick, from + tick);
+        p.drawLine(to - tick, to + tick);
+        // The text reads along the line, above it.
+        QTransform along = QTransform::fromTranslate((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
+        along.rotate(180 - limitAngle);
+        const QPointF above(0, -0.8 * textHeight);
+        if (!take(along.mapRect(boxOf(above, textWidth(envelope.limitLabel)))))
+            return;
+        p.save();
+        p.setTransform(along, true);
+        drawOnGround(above, {{envelope.limitLabel}}, colour(FigureRole::text));
+        p.restore();
+    }
+
+    /// Distance from the centre that nothing drawn comes nearer than, mm.
+    [[nodiscard]] double hole() const {
+        double least = m_figure.plotRadius;
+        for (const CircleTrace &trace : m_figure.traces) {
+            for (const TracePoint &point : trace.points)
+                least = std::min(least, m_figure.radius(point.deviation));
+        }
+        if (m_figure.envelope)
+            least = std::min(least, m_figure.radius(m_figure.envelope->inner));
+        for (const DeviationCircle &limit : m_figure.limits)
+            least = std::min(least, m_figure.radius(limit.deviation));
+        return least;
+    }
+
+    void drawSense(const SenseArrow &arrow, double radius, double from, double to, double labelRadius) {
+        const bool forwards = arrow.sense == Sense::counterclockwise;
+        const double start = forwards ? from : 180 - from;
+        const double end = forwards ? to : 180 - to;
+        const QPen trace = pen(roleOf(arrow.sense));
+        QPen line = trace;
+        line.setWidthF(std::max(0.34 * mm, trace.widthF()));
+        line.setCapStyle(Qt::FlatCap);
+        // The line ends in the head.
+        const double headAngle = arrowLength / radius * 180 / std::numbers::pi;
+        const double lineEnd = forwards ? end - headAngle * 0.7 : end + headAngle * 0.7;
+        QPolygonF chain;
+        for (int i = 0; i <= 16; ++i)
+            chain << polar(start + (lineEnd - start) * i / 16, radius);
+        p.setPen(line);
+        p.setBrush(Qt::NoBrush);
+        p.drawPolyline(chain);
+        const double heading = end + (forwards ? 90 : -90) + (forwards ? -0.5 : 0.5) * headAngle;
+        drawArrowHead(polar(end, radius), heading, arrowLength * m_unit, arrowWidth * 1.15 * m_unit,
+                      trace.color());
+        const double middle = forwards ? 48 : 132;
+        drawLetter(polar(middle, labelRadius), arrow.index);
+    }
+
+    void drawSenses() {
+        if (!whole())
+            return; // they say nothing about a part
+        const double room = hole() - senseRoom;
+        const double labelWidth = 3.4 * mm / m_unit; // half a label
+        const double radius = std::min(senseRadius, room);
+        const bool inside = radius >= 8 * mm / m_unit;
+        for (const SenseArrow &arrow : m_figure.arrows) {
+            if (inside)
+                drawSense(arrow, radius, 28, 75, radius - labelWidth - 0.3);
+            else
+                drawSense(arrow, m_figure.figureRadius + 2.5, 37, 53,
+                          m_figure.figureRadius + 3.5 + 1.4 * labelWidth);
+        }
+    }
+
+    void drawRingLabels() {
+        for (const DeviationCircle &ring : m_figure.rings) {
+            const QPointF at = polar(ringLabels, m_figure.radius(ring.deviation));
+            if (take(boxOf(at, textWidth(ring.label))))
+                drawOnGround(at, {{ring.label}}, colour(FigureRole::text));
+        }
+    }
+
+    // ---- Scale and key -----------------------------------------------------------------------------------
+
+    void drawScale() {
+        const double length = m_figure.division * m_figure.magnification / 1000 * m_scale;
+        const double left =
+            m_medium == Medium::paper ? m_plot.left() + scaleLeft * m_unit : m_plot.left() + screenInset;
+        const double y =
+            m_medium == Medium::paper ? m_plot.bottom() - scaleBottom * m_unit : m_plot.bottom() - screenRow;
+        const double textLeft = left + length + scaleText * mm;
+        if (!whole()) {
+            const double right = textLeft + textWidth(m_figure.divisionLabel) + 2;
+            p.fillRect(QRectF(left - 2, y - textHeight, right - left + 4, 2 * textHeight),
+                       colour(FigureRole::background));
+        }
+        QPen line = pen(FigureRole::nominal);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
+        p.drawLine(QPointF(left, y), QPointF(left + length, y));
+        for (const double x : {left, left + length})
+            p.drawLine(QPointF(x, y - scaleTick * mm), QPointF(x, y + scaleTick * mm));
+        drawText(p, {textLeft, y}, m_figure.divisionLabel, colour(FigureRole::text));
+        const double width = textWidth(m_figure.divisionLabel);
+        m_taken.push_back(boxOf({textLeft + width / 2, y}, width));
+        if (m_medium == Medium::paper && whole()) {
+            const QPointF above(left, y - ratioAbove * mm);
+            drawText(p, above, m_figure.ratio, colour(FigureRole::text));
+            const double across = textWidth(m_figure.ratio);
+            m_taken.push_back(boxOf(above + QPointF(across / 2, 0), across));
+        }
+    }
+
+    void drawSample(const QRectF &box, CircleLegendSample sample) {
+        const QPointF middle = box.center();
+        const auto line = [&](FigureRole role) {
+            QPen ink = pen(role);
+            ink.setCapStyle(Qt::FlatCap);
+            p.setPen(ink);
+            p.drawLine(QPointF(box.left(), middle.y()), QPointF(box.right(), middle.y()));
+        };
+        switch (sample) {
+        case CircleLegendSample::counterclockwise:
+            return line(FigureRole::counterclockwise);
+        case CircleLegendSample::clockwise:
+            return line(FigureRole::clockwise);
+        case CircleLegendSample::nominal:
+            return line(FigureRole::nominal);
+        case CircleLegendSample::envelope:
+            return line(FigureRole::envelope);
+        case CircleLegendSample::limit:
+            return line(FigureRole::limit);
+        case CircleLegendSample::centre:
+            return drawPlus(middle);
+        case CircleLegendSample::start:
+            return drawStar(middle, colour(FigureRole::centre), 0.32 * mm);
+        case CircleLegendSample::contacts:
+            drawContact(middle - QPointF(contactWidth * mm, 0), true);
+            return drawContact(middle + QPointF(contactWidth * mm, 0), false);
+        case CircleLegendSample::repetitions: {
+            double y = middle.y() - 0.6 * mm;
+            for (const FigureRole role : {FigureRole::counterclockwise, FigureRole::clockwise}) {
+                QPen ink = pen(role);
+                ink.setColor(blend(ink.color(), colour(FigureRole::background), repetitionStrength));
+                ink.setWidthF(ink.widthF() / 2);
+                p.setPen(ink);
+                p.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
+                y += 1.2 * mm;
+            }
+            return;
+        }
+        }
+    }
+
+    void drawKey() {
+        const double half = m_figure.size.width() / 2;
+        for (std::size_t i = 0; i < m_figure.legend.size(); ++i) {
+            const auto columns = static_cast<std::size_t>(m_figure.keyColumns);
+            const std::size_t column = i % columns;
+            const double left = column == 0                ? 0
+                                : m_figure.keyColumns == 2 ? half
+                                : column == 1              ? secondColumn
+                                                           : thirdColumn;
+            const double row = keyTop + (static_cast<double>(i / columns) + 0.5) * keyRow;
+            const QPointF at(m_plot.left() + left * m_unit, m_plot.bottom() + row * m_unit);
+            drawSample(QRectF(at.x(), at.y() - mm, sampleWidth * mm, 2 * mm), m_figure.legend[i].sample);
+            drawText(p, at + QPointF(sampleText * mm, 0), m_figure.legend[i].text, colour(FigureRole::text));
+        }
+    }
+
+    /// Paths in the upper left corner, all else in the lower right.
+    void drawCorners() {
+        std::vector<const CircleLegendEntry *> paths;
+        std::vector<const CircleLegendEntry *> others;
+        for (const CircleLegendEntry &entry : m_figure.legend) {
+            const bool path = entry.sample == CircleLegendSample::counterclockwise ||
+                              entry.sample == CircleLegendSample::clockwise ||
+                              entry.sample == CircleLegendSample::repetitions;
+            (path ? paths : others).push_back(&entry);
+        }
+        double y = m_plot.top() + screenRow;
+        for (const CircleLegendEntry *entry : paths) {
+            drawCornerEntry(*entry, m_plot.left() + screenInset, y);
+            y += screenRow;
+        }
+        y = m_plot.bottom() - screenRow;
+        for (auto entry = others.rbegin(); entry != others.rend(); ++entry) {
+            double widest = 0;
+            for (const CircleLegendEntry *other : others)
+                widest = std::max(widest, textWidth(other->text));
+            drawCornerEntry(**entry, m_plot.right() - screenInset - widest - screenSample - screenSampleGap,
+                            y);
+            y -= screenRow;
+        }
+    }
+
+    void drawCornerEntry(const CircleLegendEntry &entry, double left, double y) {
+        const double width = screenSample + screenSampleGap + textWidth(entry.text);
+        const QRectF box(left - 2, y - screenRow / 2, width + 4, screenRow);
+        if (whole()) {
+            const double dx = std::max({box.left() - m_centre.x(), m_centre.x() - box.right(), 0.0});
+            const double dy = std::max({box.top() - m_centre.y(), m_centre.y() - box.bottom(), 0.0});
+            if (std::hypot(dx, dy) < m_figure.figureRadius * m_scale || !take(box))
+                return; // no room beside the circles
+        } else {
+            p.fillRect(box, colour(FigureRole::background));
+        }
+        drawSample(QRectF(left, y - mm, screenSample, 2 * mm), entry.sample);
+        drawText(p, {left + screenSample + screenSampleGap, y}, entry.text, colour(FigureRole::text));
+    }
+
+    QPainter &p;
+    const CircleFigure &m_figure;
+    Medium m_medium;
+    QRectF m_area;
+    QRectF m_plot;
+    QRectF m_guard; ///< what the painter is given of long lines
+    QPointF m_centre;
+    std::vector<QRectF> m_taken; ///< by texts
+    double m_unit = 1;           ///< points a mm of the whole figure
+    double m_scale = 1;          ///< points a mm of the figure in view
+};
+
+} // namespace
+
+FigureTransform drawCircleFigure(QPainter &painter, const QRectF &area, const CircleFigure &figure,
+                                 Medium medium) {
+    return CircleFigurePainter(painter, area, figure, medium).draw();
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "document/edits.h"
+#include "language/language.h"
+
+#include <functional>
+#include <type_traits>
+#include <utility>
+
+namespace palmer::ui {
+
+/// What a field may look at to say its value.
+struct FormSource {
+    const Document &document;
+    const Test *test; ///< null outside of tests
+    const Language &language;
+};
+
+/// A member of the document that a field shows and changes.
+template <class T>
+struct Member {
+    std::function<T(const FormSource &)> read;
+    std::function<void(Document &, std::size_t test, const T &)> write;
+};
+
+/// A member reached from the document: `access(document)` returns a reference to it.
+template <class Access>
+[[nodiscard]] auto ofDocument(Access access) {
+    using T = std::remove_cvref_t<decltype(access(std::declval<Document &>()))>;
+    return Member<T>{[access](const FormSource &source) { return access(source.document); },
+                     [access](Document &document, std::size_t, const T &value) { access(document) = value; }};
+}
+
+/// A member of a test: `access(test)` returns a pointer to it, null where the test has none.
+template <class Access>
+[[nodiscard]] auto ofTest(Access access) {
+    using T = std::remove_cvref_t<decltype(*access(std::declval<Test &>()))>;
+    return Member<T>{[access](const FormSource &source) {
+                         const auto *member = source.test ? access(*source.test) : nullptr;
+                         return member ? *member : T();
+                     },
+                     [access](Document &document, std::size_t index, const T &value) {
+                         editTest(document, index, [&](Test &test) {
+                             if (auto *member = access(test))
+                                 *member = value;
+                         });
+                     }};
+}
+
+/// The same member as another type: `there` makes the one the field shows, `back` the one that is kept.
+template <class Shown, class Kept>
+[[nodiscard]] Member<Shown> converted(Member<Kept> member, std::function<Shown(const Kept &)> there,
+                                      std::function<Kept(const Shown &)> back) {
+    return {[read = member.read, there](const FormSource &source) { return there(read(source)); },
+            [write = member.write, back](Document &document, std::size_t test, const Shown &value) {
+                write(document, test, back(value));
+            }};
+}
+
+/// A word of an enumeration by its index in a list of choices.
+template <class Enumeration>
+[[nodiscard]] Member<int> choiceOf(Member<Enumeration> member, std::vector<Enumeration> values) {
+    return converted<int, Enumeration>(
+        std::move(member),
+        [values](const Enumeration &value) {
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                if (values[i] == value)
+                    return static_cast<int>(i);
+            }
+            return -1;
+        },
+        [values](const int &index) { return values.at(static_cast<std::size_t>(index)); });
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,207 @@
+#include "ui/forms/templatebutton.h"
+
+#include "document/edits.h"
+#include "document/filewords.h"
+#include "document/savedocument.h"
+#include "ui/model/documentmodel.h"
+#include "ui/model/selection.h"
+#include "ui/model/templatestore.h"
+#include "ui/windowlanguage.h"
+
+#include <QEvent>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMessageBox>
+
+namespace palmer::ui {
+
+TemplateButton::TemplateButton(Kind kind, DocumentModel &model, Selection &selection, QWidget *parent)
+    : QToolButton(parent)
+    , m_kind(kind)
+    , m_model(model)
+    , m_selection(selection) {
+    setObjectName(QStringLiteral("templates"));
+    setProperty("segment", QStringLiteral("only"));
+    setFocusPolicy(Qt::StrongFocus);
+    setPopupMode(QToolButton::InstantPopup);
+    setMenu(new QMenu(this));
+    connect(menu(), &QMenu::aboutToShow, this, &TemplateButton::fill);
+    retranslate();
+}
+
+bool TemplateButton::fits(const Template &content) const {
+    if (content.content.index() != static_cast<std::size_t>(m_kind))
+        return false;
+    const auto *set = std::get_if<LimitSet>(&content.content);
+    if (!set)
+        return true;
+    const auto &tests = m_model.document()->tests;
+    return m_selection.test() < tests.size() && kindOf(*tests[m_selection.test()]) == set->kind;
+}
+
+bool TemplateButton::apply(const Template &content) {
+    if (!fits(content))
+        return false;
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "fill from a template"), [&](Document &document) {
+        if (const auto *machine = std::get_if<Machine>(&content.content))
+            document.machine = *machine;
+        else if (const auto *instrument = std::get_if<Instrument>(&content.content))
+            addInstrument(document, *instrument);
+        else if (const auto *laboratory = std::get_if<Laboratory>(&content.content))
+            document.report.laboratory = *laboratory;
+        else
+            editTest(document, m_selection.test(),
+                     [&](Test &test) { applyLimitSet(test, std::get<LimitSet>(content.content)); });
+    });
+    return true;
+}
+
+Template TemplateButton::current(const QString &name) const {
+    const Document &document = *m_model.document();
+    Template result{name.toStdString(), Machine()};
+    switch (m_kind) {
+    case Kind::machine:
+        result.content = document.machine;
+        break;
+    case Kind::instrument:
+        result.content = document.instruments.empty() ? Instrument() : document.instruments.back();
+        break;
+    case Kind::laboratory:
+        result.content = document.report.laboratory;
+        break;
+    case Kind::limits:
+        result.content = m_selection.test() < document.tests.size()
+                             ? limitSetOf(*document.tests[m_selection.test()])
+                             : LimitSet();
+        break;
+    }
+    return result;
+}
+
+QString TemplateButton::suggestedName() const {
+    const Document &document = *m_model.document();
+    switch (m_kind) {
+    case Kind::machine:
+        return QString::fromStdString(document.machine.name);
+    case Kind::instrument:
+        return document.instruments.empty() ? QString()
+                                            : QString::fromStdString(document.instruments.back().description);
+    case Kind::laboratory:
+        return QString::fromStdString(document.report.laboratory.name);
+    case Kind::limits:
+        return QString::fromStdString(document.machine.name);
+    }
+    return {};
+}
+
+void TemplateButton::fill() {
+    menu()->clear();
+    QStringList unreadable;
+    const std::vector<StoredTemplate> stored = storedTemplates(&unreadable);
+    bool any = false;
+    for (const StoredTemplate &one : stored) {
+        if (!fits(one.content))
+            continue;
+        any = true;
+        const QString name = QString::fromStdString(one.content.name).replace(u'&', QStringLiteral("&&"));
+        connect(menu()->addAction(name), &QAction::triggered, this, [this, one] { apply(one.content); });
+    }
+    if (!any)
+        menu()->addAction(tr("No template yet"))->setEnabled(false);
+    for (const QString &path : unreadable)
+        menu()->addAction(tr("Cannot be read: %1").arg(QFileInfo(path).fileName()))->setEnabled(false);
+    menu()->addSeparator();
+    const auto add = [this](const QString &text, const char *name, void (TemplateButton::*slot)()) {
+        QAction *action = menu()->addAction(text);
+        action->setObjectName(QLatin1StringView(name));
+        connect(action, &QAction::triggered, this, slot);
+    };
+    add(tr("&Keep as template…"), "keepTemplate", &TemplateButton::keep);
+    add(tr("&Take from a file…"), "takeTemplate", &TemplateButton::take);
+    add(tr("&Save to a file…"), "saveTemplate", &TemplateButton::save);
+    if (!any)
+        return;
+    QMenu *removal = menu()->addMenu(tr("&Delete a template"));
+    for (const StoredTemplate &one : stored) {
+        if (!fits(one.content))
+            continue;
+        const QString name = QString::fromStdString(one.content.name).replace(u'&', QStringLiteral("&&"));
+        connect(removal->addAction(name), &QAction::triggered, this, [one] { removeTemplate(one); });
+    }
+}
+
+void TemplateButton::keep() {
+    bool accepted = false;
+    const QString name = QInputDialog::getText(this, tr("Keep as template"), tr("Name of the template"),
+                                               QLineEdit::Normal, suggestedName(), &accepted);
+    if (!accepted || name.trimmed().isEmpty())
+        return;
+    try {
+        storeTemplate(current(name.trimmed()));
+    } catch (const Error &error) {
+        showError(tr("The template cannot be kept"), error);
+    }
+}
+
+void TemplateButton::take() {
+    QFileDialog dialog(this, tr("Take a template from a file"));
+    dialog.setObjectName(QStringLiteral("templateDialog"));
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    dialog.setNameFilters({tr("Templates (*.palmer-template)"), tr("All files (*)")});
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    try {
+        const Template content = openTemplate(dialog.selectedFiles().constFirst());
+        if (apply(content)) {
+            if (!content.name.empty())
+                storeTemplate(content);
+            return;
+        }
+        QMessageBox box(QMessageBox::Information, dialog.windowTitle(),
+                        tr("This template is for another page: open it there."), QMessageBox::Ok, this);
+        box.setObjectName(QStringLiteral("templateBox"));
+        box.exec();
+    } catch (const Error &error) {
+        showError(tr("The template cannot be read"), error);
+    }
+}
+
+void TemplateButton::save() {
+    QFileDialog dialog(this, tr("Save a template to a file"));
+    dialog.setObjectName(QStringLiteral("templateDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("palmer-template"));
+    dialog.setNameFilters({tr("Templates (*.palmer-template)"), tr("All files (*)")});
+    dialog.selectFile(suggestedName().replace(u'/', u'-'));
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    try {
+        saveBytes(writeTemplate(current(suggestedName())), dialog.selectedFiles().constFirst());
+    } catch (const Error &error) {
+        showError(tr("The template cannot be saved"), error);
+    }
+}
+
+void TemplateButton::showError(const QString &title, const Error &error) {
+    QMessageBox box(QMessageBox::Critical, title, title, QMessageBox::Ok, this);
+    box.setObjectName(QStringLiteral("errorBox"));
+    QString sentence = windowLanguage().sentence(error.message);
+    if (!error.place.empty())
+        sentence += QStringLiteral("\n\n") + tr("Place: %1").arg(QString::fromStdString(error.place));
+    box.setInformativeText(sentence);
+    box.exec();
+}
+
+void TemplateButton::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QToolButton::changeEvent(event);
+}
+
+void TemplateButton::retranslate() {
+    setText(tr("Templates"));
+    setToolTip(tr("Fill this page from a template, or keep it as one"));
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,93 @@
+#include "ui/model/autosave.h"
+
+#include "document/recovery.h"
+#include "document/savedocument.h"
+
+#include <QDir>
+#include <QStandardPaths>
+#include <QUuid>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int delay = 2000; ///< ms
+
+} // namespace
+
+QString Autosave::folder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+           QStringLiteral("/recovery");
+}
+
+Autosave::Autosave(DocumentModel &model, QObject *parent)
+    : QObject(parent)
+    , m_model(model)
+    , m_file(folder() + u'/' + QUuid::createUuid().toString(QUuid::WithoutBraces) +
+             QStringLiteral(".recovery")) {
+    m_writer.setMaxThreadCount(1);
+    m_timer.setSingleShot(true);
+    m_timer.setInterval(delay);
+    connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
+    connect(&m_model, &DocumentModel::changed, this, &Autosave::follow);
+    connect(&m_model, &DocumentModel::fileChanged, this, &Autosave::follow);
+}
+
+Autosave::~Autosave() {
+    discard();
+    m_writer.waitForDone();
+    m_lock.reset(); // takes its file along
+}
+
+void Autosave::follow() {
+    if (!m_model.isModified())
+        discard();
+    else if (!m_timer.isActive())
+        m_timer.start(); // not anew: who types on and on is saved all the same
+}
+
+void Autosave::write() {
+    if (!m_model.isModified())
+        return;
+    if (!m_lock) {
+        QDir().mkpath(folder());
+        m_lock = std::make_unique<QLockFile>(recoveryLock(m_file));
+        m_lock->setStaleLockTime(0);
+        m_lock->tryLock(0); // of a name of its own; where it fails, so will the copy
+    }
+    m_writer.start([this, document = m_model.document(), path = m_model.path(), job = ++m_job] {
+        std::optional<Error> error;
+        try {
+            saveBytes(writeRecovery(*document, {path, QDateTime::currentDateTimeUtc()}), m_file);
+        } catch (const Error &failure) {
+            error = failure;
+        }
+        QMetaObject::invokeMethod(
+            this, [this, document, error, job] { finish(document, error, job); }, Qt::QueuedConnection);
+    });
+}
+
+void Autosave::finish(const DocumentPointer &document, const std::optional<Error> &error, int job) {
+    if (job != m_job)
+        return;
+    if (!error)
+        emit saved(document);
+    else if (!m_failing)
+        emit failed(*error);
+    m_failing = error.has_value();
+}
+
+void Autosave::flush() {
+    m_timer.stop();
+    write();
+    m_writer.waitForDone();
+}
+
+void Autosave::discard() {
+    m_timer.stop();
+    ++m_job;
+    if (m_lock) // behind what is being written: one thread does both, and nobody waits for it
+        m_writer.start([file = m_file] { QFile::remove(file); });
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "document/documenterror.h"
+#include "ui/model/documentmodel.h"
+
+#include <QLockFile>
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+namespace palmer::ui {
+
+/// Keeps a copy of a document with unsaved changes, also of one that never had a file: written at most a few
+/// seconds after the first change, on a thread of its own, and gone when the document is saved, undone to
+/// what the file says, or closed. After a crash the copy is found by abandonedRecoveries.
+class Autosave : public QObject {
+    Q_OBJECT
+
+public:
+    /// Folder of all copies of this user; made when needed.
+    [[nodiscard]] static QString folder();
+
+    explicit Autosave(DocumentModel &model, QObject *parent = nullptr);
+    ~Autosave() override; ///< leaves no copy: who destroys a window knows what it holds
+
+    /// Time from a change to its copy, ms.
+    void setDelay(int milliseconds) { m_timer.setInterval(milliseconds); }
+
+    /// Writes what waits, now, and returns when it is on the disk.
+    void flush();
+
+    /// The document was saved or given up: the copy goes.
+    void discard();
+
+signals:
+    /// A copy of this document is on the disk.
+    void saved(const palmer::ui::DocumentPointer &document);
+    /// The copy could not be written; told once, until it works again.
+    void failed(const palmer::Error &error);
+
+private:
+    void follow();
+    void write();
+    void finish(const DocumentPointer &document, const std::optional<Error> &error, int job);
+
+    DocumentModel &m_model;
+    QTimer m_timer;
+    QThreadPool m_writer;
+    QString m_file;
+    std::unique_ptr<QLockFile> m_lock;
+    int m_job = 0; ///< number of the latest; discarding makes all earlier ones void
+    bool m_failing = false;
+};
+
+} // namespace palmer::ui

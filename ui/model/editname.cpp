@@ -1,0 +1,34 @@
+#include "ui/model/editname.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr char separator = '\x1f'; // ASCII's unit separator: in no text
+
+} // namespace
+
+QByteArray changeOf(const char *context, const char *label, const QString &argument) {
+    return QByteArray(context) + separator + label + separator + argument.toUtf8();
+}
+
+QByteArray countedEdit(const char *source, int count) {
+    return QByteArray(source) + separator + QByteArray::number(count);
+}
+
+QString editName(const QString &source) {
+    const QStringList parts = source.split(QLatin1Char(separator));
+    if (parts.size() == 2)
+        return QCoreApplication::translate("edits", parts[0].toUtf8().constData(), nullptr, parts[1].toInt());
+    if (parts.size() < 3)
+        return QCoreApplication::translate("edits", source.toUtf8().constData());
+    QString label = QCoreApplication::translate(parts[0].toUtf8().constData(), parts[1].toUtf8().constData());
+    if (!parts[2].isEmpty())
+        label = label.arg(parts[2]);
+    return QCoreApplication::translate("edits", "change “%1”").arg(label);
+}
+
+} // namespace palmer::ui

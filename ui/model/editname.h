@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+namespace palmer::ui {
+
+/// The name of a step that changes one field, for DocumentModel::edit: the label as context and source, so
+/// that the step is called in whatever language the window speaks when it is shown.
+[[nodiscard]] QByteArray changeOf(const char *context, const char *label, const QString &argument = {});
+
+/// The name of a step that did something so many times: `source` is a counted text of the context "edits",
+/// "clear %n reading(s)".
+[[nodiscard]] QByteArray countedEdit(const char *source, int count);
+
+/// The name of a step (its source) in the language of the window.
+[[nodiscard]] QString editName(const QString &source);
+
+} // namespace palmer::ui

@@ -1,0 +1,117 @@
+#include "ui/readings/keyhints.h"
+
+#include "language/decimals.h"
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeySequence>
+#include <QLabel>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int lineHeight = 34;
+constexpr int sideMargin = 16;
+
+} // namespace
+
+KeyHints::KeyHints(QWidget *parent)
+    : QWidget(parent)
+    , m_drift(new QLabel(this)) {
+    setObjectName(QStringLiteral("keyHints"));
+    setFixedHeight(lineHeight);
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(sideMargin, 0, sideMargin, 0);
+    row->setSpacing(6);
+    for (Hint &hint : m_hints) {
+        hint = {new QLabel(this), new QLabel(this)};
+        hint.key->setProperty("keycap", true);
+        hint.key->setFont(themeFont(TextSize::tiny));
+        hint.text->setFont(themeFont(TextSize::small));
+        hint.text->setProperty("secondary", true);
+        row->addWidget(hint.key);
+        row->addWidget(hint.text);
+        row->addSpacing(6);
+    }
+    row->addStretch();
+    m_drift->setObjectName(QStringLiteral("drift"));
+    m_drift->setFont(themeFont(TextSize::small));
+    row->addWidget(m_drift);
+    retranslate();
+}
+
+void KeyHints::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    m_evaluated = evaluated;
+    m_test = test;
+    showDrift();
+}
+
+void KeyHints::setLanguage(const Language &language) {
+    m_language = language;
+    showDrift();
+}
+
+void KeyHints::showDrift() {
+    const auto *results = m_test < m_evaluated.tests.size()
+                              ? std::get_if<PositioningResults>(&m_evaluated.tests[m_test]->results)
+                              : nullptr;
+    m_drift->setVisible(results && results->drift);
+    if (!results || !results->drift) {
+        m_drift->clear();
+        fit();
+        return;
+    }
+    const DriftStatistic &drift = *results->drift;
+    const auto &measurement =
+        std::get<PositioningMeasurement>(m_evaluated.document->tests[m_test]->measurement);
+    const QString change = m_language.quantity(drift.change, deviationQuantity(measurement.axis), 1);
+    const bool steady = drift.significant();
+    m_drift->setText((steady ? QStringLiteral("⚠ ") : QString()) + tr("Drift D %1").arg(change));
+    m_drift->setProperty("secondary", !steady);
+    m_drift->setToolTip(
+        steady ? tr("Steady progression from the first to the last run (t = %1): the thermal conditions may "
+                    "be unstable")
+                     .arg(m_language.number(drift.t, Quantity::number, 1))
+               : tr("From the first to the last run; no more than chance (t = %1)")
+                     .arg(m_language.number(drift.t, Quantity::number, 1)));
+    fit();
+}
+
+/// Hints that do not fit are left out from the right: half a hint helps nobody.
+void KeyHints::fit() {
+    int left = width() - 2 * sideMargin - (m_drift->text().isEmpty() ? 0 : m_drift->sizeHint().width() + 12);
+    for (const Hint &hint : m_hints) {
+        left -= hint.key->sizeHint().width() + hint.text->sizeHint().width() + 24;
+        hint.key->setVisible(left >= 0);
+        hint.text->setVisible(left >= 0);
+    }
+}
+
+void KeyHints::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        showDrift();
+    }
+    QWidget::changeEvent(event);
+}
+
+void KeyHints::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+void KeyHints::retranslate() {
+    m_hints[0].key->setText(tr("Enter", "key"));
+    m_hints[0].text->setText(tr("follows the cycle"));
+    m_hints[1].key->setText(tr("Tab", "key"));
+    m_hints[1].text->setText(tr("to the right"));
+    m_hints[2].key->setText(QStringLiteral("F2"));
+    m_hints[2].text->setText(tr("edits"));
+    m_hints[3].key->setText(QKeySequence(QKeySequence::Paste).toString(QKeySequence::NativeText));
+    m_hints[3].text->setText(tr("pastes"));
+    setAccessibleName(tr("Keys"));
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+
+#include <QWidget>
+#include <array>
+
+class QLabel;
+
+namespace palmer::ui {
+
+/// The line below the page of readings: which keys do what, and at the right the drift of the test, D beside
+/// R (notes say when it is more than chance).
+class KeyHints : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit KeyHints(QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void retranslate();
+    void showDrift();
+    void fit();
+
+    struct Hint {
+        QLabel *key;
+        QLabel *text;
+    };
+
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    Language m_language{Language::Id::english};
+    std::array<Hint, 4> m_hints{};
+    QLabel *m_drift;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,125 @@
+#include "ui/readings/pastebar.h"
+
+#include "ui/theme.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace palmer::ui {
+
+PasteBar::PasteBar(QWidget *parent)
+    : QFrame(parent)
+    , m_summary(new QLabel(this))
+    , m_remarks(new QLabel(this))
+    , m_guess(new QLabel(this))
+    , m_marks(new QButtonGroup(this))
+    , m_comma(new QToolButton(this))
+    , m_point(new QToolButton(this))
+    , m_content(new QComboBox(this))
+    , m_close(new QToolButton(this)) {
+    setObjectName(QStringLiteral("pasteBar"));
+    setProperty("bar", true);
+    m_summary->setObjectName(QStringLiteral("pasteSummary"));
+    m_remarks->setObjectName(QStringLiteral("pasteRemarks"));
+    m_comma->setObjectName(QStringLiteral("pasteComma"));
+    m_point->setObjectName(QStringLiteral("pastePoint"));
+    m_content->setObjectName(QStringLiteral("pasteContent"));
+    m_close->setObjectName(QStringLiteral("pasteClose"));
+    m_remarks->setWordWrap(true);
+    m_remarks->setTextFormat(Qt::PlainText);
+    m_remarks->setFont(themeFont(TextSize::small));
+    m_guess->setFont(themeFont(TextSize::small));
+    m_guess->setProperty("secondary", true);
+    m_comma->setProperty("segment", QStringLiteral("first"));
+    m_point->setProperty("segment", QStringLiteral("last"));
+    int id = 0;
+    for (QToolButton *button : {m_point, m_comma}) { // in the order of DecimalMark
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        m_marks->addButton(button, id++);
+    }
+    m_content->setFocusPolicy(Qt::StrongFocus);
+    m_close->setIcon(lineIcon(QStringLiteral("close")));
+    m_close->setProperty("iconOnly", true);
+    m_close->setFocusPolicy(Qt::StrongFocus);
+    for (int i = 0; i < 3; ++i)
+        m_content->addItem(QString(), i); // BlockContent
+
+    auto *marks = new QHBoxLayout;
+    marks->setSpacing(0);
+    marks->addWidget(m_comma);
+    marks->addWidget(m_point);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(m_summary);
+    row->addStretch();
+    row->addWidget(m_guess);
+    row->addLayout(marks);
+    row->addWidget(m_content);
+    row->addWidget(m_close);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 4, 4, 4);
+    column->setSpacing(2);
+    column->addLayout(row);
+    column->addWidget(m_remarks);
+
+    connect(m_marks, &QButtonGroup::idClicked, this,
+            [this](int mark) { emit decimalMarkChosen(static_cast<DecimalMark>(mark)); });
+    connect(m_content, &QComboBox::activated, this,
+            [this](int content) { emit contentChosen(static_cast<BlockContent>(content)); });
+    connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
+    retranslate();
+    hide();
+}
+
+void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language) {
+    QString summary = tr("%n reading(s) pasted", nullptr, static_cast<int>(pasted.readings));
+    if (pasted.targets > 0)
+        summary = tr("%1 and %n target(s)", "readings pasted", static_cast<int>(pasted.targets)).arg(summary);
+    m_summary->setText(summary);
+    QStringList remarks;
+    for (const Message &remark : pasted.remarks)
+        remarks << language.sentence(remark);
+    m_remarks->setText(remarks.join(QStringLiteral(" · ")));
+    m_remarks->setVisible(!remarks.isEmpty());
+    m_guess->setVisible(pasted.hasMarks && pasted.decimalMark.origin == Origin::guessed);
+    for (QToolButton *button : {m_comma, m_point})
+        button->setVisible(pasted.hasMarks);
+    m_marks->button(static_cast<int>(pasted.decimalMark.value))->setChecked(true);
+    const Axis &axis = pasted.measurement.axis;
+    const bool linear = axis.motion == Motion::linear;
+    const QString small = language.unit(linear ? Quantity::deviation : Quantity::angularDeviation);
+    const QString large = language.unit(linear ? Quantity::position : Quantity::angle);
+    m_content->setItemText(0, tr("Deviations %1", "unit").arg(small));
+    m_content->setItemText(1, tr("Deviations %1", "unit").arg(large));
+    m_content->setItemText(2, tr("Positions %1", "unit").arg(large));
+    m_content->setCurrentIndex(static_cast<int>(choices.content));
+    setAccessibleDescription(summary + QStringLiteral(". ") + m_remarks->text());
+    QFrame::show();
+}
+
+void PasteBar::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QFrame::changeEvent(event);
+}
+
+void PasteBar::retranslate() {
+    setAccessibleName(tr("What was pasted"));
+    m_guess->setText(tr("guessed:"));
+    m_comma->setText(tr("Comma"));
+    m_point->setText(tr("Point"));
+    m_comma->setToolTip(tr("The decimal mark of the block is the comma: 5,4"));
+    m_point->setToolTip(tr("The decimal mark of the block is the point: 5.4"));
+    m_content->setAccessibleName(tr("What the numbers are"));
+    m_content->setToolTip(tr("What the numbers are, and in which unit"));
+    m_close->setAccessibleName(tr("Close"));
+    m_close->setToolTip(tr("Close"));
+}
+
+} // namespace palmer::ui

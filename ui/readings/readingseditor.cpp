@@ -1,0 +1,148 @@
+#include "ui/readings/readingseditor.h"
+
+#include "editing/typedreading.h"
+#include "language/decimals.h"
+#include "ui/model/editname.h"
+
+#include <QCoreApplication>
+#include <QUndoStack>
+
+namespace palmer::ui {
+
+ReadingsEditor::ReadingsEditor(DocumentModel &model, QObject *parent)
+    : QObject(parent)
+    , m_model(model) {}
+
+const PositioningMeasurement *ReadingsEditor::measurement() const {
+    const auto &tests = m_model.document()->tests;
+    return m_test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[m_test]->measurement) : nullptr;
+}
+
+void ReadingsEditor::edit(const char *name, const std::function<void(PositioningMeasurement &)> &change) {
+    m_model.edit(name, [&](Document &document) { editReadings(document, m_test, change); });
+}
+
+void ReadingsEditor::type(const ReadingPlace &place, const QString &text, ReadingUnit unit,
+                          const Language &language) {
+    const PositioningMeasurement *now = measurement();
+    if (!now || place.target >= now->targets.size())
+        return;
+    const bool positions = unit == ReadingUnit::positions;
+    const NumberEntry typed =
+        typedReading(text, now->axis, language.units(),
+                     positions ? std::optional(now->targets[place.target]) : std::nullopt);
+    edit(QT_TRANSLATE_NOOP("edits", "type a reading"), [&](PositioningMeasurement &m) {
+        if (!typed.refusal)
+            setReading(m, place, typed.value);
+        else
+            setRefused(m, place, text.trimmed().toStdString());
+    });
+}
+
+std::optional<Message> ReadingsEditor::typeTarget(std::size_t target, const QString &text,
+                                                  const Language &language) {
+    const PositioningMeasurement *now = measurement();
+    if (!now || target >= now->targets.size())
+        return std::nullopt;
+    const Quantity quantity = positionQuantity(now->axis);
+    const NumberEntry typed = enteredNumber(text, quantity, language.units());
+    if (typed.refusal)
+        return Message{*typed.refusal};
+    if (!typed.value)
+        return Message{REPORT_TEXT("report", "a target needs a position")};
+    const double position = *typed.value;
+    switch (problemOfTarget(*now, target, position)) {
+    case TargetProblem::notFinite:
+        return Message{REPORT_TEXT("report", "not a number")};
+    case TargetProblem::notAbovePrevious:
+        return Message{REPORT_TEXT("report", "not above the target before, %1"),
+                       {Number{now->targets[target - 1], quantity}}};
+    case TargetProblem::notBelowNext:
+        return Message{REPORT_TEXT("report", "not below the next target, %1"),
+                       {Number{now->targets[target + 1], quantity}}};
+    case TargetProblem::none:
+        break;
+    }
+    edit(QT_TRANSLATE_NOOP("edits", "move a target"),
+         [&](PositioningMeasurement &m) { setTarget(m, target, position); });
+    return std::nullopt;
+}
+
+void ReadingsEditor::clear(const std::vector<ReadingPlace> &places) {
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "clear %n reading(s)"), static_cast<int>(places.size())),
+         [&](PositioningMeasurement &m) {
+             for (const ReadingPlace &place : places)
+                 setReading(m, place, std::nullopt);
+         });
+}
+
+void ReadingsEditor::setAside(const std::vector<ReadingPlace> &places, const QString &reason) {
+    edit(
+        countedEdit(QT_TRANSLATE_N_NOOP("edits", "set %n reading(s) aside"), static_cast<int>(places.size())),
+        [&](PositioningMeasurement &m) { palmer::setAside(m, places, reason.trimmed().toStdString()); });
+}
+
+void ReadingsEditor::bringBack(const std::vector<ReadingPlace> &places) {
+    edit(
+        countedEdit(QT_TRANSLATE_N_NOOP("edits", "take %n reading(s) back"), static_cast<int>(places.size())),
+        [&](PositioningMeasurement &m) { palmer::bringBack(m, places); });
+}
+
+void ReadingsEditor::fill(const std::vector<std::vector<ReadingPlace>> &lists) {
+    int count = 0;
+    for (const auto &places : lists)
+        count += static_cast<int>(places.empty() ? 0 : places.size() - 1);
+    if (count == 0)
+        return;
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "fill %n reading(s)"), count),
+         [&](PositioningMeasurement &m) {
+             for (const auto &places : lists) {
+                 for (std::size_t i = 1; i < places.size(); ++i)
+                     setReading(m, places[i], readingAt(m, places.front()));
+             }
+         });
+}
+
+std::optional<PastedBlock> ReadingsEditor::paste(const QString &text, const BlockPlace &place,
+                                                 const BlockChoices &choices, bool instead) {
+    QUndoStack &stack = *m_model.undoStack();
+    if (instead && stack.index() == m_pasteIndex && stack.canUndo())
+        stack.undo();
+    m_pasteIndex = -1;
+    if (!measurement())
+        return std::nullopt;
+    PastedBlock pasted = pasteBlock(*measurement(), text.toStdString(), place, choices);
+    const int before = stack.index();
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "paste of %n reading(s)"),
+                     static_cast<int>(pasted.readings)),
+         [&](PositioningMeasurement &m) { m = pasted.measurement; });
+    if (stack.index() != before)
+        m_pasteIndex = stack.index();
+    return pasted;
+}
+
+void ReadingsEditor::insertTarget(std::size_t before) {
+    edit(QT_TRANSLATE_NOOP("edits", "insert a target"),
+         [&](PositioningMeasurement &m) { palmer::insertTarget(m, before); });
+}
+
+void ReadingsEditor::removeTargets(const std::vector<std::size_t> &targets) {
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "delete %n target(s)"), static_cast<int>(targets.size())),
+         [&](PositioningMeasurement &m) { palmer::removeTargets(m, targets); });
+}
+
+void ReadingsEditor::addRuns() {
+    edit(QT_TRANSLATE_NOOP("edits", "add a run"), [](PositioningMeasurement &m) { palmer::addRuns(m); });
+}
+
+void ReadingsEditor::insertRun(std::size_t before, Direction approach) {
+    edit(QT_TRANSLATE_NOOP("edits", "insert a run"),
+         [&](PositioningMeasurement &m) { palmer::insertRun(m, before, approach); });
+}
+
+void ReadingsEditor::removeRuns(const std::vector<std::size_t> &runs) {
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "delete %n run(s)"), static_cast<int>(runs.size())),
+         [&](PositioningMeasurement &m) { palmer::removeRuns(m, runs); });
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "editing/editreadings.h"
+#include "editing/readingblock.h"
+#include "language/language.h"
+#include "report/readingtable.h"
+#include "ui/model/documentmodel.h"
+
+#include <QObject>
+#include <QString>
+#include <vector>
+
+namespace palmer::ui {
+
+/// What a user does to the readings of the test in view, each as one named step to undo. Does nothing where
+/// that test is no positioning test.
+class ReadingsEditor : public QObject {
+    Q_OBJECT
+
+public:
+    ReadingsEditor(DocumentModel &model, QObject *parent = nullptr);
+
+    void setTest(std::size_t test) { m_test = test; }
+    [[nodiscard]] std::size_t test() const { return m_test; }
+    [[nodiscard]] DocumentModel &model() { return m_model; }
+    /// The measurement as it is now, before it is evaluated; null where there is none.
+    [[nodiscard]] const PositioningMeasurement *measurement() const;
+
+    /// A text typed into a cell, in the unit the cell shows. What is no number is kept as it was typed.
+    void type(const ReadingPlace &place, const QString &text, ReadingUnit unit, const Language &language);
+
+    /// A target position typed; null, or why it cannot be one.
+    [[nodiscard]] std::optional<Message> typeTarget(std::size_t target, const QString &text,
+                                                    const Language &language);
+
+    void clear(const std::vector<ReadingPlace> &places);
+    void setAside(const std::vector<ReadingPlace> &places, const QString &reason);
+    void bringBack(const std::vector<ReadingPlace> &places);
+    /// The first place of each list is put into the others.
+    void fill(const std::vector<std::vector<ReadingPlace>> &lists);
+
+    /// Puts a block in, as one step: the former one, if it was the last thing done, is taken back before
+    /// (`instead`). Throws what pasteBlock throws. Null where there is no test.
+    std::optional<PastedBlock> paste(const QString &text, const BlockPlace &place,
+                                     const BlockChoices &choices, bool instead = false);
+
+    void insertTarget(std::size_t before);
+    void removeTargets(const std::vector<std::size_t> &targets);
+    void addRuns();
+    void insertRun(std::size_t before, Direction approach);
+    void removeRuns(const std::vector<std::size_t> &runs);
+
+private:
+    void edit(const char *name, const std::function<void(PositioningMeasurement &)> &change);
+
+    DocumentModel &m_model;
+    std::size_t m_test = 0;
+    int m_pasteIndex = -1; ///< of the undo stack, after the last paste
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,50 @@
+#include "ui/window/noticebar.h"
+
+#include "ui/theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace palmer::ui {
+
+NoticeBar::NoticeBar(QWidget *parent)
+    : QFrame(parent)
+    , m_sentence(new QLabel(this))
+    , m_row(new QHBoxLayout(this)) {
+    setObjectName(QStringLiteral("notice"));
+    setProperty("notice", true);
+    m_sentence->setObjectName(QStringLiteral("noticeSentence"));
+    m_sentence->setTextFormat(Qt::PlainText);
+    m_sentence->setWordWrap(true);
+    m_row->setContentsMargins(16, 6, 16, 6);
+    m_row->setSpacing(8);
+    m_row->addWidget(m_sentence, 1);
+    hide();
+}
+
+QString NoticeBar::sentence() const {
+    return m_sentence->text();
+}
+
+void NoticeBar::show(const QString &sentence, const QList<Answer> &answers) {
+    for (QWidget *old : std::as_const(m_answers))
+        old->deleteLater();
+    m_answers.clear();
+    m_sentence->setText(QStringLiteral("⚠ ") + sentence);
+    setAccessibleName(sentence);
+    for (const Answer &answer : answers) {
+        auto *button = new QPushButton(answer.text, this);
+        button->setObjectName(answer.name);
+        connect(button, &QPushButton::clicked, this, [this, action = answer.action] {
+            hide();
+            if (action)
+                action();
+        });
+        m_row->addWidget(button);
+        m_answers << button;
+    }
+    QFrame::show();
+}
+
+} // namespace palmer::ui

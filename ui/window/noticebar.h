@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QFrame>
+#include <functional>
+
+class QHBoxLayout;
+class QLabel;
+
+namespace palmer::ui {
+
+/// A line above the workplace that says something and offers answers, and stops nobody from working on.
+class NoticeBar : public QFrame {
+    Q_OBJECT
+
+public:
+    explicit NoticeBar(QWidget *parent = nullptr);
+
+    struct Answer {
+        QString name; ///< of the object, for tests
+        QString text; ///< with mnemonic
+        std::function<void()> action;
+    };
+
+    /// Shows a sentence; every answer closes the bar. A further notice takes the place of the former.
+    void show(const QString &sentence, const QList<Answer> &answers);
+
+    [[nodiscard]] QString sentence() const;
+
+private:
+    QLabel *m_sentence;
+    QHBoxLayout *m_row;
+    QList<QWidget *> m_answers;
+};
+
+} // namespace palmer::ui
