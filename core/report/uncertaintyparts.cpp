@@ -110,7 +110,7 @@ Table resultTable(const TestPart &part) {
     const bool simulated = part.evaluation.uncertainty.simulation != nullptr;
     const bool positioning = std::holds_alternative<PositioningMeasurement>(part.test.measurement);
     std::vector<Cell> budget{write.text(positioning ? REPORT_TEXT("report", "Model of Annex A")
-                                                    : REPORT_TEXT("report", "Budget"))};
+                                                    : REPORT_TEXT("report", "Simplified budget"))};
     std::vector<Cell> monteCarlo{write.text(REPORT_TEXT("report", "Monte Carlo (GUM-S1)"))};
     std::vector<Cell> shift{write.text(REPORT_TEXT("report", "Shift of the mean"))};
     const auto shown = [&](std::optional<double> value, bool decides) {

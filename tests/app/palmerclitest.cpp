@@ -8,6 +8,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 namespace {
 
@@ -66,6 +67,9 @@ private slots:
     void evaluatesUnderAnotherEdition();
     void namesTheEditionsItKnows();
     void speaksBothLanguages();
+    void givesTheUncertainty_data();
+    void givesTheUncertainty();
+    void simulatesAlikeOnAnyNumberOfThreads();
     void saysWhenItCannotWrite();
     void listsOnlyWhatItDoes();
     void agreesWithTheReferenceData();
@@ -110,6 +114,25 @@ void PalmerCliTest::endsWithItsCode_data() {
     QTest::newRow("switch with a value") << QStringList{"evaluate", "--json=yes", "-"} << smallTest("") << 2;
     QTest::newRow("unknown language")
         << QStringList{"evaluate", "--language", "de", "-"} << smallTest("") << 2;
+    const QByteArray budget =
+        smallTest(R"(, "limits": {"A": {"value": 0.006}}, "decisionRule": {"rule": "ISO 14253-1"},
+        "uncertainty": {"method": "direct", "expanded": {"A": 0.1}, "device": {"fixed": 1.0, "perMetre": 0.0},
+        "misalignmentRange": 0.0, "temperatureRange": {"machine": 0.0, "instrument": 0.0},
+        "expansionRange": {"machine": 0.0, "instrument": 0.0}, "environmentalVariation": 0.0})");
+    QTest::newRow("the stated uncertainty proves it") << QStringList{"evaluate", "-"} << budget << 0;
+    QTest::newRow("the budget proves it too")
+        << QStringList{"evaluate", "--uncertainty", "budget", "-"} << budget << 0;
+    QTest::newRow("the budget of a larger uncertainty does not")
+        << QStringList{"evaluate", "--uncertainty=budget", "-"} << QByteArray(budget).replace("1.0", "2.1")
+        << 1;
+    QTest::newRow("nor does the simulation")
+        << QStringList{"evaluate", "--uncertainty=monteCarlo", "--trials", "10000", "-"}
+        << QByteArray(budget).replace("1.0", "2.2") << 1;
+    QTest::newRow("unknown method of uncertainty")
+        << QStringList{"evaluate", "--uncertainty", "guess", "-"} << smallTest("") << 2;
+    QTest::newRow("no trials") << QStringList{"evaluate", "--trials", "0", "-"} << smallTest("") << 2;
+    QTest::newRow("a seed that is no number")
+        << QStringList{"evaluate", "--seed", "x", "-"} << smallTest("") << 2;
     QTest::newRow("no such file") << QStringList{"evaluate", "/nowhere/x.palmer"} << QByteArray() << 3;
     QTest::newRow("a folder") << QStringList{"evaluate", "/"} << QByteArray() << 3;
 }
@@ -198,6 +221,58 @@ void PalmerCliTest::speaksBothLanguages() {
     QVERIFY(french.simplified().contains("20 novembre 2026"));
     QCOMPARE(run({"evaluate", name}, {}, "fr_CA").out, french);
     QCOMPARE(run({"--language=en", "evaluate", name}, {}, "fr_FR.UTF-8").out, english);
+}
+
+void PalmerCliTest::givesTheUncertainty_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<bool>("simulated");
+    QTest::newRow("as the file says") << QStringList{} << "budget" << false;
+    QTest::newRow("by the budget") << QStringList{"--uncertainty", "budget"} << "budget" << false;
+    QTest::newRow("by Monte Carlo") << QStringList{"--uncertainty", "monteCarlo", "--trials",
+                                                   "10000",         "--seed",     "7"}
+                                    << "monteCarlo" << true;
+}
+
+void PalmerCliTest::givesTheUncertainty() {
+    QFETCH(QStringList, options);
+    QFETCH(QString, method);
+    QFETCH(bool, simulated);
+    const Result result =
+        run(QStringList{"evaluate", "--json"} + options + QStringList{example("rotary-axis")});
+    const QJsonObject test = QJsonDocument::fromJson(result.out.toUtf8())["tests"][0].toObject();
+    QCOMPARE(test["uncertainty"]["method"].toString(), method);
+    const QJsonArray contributions = test["uncertainty"]["contributions"].toArray();
+    QCOMPARE(contributions.size(), 2);
+    QCOMPARE(contributions[0]["id"].toString(), "device");
+    QVERIFY(contributions[0]["value"].toDouble() > 0);
+    for (const QJsonValue &parameter : test["parameters"].toArray()) {
+        QVERIFY(parameter["expandedUncertainty"].toDouble() > 0);
+        const QJsonValue monteCarlo = parameter["monteCarlo"];
+        QCOMPARE(monteCarlo.isNull(), !simulated);
+        if (!simulated)
+            continue;
+        QCOMPARE(monteCarlo.toObject().keys(), QStringList({"high", "low", "seed", "shift", "trials", "u"}));
+        QCOMPARE(monteCarlo["trials"].toInt(), 10000);
+        QCOMPARE(monteCarlo["seed"].toInt(), 7);
+        QVERIFY(monteCarlo["u"].toDouble() > 0);
+        const double half = (monteCarlo["high"].toDouble() - monteCarlo["low"].toDouble()) / 2;
+        if (std::abs(monteCarlo["shift"].toDouble()) <= half / 3)
+            QCOMPARE(parameter["expandedUncertainty"].toDouble(), half);
+    }
+}
+
+void PalmerCliTest::simulatesAlikeOnAnyNumberOfThreads() {
+    const auto with = [](const QString &threads, const QString &seed) {
+        return run({"evaluate", "--json", "--uncertainty", "monteCarlo", "--trials", "12345", "--seed", seed,
+                    "--threads", threads, example("rotary-axis")})
+            .out;
+    };
+    const QString one = with("1", "3");
+    QVERIFY(one.contains("12345"));
+    QCOMPARE(with("2", "3"), one);
+    QCOMPARE(with("8", "3"), one);
+    QVERIFY(with("1", "4") != one);
 }
 
 void PalmerCliTest::saysWhenItCannotWrite() {

@@ -372,7 +372,7 @@ void ReportDialog::showProgress() {
     const QLocale locale;
     QString text = tr("Monte Carlo: %1 trials").arg(locale.toString(progress.trials));
     if (const auto left = m_simulator.secondsLeft())
-        text += QStringLiteral(" · ") + tr("%n s left", nullptr, qCeil(*left));
+        text += QStringLiteral(" · ") + tr("%1 s left").arg(qCeil(*left));
     m_simulationText->setText(text);
     m_simulationBar->setRange(0, progress.of ? 100 : 0);
     if (progress.of)

@@ -42,6 +42,8 @@ public:
     bool printOn(QPrinter &printer);
 
     [[nodiscard]] int pageCount() const;
+    /// A simulation that belongs on the pages is still running.
+    [[nodiscard]] bool isSimulating() const { return m_simulator.isRunning(); }
 
 protected:
     void changeEvent(QEvent *event) override;

@@ -111,7 +111,10 @@ public:
     }
 
 private:
-    [[nodiscard]] Number length() const { return {m_length, Quantity::position}; }
+    [[nodiscard]] Number metres() const {
+        constexpr int decimals = 3;
+        return {m_length / mmPerMetre, Quantity::number, decimals};
+    }
     [[nodiscard]] Number size(double value) const {
         return {value, m_linear ? Quantity::micrometres : Quantity::arcSeconds};
     }
@@ -166,16 +169,17 @@ private:
                    : certificate ? Message{REPORT_TEXT("report", "%1 · 2/%2"), {size(fixed), scale}}
                                  : Message{REPORT_TEXT("report", "%1 · %2"), {scale, size(fixed)}};
         if (fixed == 0)
-            return !scaled ? Message{REPORT_TEXT("report", "%1/m · %2"), {size(perMetre), length()}}
-                   : certificate
-                       ? Message{REPORT_TEXT("report", "%1/m · %2 · 2/%3"), {size(perMetre), length(), scale}}
-                       : Message{REPORT_TEXT("report", "%1 · %2/m · %3"), {scale, size(perMetre), length()}};
-        return !scaled
-                   ? Message{REPORT_TEXT("report", "%1 + %2/m · %3"), {size(fixed), size(perMetre), length()}}
-               : certificate ? Message{REPORT_TEXT("report", "(%1 + %2/m · %3) · 2/%4"),
-                                       {size(fixed), size(perMetre), length(), scale}}
-                             : Message{REPORT_TEXT("report", "%1 · (%2 + %3/m · %4)"),
-                                       {scale, size(fixed), size(perMetre), length()}};
+            return !scaled       ? Message{REPORT_TEXT("report", "%1/m · %2 m"), {size(perMetre), metres()}}
+                   : certificate ? Message{REPORT_TEXT("report", "%1/m · %2 m · 2/%3"),
+                                           {size(perMetre), metres(), scale}}
+                                 : Message{REPORT_TEXT("report", "%1 · %2/m · %3 m"),
+                                           {scale, size(perMetre), metres()}};
+        return !scaled       ? Message{REPORT_TEXT("report", "%1 + %2/m · %3 m"),
+                                 {size(fixed), size(perMetre), metres()}}
+               : certificate ? Message{REPORT_TEXT("report", "(%1 + %2/m · %3 m) · 2/%4"),
+                                       {size(fixed), size(perMetre), metres(), scale}}
+                             : Message{REPORT_TEXT("report", "%1 · (%2 + %3/m · %4 m)"),
+                                       {scale, size(fixed), size(perMetre), metres()}};
     }
 
     void addMisalignment() {
@@ -187,8 +191,9 @@ private:
         double expanded = 0;
         if (range > 0)
             expanded = squareFactor * range * range / lengthFor(read) * micrometresPerMm;
-        result.inputs = {REPORT_TEXT("report", "%1 · (%2)² / %3"),
-                         {factor(squareFactor), Number{range, Quantity::position}, length()}};
+        result.inputs = {
+            REPORT_TEXT("report", "%1 · (%2)² / %3"),
+            {factor(squareFactor), Number{range, Quantity::position}, Number{m_length, Quantity::position}}};
         store(std::move(result), expanded);
     }
 
@@ -225,8 +230,8 @@ private:
             alpha = read.number(alphaOf(body), "expansion", body.alphaName);
         if (width > 0 && alpha != 0)
             expanded = rectangularFactor * std::abs(alpha) * lengthFor(read) / mmPerMetre * width;
-        result.inputs = {REPORT_TEXT("report", "%1 · %2 · %3 · %4"),
-                         {factor(rectangularFactor), Number{alpha, Quantity::expansion}, length(),
+        result.inputs = {REPORT_TEXT("report", "%1 · %2 · %3 m · %4"),
+                         {factor(rectangularFactor), Number{alpha, Quantity::expansion}, metres(),
                           Number{width, Quantity::temperature}}};
         store(std::move(result), expanded);
     }
@@ -251,8 +256,8 @@ private:
             away = std::abs(read.number(theta, "sensors", body.theta) - referenceTemperature);
         if (width > 0 && away > 0)
             expanded = rectangularFactor * away * lengthFor(read) / mmPerMetre * width;
-        result.inputs = {REPORT_TEXT("report", "%1 · %2 · %3 · %4"),
-                         {factor(rectangularFactor), Number{readable(away), Quantity::temperature}, length(),
+        result.inputs = {REPORT_TEXT("report", "%1 · %2 · %3 m · %4"),
+                         {factor(rectangularFactor), Number{readable(away), Quantity::temperature}, metres(),
                           Number{width, Quantity::expansion}}};
         store(std::move(result), expanded);
     }

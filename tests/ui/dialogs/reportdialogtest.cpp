@@ -97,6 +97,7 @@ void ReportDialogTest::doesNotSpeakTheLanguageOfTheWindow() {
     shown.click("reportEnglish");
     const QString first = folder.filePath(QStringLiteral("a.pdf")),
                   second = folder.filePath(QStringLiteral("b.pdf"));
+    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
     QVERIFY(!shown.dialog.saveTo(first).isEmpty());
     setWindowLanguage(Language::Id::french);
     QTRY_COMPARE(shown.dialog.findChild<QAbstractButton *>(QStringLiteral("savePdf"))->text(),
