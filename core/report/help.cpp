@@ -196,7 +196,7 @@ HelpPage workflowPage(const Language &language) {
         Text title;
         Text words;
     } steps[]{
-        {REPORT_TEXT("report", "Start"),
+        {REPORT_TEXT_FOR("report", "Start", "the first step of the work"),
          REPORT_TEXT("report",
                      "A new test, an import, a file, an example. A file holds one report: a machine, its "
                      "instruments and any number of tests.")},
