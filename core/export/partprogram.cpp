@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
+#include <iterator>
 
 namespace palmer {
 namespace {
@@ -145,30 +145,26 @@ QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Langu
                             Number{program.targets.back() + program.approach, position, program.decimals}},
                            {}}));
     writer.setUp();
-    std::optional<Direction> direction;
     int run = -1;
     std::size_t target = program.targets.size();
-    for (const Stop &stop : measuringCycle(program.targets.size(), program.runs, program.cycle)) {
-        const bool newRun = program.cycle == Cycle::standard && stop.run != run;
-        const bool newTarget = program.cycle == Cycle::step && stop.target != target;
-        if (newRun)
+    const std::vector<Move> path = cyclePath(program);
+    for (auto move = path.begin(); move != path.end(); ++move) {
+        // A move without rest belongs to the stop after it.
+        const Stop &stop = move->stop ? *move->stop : *std::next(move)->stop;
+        if (program.cycle == Cycle::standard && stop.run != run)
             writer.comment(language.sentence({REPORT_TEXT("report", "run %1"),
                                               {Number{static_cast<double>(stop.run + 1), Quantity::count, 0}},
                                               {}}));
-        if (newTarget)
+        if (program.cycle == Cycle::step && stop.target != target)
             writer.comment(
                 language.sentence({REPORT_TEXT("report", "target %1"),
                                    {Number{static_cast<double>(stop.target + 1), Quantity::count, 0}},
                                    {}}));
         run = stop.run;
         target = stop.target;
-        // Where the direction turns, the axis first goes beyond the target.
-        const double sign = stop.approach == Direction::positive ? -1 : 1;
-        if (direction != stop.approach || newTarget)
-            writer.move(program.targets[stop.target] + sign * program.approach);
-        direction = stop.approach;
-        writer.move(program.targets[stop.target]);
-        writer.dwell();
+        writer.move(move->position);
+        if (move->stop)
+            writer.dwell();
     }
     writer.end();
     return writer.text();

@@ -45,8 +45,13 @@ public:
         begin();
         if (!value || !std::isfinite(*value))
             return;
-        std::array<char, 32> digits{};
-        char *const end = std::to_chars(digits.data(), digits.data() + digits.size(), *value).ptr;
+        // 0.0002 rather than 2e-04, which spreadsheets take for text under a comma.
+        const double size = std::abs(*value);
+        const bool plain = size == 0 || (size > 1e-12 && size < 1e15);
+        std::array<char, 64> digits{};
+        char *const end = std::to_chars(digits.data(), digits.data() + digits.size(), *value,
+                                        plain ? std::chars_format::fixed : std::chars_format::general)
+                              .ptr;
         std::replace(digits.data(), end, '.', m_mark);
         m_text.append(digits.data(), end);
     }

@@ -9,6 +9,7 @@
 #include <QDate>
 #include <QRegularExpression>
 #include <QSet>
+#include <QTime>
 #include <QXmlStreamReader>
 #include <algorithm>
 #include <cmath>
@@ -267,10 +268,9 @@ private:
         test.title = m_testName.toStdString();
         if (const auto date = isoDate(m_date)) {
             test.date = date;
-            const QString clock = m_date.mid(9, 4);
-            if (clock.size() == 4 && m_date.size() >= 13 && clock.left(2).toInt() < 24 &&
-                clock.right(2).toInt() < 60)
-                test.time = (clock.left(2) + u':' + clock.right(2)).toStdString();
+            const QTime clock = QTime::fromString(m_date.mid(9, 4), QStringLiteral("HHmm"));
+            if (clock.isValid())
+                test.time = clock.toString(QStringLiteral("HH:mm")).toStdString();
         } else if (!m_date.isEmpty()) {
             test.remarks = m_date.toStdString();
         }

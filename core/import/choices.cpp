@@ -25,18 +25,18 @@ constexpr std::array encodingWords{
     ImportWord{"UTF-8", REPORT_TEXT("report", "UTF-8")},
     ImportWord{"UTF-16LE", REPORT_TEXT("report", "UTF-16, little end first")},
     ImportWord{"UTF-16BE", REPORT_TEXT("report", "UTF-16, big end first")},
-    ImportWord{"Windows-1252", REPORT_TEXT("report", "Windows-1252")},
+    ImportWord{"Windows-1252", REPORT_TEXT("report", "Western Europe (Windows-1252)")},
 };
 constexpr std::array delimiterWords{
     ImportWord{"tab", REPORT_TEXT("report", "tab")},
-    ImportWord{"semicolon", REPORT_TEXT("report", "semicolon")},
-    ImportWord{"comma", REPORT_TEXT("report", "comma")},
-    ImportWord{"bar", REPORT_TEXT("report", "vertical bar")},
+    ImportWord{"semicolon", REPORT_TEXT("report", "semicolon ;")},
+    ImportWord{"comma", REPORT_TEXT("report", "comma ,")},
+    ImportWord{"bar", REPORT_TEXT("report", "vertical bar |")},
     ImportWord{"blanks", REPORT_TEXT("report", "blanks")},
 };
 constexpr std::array markWords{
-    ImportWord{"point", REPORT_TEXT("report", "point")},
-    ImportWord{"comma", REPORT_TEXT("report", "comma")},
+    ImportWord{"point", REPORT_TEXT("report", "point .")},
+    ImportWord{"comma", REPORT_TEXT("report", "comma ,")},
 };
 constexpr std::array kindWords{
     ImportWord{"positioning", REPORT_TEXT("report", "positioning test")},
@@ -174,7 +174,7 @@ void demandKnown(const ImportOptions &options) {
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "unknown choice %1; known: %2"), {key, list}});
         }
-        const auto same = [&](const ImportWord &word) { return word.word == value; };
+        const auto same = [&chosen = value](const ImportWord &word) { return word.word == chosen; };
         if (known->value == ImportValue::word && std::ranges::none_of(known->words, same))
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
                                                {key, value, listOf(known->words)}});

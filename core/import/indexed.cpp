@@ -232,7 +232,9 @@ private:
             return;
         m_complete = true;
         for (const auto &[index, position] : m_targets) {
-            const auto same = [&](const PassReading &reading) { return reading.position == position; };
+            const auto same = [&target = position](const PassReading &reading) {
+                return reading.position == target;
+            };
             if (std::ranges::none_of(pass.readings, same))
                 pass.readings.push_back({position, {}, 0});
         }

@@ -2,6 +2,7 @@
 #include "import/tablereading.h"
 
 #include "document/documenterror.h"
+#include "document/place.h"
 #include "kernel/evaluation/edition.h"
 
 #include <algorithm>
@@ -306,7 +307,7 @@ private:
             if (!cell || !cell->isNumber()) {
                 m.remark(RemarkGrade::problem,
                          {REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
-                          {std::string(m.cellText(row, target).substr(0, 40))}},
+                          {excerpt(m.cellText(row, target))}},
                          m.row(row).line);
                 continue;
             }
@@ -469,6 +470,8 @@ private:
             double widest = -1;
             for (const std::size_t column : columns) {
                 const std::vector<double> values = columnValues(column);
+                if (values.empty())
+                    continue;
                 const auto [low, high] = std::ranges::minmax(values);
                 if (high - low >= widest) {
                     widest = high - low;

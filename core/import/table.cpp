@@ -60,6 +60,14 @@ std::size_t commentMark(std::string_view line) {
                 std::to_string(line) + ":1");
 }
 
+/// Bytes of a cell that are kept: never half a character.
+std::uint16_t keptSize(std::string_view cell) {
+    std::size_t size = std::min(cell.size(), longestCell);
+    while (size < cell.size() && size > 0 && (static_cast<unsigned char>(cell[size]) & 0xC0U) == 0x80U)
+        --size;
+    return static_cast<std::uint16_t>(size);
+}
+
 /// One pass over a text.
 class Scanner {
 public:
@@ -203,8 +211,8 @@ private:
         const std::string_view bare = withoutBlanks(whole);
         const CellValue value = readCell(bare, m_mark);
         const auto at = static_cast<std::size_t>(bare.data() - m_text.data());
-        cells.push_back({value.value, static_cast<std::uint32_t>(bare.empty() ? begin : at),
-                         static_cast<std::uint16_t>(std::min(bare.size(), longestCell)), value.kind});
+        cells.push_back(
+            {value.value, static_cast<std::uint32_t>(bare.empty() ? begin : at), keptSize(bare), value.kind});
     }
 
     std::string_view m_text;
@@ -399,7 +407,8 @@ TableCell &TableBuilder::append(std::string_view cell) {
         refuseSize(row.line);
     if (row.count++ > 0)
         m_table.m_text += '\t';
-    cell = withoutBlanks(cell.substr(0, longestCell));
+    cell = withoutBlanks(cell);
+    cell = cell.substr(0, keptSize(cell));
     const auto begin = static_cast<std::uint32_t>(m_table.m_text.size());
     for (const char c : cell)
         m_table.m_text += c == '\t' || isLineEnd(c) ? ' ' : c;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace palmer {
 
@@ -389,6 +390,22 @@ std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::
     if (recipe == recipes.end())
         return std::nullopt;
     return Explainer(evaluation, *measurement, *parameter, *recipe, language).explain();
+}
+
+Formula formulaOf(const Edition &edition, const Row &row, const Language &language) {
+    const auto recipe = std::ranges::find(recipes, row.value, &Recipe::function);
+    if (recipe == recipes.end())
+        return {};
+    QString source = QString::fromUtf8(recipe->formula);
+    source.replace(QStringLiteral("%c"), language.number(edition.c, Quantity::number));
+    source.replace(QStringLiteral("%d"), language.number(2 * edition.c, Quantity::number));
+    Formula symbol = symbolFormula(row.term.symbol);
+    const QString place = QStringLiteral("%s");
+    const qsizetype at = source.indexOf(place);
+    Formula formula = formulaFrom(source.left(at));
+    std::ranges::move(symbol.spans, std::back_inserter(formula.spans));
+    std::ranges::move(formulaFrom(source.mid(at + place.size())).spans, std::back_inserter(formula.spans));
+    return formula;
 }
 
 } // namespace palmer

@@ -52,4 +52,8 @@ struct Explanation {
 [[nodiscard]] std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::size_t test,
                                                      std::string_view id, const Language &language);
 
+/// The formula of a parameter in symbols, with the factor of the edition: what the help prints. Empty for a
+/// row without explanation.
+[[nodiscard]] Formula formulaOf(const Edition &edition, const Row &row, const Language &language);
+
 } // namespace palmer

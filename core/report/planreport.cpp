@@ -68,7 +68,7 @@ Table table(const TargetPlan &plan, const TargetRequest &request, int first, int
         std::vector<Cell> row{QString::number(i + 1),
                               language.number(plan.targets[i], position, request.decimals)};
         for (int run = first; run < last; ++run)
-            row.insert(row.end(), 2, blankCell());
+            row.insert(row.end(), 2, Cell(QStringLiteral("\n"))); // room to write
         result.rows.push_back(std::move(row));
         result.rulesAfter.push_back(i);
     }

@@ -37,7 +37,7 @@ QByteArray tableOfPoints(int rows) {
 static void ReadTable(benchmark::State &state) {
     const QByteArray file = tableOfPoints(static_cast<int>(state.range(0)));
     for (auto _ : state) {
-        const Table table = readTable(decodeText(file).text);
+        const CellTable table = readTable(decodeText(file).text);
         benchmark::DoNotOptimize(table.rows().size());
     }
     state.SetBytesProcessed(state.iterations() * file.size());

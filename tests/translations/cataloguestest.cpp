@@ -69,7 +69,9 @@ QString catalogue(const char *name) {
 const QSet<QString> sameInBoth{
     "Date",         "Machine", "Signature", "Signatures",   "Verdict", "Instrument", "Instruments",
     "Position",     "minimum", "maximum",   "note",         "Air",     "Cycle",      "Point",
-    "page %1 / %2", "Centre",  "Centre, F", "Compensation", "Points",  "Angles",     "Correction C"};
+    "page %1 / %2", "Centre",  "Centre, F", "Compensation", "Points",  "Angles",     "Correction C",
+    "positions",    "rad",     "mrad",      "µrad",         "µin",     "min",        "Format",
+    "Arc (°)",      "air",     "machine",   "point ."};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {

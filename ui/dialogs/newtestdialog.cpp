@@ -85,20 +85,30 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     m_travel->setText(m_language.number(proposedTravel, Quantity::position));
 
     auto *form = new QFormLayout;
+    // What stands beside a field is no field of its own: the label belongs to the field.
+    const auto addRow = [&](const QString &text, QWidget *field, QWidget *beside) {
+        auto *label = new QLabel(text, this);
+        label->setBuddy(field);
+        auto *row = new QHBoxLayout;
+        row->addWidget(field, beside == m_both ? 0 : 1);
+        row->addWidget(beside, beside == m_both ? 1 : 0);
+        form->addRow(label, row);
+    };
+    for (QLabel *&unit : m_units) {
+        unit = new QLabel(this);
+        unit->setProperty("secondary", true);
+        unit->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("mm")));
+    }
     form->addRow(tr("&Axis"), m_name);
     form->addRow(tr("&Motion"), m_motion);
-    form->addRow(tr("&Travel"), m_travel);
+    addRow(tr("&Travel"), m_travel, m_units[0]);
     form->addRow(tr("&Edition"), m_edition);
     form->addRow(tr("C&ycle"), m_cycle);
-    auto *runs = new QHBoxLayout;
-    runs->addWidget(m_runs);
-    runs->addWidget(m_both);
-    runs->addStretch();
-    form->addRow(tr("&Runs"), runs);
-    form->addRow(tr("&First target"), m_first);
-    form->addRow(tr("&Last target"), m_last);
+    addRow(tr("&Runs"), m_runs, m_both);
+    addRow(tr("&First target"), m_first, m_units[1]);
+    addRow(tr("&Last target"), m_last, m_units[2]);
     form->addRow(tr("&Number of targets"), m_count);
-    form->addRow(tr("Target &positions"), m_list);
+    addRow(tr("Target &positions"), m_list, m_units[3]);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
     m_create->setObjectName(QStringLiteral("createTest"));
@@ -158,6 +168,8 @@ void NewTestDialog::propose() {
     const Axis asked = axis();
     const Quantity quantity = positionQuantity(asked);
     const double travel = asked.travel.value_or(0);
+    for (QLabel *unit : m_units)
+        unit->setText(m_language.unit(quantity));
     if (m_first->property("proposed").toBool())
         m_first->setText(m_language.number(0, quantity));
     if (m_last->property("proposed").toBool())

@@ -4,6 +4,7 @@
 #include "language/language.h"
 
 #include <QDialog>
+#include <array>
 #include <optional>
 
 class QComboBox;
@@ -50,6 +51,7 @@ private:
     QSpinBox *m_count;
     QPlainTextEdit *m_list;
     QLabel *m_problem;
+    std::array<QLabel *, 4> m_units{};
     QPushButton *m_create;
 };
 

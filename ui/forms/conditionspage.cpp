@@ -244,12 +244,12 @@ void ConditionsPage::addTemperatures(const Test &test) {
             });
         })->setObjectName(name);
     };
-    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another sensor of the air"), SensorMeasures::air,
+    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another air sensor"), SensorMeasures::air,
            QStringLiteral("addAirSensor"));
-    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "… of the machine"), SensorMeasures::machine,
+    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another machine sensor"), SensorMeasures::machine,
            QStringLiteral("addMachineSensor"));
-    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "… of the instrument"), SensorMeasures::instrument,
-           QStringLiteral("addInstrumentSensor"));
+    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another instrument sensor"),
+           SensorMeasures::instrument, QStringLiteral("addInstrumentSensor"));
     addWidget(new QWidget(body()));
     if (!std::holds_alternative<PositioningMeasurement>(test.measurement))
         return;

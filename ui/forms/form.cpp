@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -23,10 +24,6 @@ namespace {
 constexpr int pageMargin = 16;
 constexpr int fieldGap = 12;
 constexpr int sectionGap = 18;
-
-constexpr Text negative = REPORT_TEXT("report", "a negative number");
-constexpr Text notPositive = REPORT_TEXT("report", "not greater than 0");
-constexpr Text notWhole = REPORT_TEXT("report", "not a whole number");
 
 /// Takes a widget out of the page at once; it may be in one of its own signals.
 void dispose(QWidget *widget) {
@@ -112,6 +109,8 @@ QPushButton *Form::addButton(const char *text, std::function<void()> pressed) {
 
 void Form::addWidget(QWidget *widget, int weight) {
     m_row->addWidget(widget, 0, m_column);
+    if (body()->isVisible())
+        widget->show(); // the layout would do so later, after the focus was to come here
     m_row->setColumnStretch(m_column++, weight);
 }
 
@@ -171,12 +170,12 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
         if (entry.refusal)
             return {{}, m_language.text(*entry.refusal)};
         if (entry.value && allowed == Allowed::positive && !(*entry.value > 0))
-            return {{}, m_language.text(notPositive)};
+            return {{}, tr("not greater than 0")};
         if (entry.value && allowed == Allowed::notNegative && *entry.value < 0)
-            return {{}, m_language.text(negative)};
+            return {{}, tr("a negative number")};
         if (entry.value && allowed == Allowed::whole &&
             (std::trunc(*entry.value) != *entry.value || std::abs(*entry.value) > 1e9))
-            return {{}, m_language.text(notWhole)};
+            return {{}, tr("not a whole number")};
         return {shown(entry.value), {}};
     });
     last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };
@@ -444,6 +443,9 @@ bool Form::focusField(const QString &id) {
     if (found == m_entries.end())
         return false;
     m_scroll->ensureWidgetVisible(found->field);
+    // Again when a page that was built just now has its places.
+    QTimer::singleShot(0, found->field,
+                       [this, field = found->field] { m_scroll->ensureWidgetVisible(field); });
     found->field->edit()->setFocus(Qt::OtherFocusReason);
     return true;
 }

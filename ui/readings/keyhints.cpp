@@ -31,7 +31,7 @@ KeyHints::KeyHints(QWidget *parent)
         hint.key->setFont(themeFont(TextSize::tiny));
         hint.text->setFont(themeFont(TextSize::small));
         hint.text->setProperty("secondary", true);
-        row->addWidget(hint.key);
+        row->addWidget(hint.key, 0, Qt::AlignVCenter);
         row->addWidget(hint.text);
         row->addSpacing(6);
     }

@@ -2,10 +2,13 @@
 
 #include "document/savedocument.h"
 #include "editing/newtest.h"
+#include "ui/dialogs/comparedialog.h"
 #include "ui/dialogs/feeddialog.h"
 #include "ui/dialogs/newtestdialog.h"
+#include "ui/dialogs/plandialog.h"
 #include "ui/dialogs/recoverydialog.h"
 #include "ui/dialogs/reportdialog.h"
+#include "ui/help/helpwindow.h"
 #include "ui/model/editname.h"
 #include "ui/readings/readingspage.h"
 #include "ui/testname.h"
@@ -170,6 +173,11 @@ void MainWindow::makeActions() {
     m_nextTestAction = addAction(m_testMenu, QStringLiteral("nextTest"));
     m_nextTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
     m_testMenu->addSeparator();
+    m_planAction = addAction(m_testMenu, QStringLiteral("plan"), QStringLiteral("plan"));
+    m_planAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
+    m_compareAction = addAction(m_testMenu, QStringLiteral("compare"), QStringLiteral("bars"));
+    m_compareAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
+    m_testMenu->addSeparator();
     m_setEditionAction = addAction(m_testMenu, QStringLiteral("setEditionAction"));
     m_ownEditionAction = addAction(m_testMenu, QStringLiteral("ownEdition"));
     m_testMenu->addSeparator();
@@ -208,6 +216,9 @@ void MainWindow::makeActions() {
     for (QAction *action : {m_frenchAction, m_englishAction})
         action->setCheckable(true);
 
+    m_helpAction = addAction(m_helpMenu, QStringLiteral("help"), QStringLiteral("ques"));
+    m_helpAction->setShortcut(QKeySequence(Qt::Key_F1));
+    m_helpMenu->addSeparator();
     m_aboutAction = addAction(m_helpMenu, QStringLiteral("about"));
     m_aboutQtAction = addAction(m_helpMenu, QStringLiteral("aboutQt"));
     m_quitAction->setMenuRole(QAction::QuitRole);
@@ -230,9 +241,10 @@ void MainWindow::makeToolBar() {
     m_toolBar->addAction(m_undoAction);
     m_toolBar->addAction(m_redoAction);
     m_toolBar->addSeparator();
+    m_toolBar->addAction(m_planAction);
     m_toolBar->addAction(m_reportAction);
-    for (QAction *action :
-         {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
+    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction, m_planAction,
+                            m_reportAction}) {
         auto *button = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action));
         button->setObjectName(action->objectName() + QStringLiteral("Button"));
         button->setFocusPolicy(Qt::TabFocus);
@@ -288,6 +300,9 @@ void MainWindow::connectParts() {
     connect(m_saveAction, &QAction::triggered, this, &MainWindow::save);
     connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveAs);
     connect(m_reportAction, &QAction::triggered, this, &MainWindow::showReport);
+    connect(m_planAction, &QAction::triggered, this, &MainWindow::showPlan);
+    connect(m_compareAction, &QAction::triggered, this, &MainWindow::showComparison);
+    connect(m_helpAction, &QAction::triggered, this, &MainWindow::showHelp);
     connect(m_newWindowAction, &QAction::triggered, this, [] { (new MainWindow)->show(); });
     connect(m_closeAction, &QAction::triggered, this, &QWidget::close);
     connect(m_quitAction, &QAction::triggered, qApp, &QApplication::closeAllWindows);
@@ -500,6 +515,9 @@ void MainWindow::deleteTest() {
 }
 
 void MainWindow::openRecovery(const Recovery &recovery) {
+    // The same file, opened as it was saved, gives way.
+    if (m_open && !m_model.isModified() && m_model.path() == recovery.origin.path)
+        m_open = false;
     MainWindow *window = take(*recovery.document, recovery.origin.path, true);
     window->m_autosave.flush(); // a copy of its own before that one goes
     discardRecovery(recovery.file);
@@ -680,6 +698,8 @@ void MainWindow::showState() {
     m_saveAction->setEnabled(m_open);
     m_saveAsAction->setEnabled(m_open);
     m_reportAction->setEnabled(m_open);
+    m_planAction->setEnabled(m_open);
+    m_compareAction->setEnabled(test < evaluated.size() && evaluated[test]->edition);
     m_previousTestAction->setEnabled(test > 0 && test < tests);
     m_nextTestAction->setEnabled(test + 1 < tests);
     m_addTestAction->setEnabled(m_open);
@@ -721,6 +741,40 @@ void MainWindow::showState() {
 void MainWindow::showReport() {
     ReportDialog dialog(m_model, m_evaluator, this);
     dialog.exec();
+}
+
+void MainWindow::showPlan() {
+    PlanDialog dialog(m_model, m_workplace->selection().test(), this);
+    connect(&dialog, &PlanDialog::testMade, this, [this](std::size_t test) {
+        m_workplace->showTest(test);
+        m_workplace->showPage(Page::readings);
+    });
+    dialog.exec();
+}
+
+void MainWindow::showComparison() {
+    CompareDialog dialog(m_evaluator.current(), m_workplace->selection().test(), this);
+    dialog.exec();
+}
+
+/// What has the focus decides where the help opens: a field, the edition of a result, else the workflow.
+void MainWindow::showHelp() {
+    if (!m_help)
+        m_help = new HelpWindow(this);
+    const QWidget *focused = QApplication::focusWidget();
+    const QString topic = focused ? focused->property("helpTopic").toString() : QString();
+    const std::size_t test = m_workplace->selection().test();
+    const auto &evaluated = m_evaluator.current().tests;
+    if (!topic.isEmpty())
+        m_help->showPage(QStringLiteral("fields"), topic);
+    else if (!m_workplace->selection().parameter().isEmpty() && test < evaluated.size() &&
+             evaluated[test]->edition)
+        m_help->showPage(QStringLiteral("editions.") + QString::fromUtf8(evaluated[test]->edition->word));
+    else
+        m_help->showPage(QStringLiteral("workflow"));
+    m_help->show();
+    m_help->raise();
+    m_help->activateWindow();
 }
 
 void MainWindow::showFeed() {
@@ -827,6 +881,10 @@ void MainWindow::retranslate() {
     m_newWindowAction->setText(tr("New &window"));
     m_closeAction->setText(tr("&Close"));
     m_quitAction->setText(tr("&Quit"));
+    m_planAction->setText(tr("P&lan…"));
+    m_planAction->setIconText(tr("Plan…"));
+    m_compareAction->setText(tr("C&ompare…"));
+    m_helpAction->setText(tr("&Help"));
     m_previousTestAction->setText(tr("&Previous test"));
     m_nextTestAction->setText(tr("&Next test"));
     m_setEditionAction->setText(tr("&Set as edition of the test"));
@@ -858,10 +916,11 @@ void MainWindow::retranslate() {
     m_toolBar->setAccessibleName(tr("Tools"));
     menuBar()->setAccessibleName(tr("Menus"));
     statusBar()->setAccessibleName(tr("State"));
-    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_reportAction})
+    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_planAction, m_compareAction,
+                            m_helpAction, m_reportAction})
         action->setToolTip(hint(*action));
-    for (QAction *action :
-         {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction, m_reportAction}) {
+    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction, m_planAction,
+                            m_reportAction}) {
         QString name = action->iconText();
         m_toolBar->widgetForAction(action)->setAccessibleName(name.remove(u'…'));
     }

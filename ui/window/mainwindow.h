@@ -8,6 +8,7 @@
 #include "ui/model/filewatch.h"
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QThreadPool>
 
 class QLabel;
@@ -17,6 +18,7 @@ class QToolBar;
 
 namespace palmer::ui {
 
+class HelpWindow;
 class NoticeBar;
 class WelcomePage;
 class Workplace;
@@ -84,6 +86,9 @@ private:
     void remember();
     void setEdition(std::size_t test, const QString &edition);
     void showReport();
+    void showPlan();
+    void showComparison();
+    void showHelp();
     void showFeed();
     void about();
     void retranslate();
@@ -97,6 +102,7 @@ private:
     bool m_open = false;
     bool m_rememberNext = false;
     QString m_savedAt;
+    QPointer<HelpWindow> m_help;
     QString m_autosavedAt;
     bool m_outsideAsked = false; ///< the user knows that the file is another
 
@@ -122,6 +128,8 @@ private:
     QAction *m_saveAction;
     QAction *m_saveAsAction;
     QAction *m_reportAction;
+    QAction *m_planAction;
+    QAction *m_compareAction;
     QAction *m_newWindowAction;
     QAction *m_closeAction;
     QAction *m_quitAction;
@@ -145,6 +153,7 @@ private:
     std::array<QAction *, 2> m_angleActions{};
     QAction *m_frenchAction;
     QAction *m_englishAction;
+    QAction *m_helpAction;
     QAction *m_aboutAction;
     QAction *m_aboutQtAction;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernel/measurement/positioning.h"
+#include "kernel/planning/targetplan.h"
 
 #include <optional>
 #include <string>
@@ -20,5 +20,15 @@ struct CycleProgram {
     double dwell = 5;           ///< s at each target, > 0: the instrument takes its reading then
     double approach = 1;        ///< mm or degrees beyond the target before it is approached, > 0
 };
+
+/// A move of the axis: to a target, where it rests, or beyond one, to turn round.
+struct Move {
+    double position = 0;      ///< mm or degrees
+    std::optional<Stop> stop; ///< null: no rest
+};
+
+/// All moves of the measuring cycle in the order of time: before the direction turns the axis goes beyond the
+/// target by the approach distance, so that every target is reached from its own side.
+[[nodiscard]] std::vector<Move> cyclePath(const CycleProgram &program);
 
 } // namespace palmer

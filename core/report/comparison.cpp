@@ -1,0 +1,341 @@
+#include "report/comparison.h"
+
+#include "document/filewords.h"
+#include "figures/ticks.h"
+#include "kernel/evaluation/iso230_4/circularcase.h"
+#include "language/decimals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace palmer {
+namespace {
+
+constexpr double positionMargin = 0.03;
+constexpr double valueMargin = 0.07;
+constexpr double mostPositionTicks = 6.5;
+constexpr double mostValueTicks = 10;
+constexpr int circularDecimals = 2; // 0.01 µm
+
+constexpr auto positioningFamilies = std::to_array<const char *>(
+    {"ISO 230-2:1988", "ISO 230-2:1997", "ISO 230-2:2006", "ISO 230-2:2014", "VDI/DGQ 3441:1977"});
+constexpr auto circularFamilies =
+    std::to_array<const char *>({"ISO 230-4:1996", "ISO 230-4:2005", "ISO 230-4:2022"});
+
+int decimalsFor(const Test &test) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    return measurement ? statisticDecimals(*measurement) : circularDecimals;
+}
+
+const Parameter *parameterOf(const TestEvaluation &evaluation, const std::string &id) {
+    const auto found = std::ranges::find_if(
+        evaluation.parameters, [&](const Parameter &parameter) { return parameterId(parameter) == id; });
+    return found == evaluation.parameters.end() ? nullptr : &*found;
+}
+
+QString signedNumber(double value, Quantity quantity, int decimals, const Language &language) {
+    const QString number = language.number(value, quantity, decimals);
+    const bool isPositive = value > 0 && !number.startsWith(u'\u2212');
+    return isPositive ? u'+' + number : number;
+}
+
+/// A row for every parameter that any of the evaluations has, in the order in which they appear.
+std::vector<ComparisonRow> rowsOf(const std::vector<const TestEvaluation *> &columns, int decimals,
+                                  const Language &language) {
+    std::vector<ComparisonRow> rows;
+    for (const TestEvaluation *column : columns) {
+        for (const Parameter &parameter : column->parameters) {
+            const QString id = QString::fromStdString(parameterId(parameter));
+            if (std::ranges::find(rows, id, &ComparisonRow::id) == rows.end())
+                rows.push_back({id,
+                                symbolFormula(parameter.term.symbol, parameter.index),
+                                language.text(parameter.term.name),
+                                {},
+                                {},
+                                {}});
+        }
+    }
+    for (ComparisonRow &row : rows) {
+        const Parameter *first = parameterOf(*columns.front(), row.id.toStdString());
+        for (const TestEvaluation *column : columns) {
+            const Parameter *parameter = parameterOf(*column, row.id.toStdString());
+            const bool hasValue = parameter && parameter->value;
+            row.values << (!parameter ? QString()
+                           : hasValue ? language.number(*parameter->value, parameter->term.quantity, decimals)
+                                      : language.number(std::numeric_limits<double>::quiet_NaN(),
+                                                        parameter->term.quantity));
+            row.differences << (hasValue && parameter != first && first && first->value
+                                    ? signedNumber(*parameter->value - *first->value,
+                                                   parameter->term.quantity, decimals, language)
+                                    : QString());
+        }
+    }
+    return rows;
+}
+
+QString unitOf(const TestEvaluation &evaluation, const Language &language) {
+    return evaluation.parameters.empty() ? QString()
+                                         : language.unit(evaluation.parameters.front().term.quantity);
+}
+
+const Row *rowOfEdition(const Edition &edition, std::string_view id) {
+    const auto found = std::ranges::find_if(edition.rows, [&](const Row &row) { return row.term.id == id; });
+    return found == edition.rows.end() ? nullptr : &*found;
+}
+
+bool knows(const Edition &edition, const std::string &id) {
+    if (!edition.circles)
+        return rowOfEdition(edition, id) != nullptr;
+    const std::string bare = id.substr(0, id.find('_'));
+    return std::ranges::any_of(edition.circles->rows,
+                               [&](const CircularRow &row) { return bare == row.term.id; });
+}
+
+DeviationMethod methodOf(const TestEvaluation &evaluation) {
+    const auto *results = std::get_if<PositioningResults>(&evaluation.results);
+    return results ? results->standardDeviation : DeviationMethod::calculation;
+}
+
+/// Why a parameter differs between the first column and another, as sentences; empty where it does not.
+QString reason(const std::vector<const TestEvaluation *> &columns, const std::string &id,
+               const Language &language) {
+    QStringList sentences;
+    QStringList absent;
+    const TestEvaluation &first = *columns.front();
+    const Parameter *own = parameterOf(first, id);
+    bool same = own && own->value;
+    for (const TestEvaluation *column : columns) {
+        const Edition &edition = *column->edition;
+        const Parameter *other = parameterOf(*column, id);
+        if (!knows(edition, id)) {
+            absent << QString::fromUtf8(edition.word);
+            continue;
+        }
+        if (!other || !other->value || !own || !own->value || column == &first)
+            continue;
+        if (*other->value == *own->value)
+            continue;
+        same = false;
+        const Row *row = rowOfEdition(edition, id);
+        const bool scatter = row && (row->needs & palmer::scatter) != 0;
+        const auto numeral = [](double c) { return Number{c, Quantity::number, -1}; };
+        if (scatter && methodOf(*column) != methodOf(first))
+            sentences << language.sentence(
+                {REPORT_TEXT("report", "%1 takes s from the range, %2 from the squares."),
+                 {std::string(methodOf(*column) == DeviationMethod::range ? edition.word
+                                                                          : first.edition->word),
+                  std::string(methodOf(*column) == DeviationMethod::range ? first.edition->word
+                                                                          : edition.word)},
+                 {}});
+        if (scatter && edition.c != first.edition->c)
+            sentences << language.sentence({REPORT_TEXT("report", "%1 takes %2 s, %3 takes %4 s."),
+                                            {std::string(first.edition->word), numeral(first.edition->c),
+                                             std::string(edition.word), numeral(edition.c)},
+                                            {}});
+        if (sentences.isEmpty())
+            sentences << language.sentence({REPORT_TEXT("report", "%1 computes it otherwise than %2."),
+                                            {std::string(edition.word), std::string(first.edition->word)},
+                                            {}});
+    }
+    if (!absent.isEmpty())
+        sentences << language.sentence({REPORT_TEXT("report", "No parameter of %1."),
+                                        {absent.join(QStringLiteral(", ")).toStdString()},
+                                        {}});
+    if (same && absent.size() + 1 < static_cast<qsizetype>(columns.size()))
+        sentences.prepend(language.text(REPORT_TEXT("report", "The same arithmetic.")));
+    sentences.removeDuplicates();
+    return sentences.join(u' ');
+}
+
+/// The test under another edition; its own evaluation where that is it.
+TestEvaluationPointer under(const EvaluatedDocument &evaluated, std::size_t test,
+                            const std::string &edition) {
+    const TestEvaluationPointer &own = evaluated.tests[test];
+    if (own->edition && edition == own->edition->word)
+        return own;
+    std::vector<std::string> words(evaluated.document->tests.size());
+    words[test] = edition;
+    return evaluateUnder(evaluated.document, words, &evaluated).tests[test];
+}
+
+} // namespace
+
+std::vector<std::string> editionsToCompare(const Test &test) {
+    const Edition *own = findEdition(test.edition);
+    if (!own)
+        return {};
+    std::vector<std::string> words{test.edition};
+    const auto add = [&](const auto &families) {
+        for (const char *family : families) {
+            if (std::string_view(own->family) != family && test.edition != family)
+                words.emplace_back(family);
+        }
+    };
+    if (own->kind == Kind::positioning)
+        add(positioningFamilies);
+    else if (own->kind == Kind::circular)
+        add(circularFamilies);
+    return words;
+}
+
+ResultComparison compareEditions(const EvaluatedDocument &evaluated, std::size_t test,
+                                 const std::vector<std::string> &editions, const Language &language) {
+    ResultComparison result;
+    if (test >= evaluated.tests.size() || !evaluated.tests[test]->edition)
+        return result;
+    const Test &shown = *evaluated.document->tests[test];
+    std::vector<TestEvaluationPointer> evaluations;
+    std::vector<const TestEvaluation *> columns;
+    for (const std::string &word : editions) {
+        const Edition *edition = findEdition(word);
+        if (!edition || edition->kind != kindOf(shown))
+            continue;
+        evaluations.push_back(under(evaluated, test, word));
+        columns.push_back(evaluations.back().get());
+        result.columns << QString::fromStdString(word);
+    }
+    if (columns.empty())
+        return result;
+    result.unit = unitOf(*columns.front(), language);
+    result.rows = rowsOf(columns, decimalsFor(shown), language);
+    for (ComparisonRow &row : result.rows)
+        row.reason = reason(columns, row.id.toStdString(), language);
+    result.notes << language.text(REPORT_TEXT(
+        "report", "The same readings under each edition; verdicts hold for the edition of the test alone."));
+    return result;
+}
+
+bool isComparable(const Test &a, const Test &b) {
+    if (kindOf(a) != kindOf(b) || kindOf(a) == Kind::drift)
+        return false;
+    const auto *first = std::get_if<PositioningMeasurement>(&a.measurement);
+    const auto *second = std::get_if<PositioningMeasurement>(&b.measurement);
+    return !first || first->axis.motion == second->axis.motion;
+}
+
+ResultComparison compareTests(const std::vector<ComparedTest> &tests, const Language &language) {
+    ResultComparison result;
+    if (tests.empty() || tests[0].test >= tests[0].evaluated.tests.size())
+        return result;
+    const Test &first = *tests[0].evaluated.document->tests[tests[0].test];
+    std::vector<TestEvaluationPointer> evaluations;
+    std::vector<const TestEvaluation *> columns;
+    QStringList leftOut;
+    bool otherEdition = false;
+    for (const ComparedTest &compared : tests) {
+        if (compared.test >= compared.evaluated.tests.size())
+            continue;
+        const Test &test = *compared.evaluated.document->tests[compared.test];
+        if (!isComparable(first, test)) {
+            leftOut << compared.name;
+            continue;
+        }
+        otherEdition = otherEdition || test.edition != first.edition;
+        evaluations.push_back(under(compared.evaluated, compared.test, first.edition));
+        columns.push_back(evaluations.back().get());
+        result.columns << compared.name;
+    }
+    if (columns.empty())
+        return result;
+    result.unit = unitOf(*columns.front(), language);
+    result.rows = rowsOf(columns, decimalsFor(first), language);
+    if (otherEdition)
+        result.notes << language.sentence(
+            {REPORT_TEXT("report", "All tests as under %1."), {first.edition}, {}});
+    if (!leftOut.isEmpty())
+        result.notes << language.sentence({REPORT_TEXT("report", "Of another kind, and left out: %1."),
+                                           {leftOut.join(QStringLiteral(", ")).toStdString()},
+                                           {}});
+    return result;
+}
+
+ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests, const Language &language) {
+    ComparisonFigure figure;
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Interval x{infinite, -infinite};
+    Interval y{infinite, -infinite};
+    const Test *first = nullptr;
+    for (const ComparedTest &compared : tests) {
+        if (compared.test >= compared.evaluated.tests.size())
+            continue;
+        const Test &test = *compared.evaluated.document->tests[compared.test];
+        const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+        const auto *results =
+            std::get_if<PositioningResults>(&compared.evaluated.tests[compared.test]->results);
+        if (!measurement || !results || (first && !isComparable(*first, test)))
+            continue;
+        first = first ? first : &test;
+        const double scale = measurement->axis.motion == Motion::linear ? 1000 : 3600;
+        ComparisonCurve curve{compared.name, {}};
+        bool open = false;
+        for (std::size_t i = 0; i < std::min(results->targets.size(), measurement->targets.size()); ++i) {
+            const TargetStatistics &target = results->targets[i];
+            const double mean = results->upward && results->downward ? target.mean()
+                                : results->upward                    ? target.positive.mean
+                                                                     : target.negative.mean;
+            if (!std::isfinite(mean)) {
+                open = false;
+                continue;
+            }
+            if (!open)
+                curve.lines.emplace_back();
+            open = true;
+            const FigurePoint point{measurement->targets[i], mean * scale, static_cast<int>(i) + 1};
+            curve.lines.back().push_back(point);
+            x = {std::min(x.from, point.x), std::max(x.to, point.x)};
+            y = {std::min(y.from, point.y), std::max(y.to, point.y)};
+        }
+        figure.curves.push_back(std::move(curve));
+    }
+    if (!first || !(x.from <= x.to))
+        return figure;
+    const auto &measurement = std::get<PositioningMeasurement>(first->measurement);
+    const bool rotary = measurement.axis.motion == Motion::rotary;
+    const double width = x.to > x.from ? x.to - x.from : 1;
+    const double height = y.to > y.from ? y.to - y.from : 1;
+    setRange(figure.x, x.from - positionMargin * width, x.to + positionMargin * width, mostPositionTicks,
+             rotary ? TickSteps::angles : TickSteps::lengths, language);
+    setRange(figure.y, y.from - valueMargin * height, y.to + valueMargin * height, mostValueTicks,
+             TickSteps::values, language);
+    figure.x.quantity = language.text(REPORT_TEXT("report", "Target position"));
+    figure.x.unit = language.unit(rotary ? Quantity::angle : Quantity::position);
+    figure.x.angle = rotary;
+    figure.y.quantity = language.text(REPORT_TEXT("report", "Mean deviation"));
+    figure.y.unit = language.unit(rotary ? Quantity::angularDeviation : Quantity::deviation);
+    return figure;
+}
+
+QString asTabSeparated(const ResultComparison &comparison) {
+    const auto plain = [](QString text) {
+        text.replace(u'\u2212', u'-');
+        text.remove(u'\u202f');
+        text.replace(u'\t', u' ');
+        return text;
+    };
+    const bool hasReasons =
+        std::ranges::any_of(comparison.rows, [](const ComparisonRow &row) { return !row.reason.isEmpty(); });
+    QString table = comparison.unit;
+    for (qsizetype i = 0; i < comparison.columns.size(); ++i) {
+        table += u'\t' + plain(comparison.columns[i]);
+        if (!hasReasons && i > 0)
+            table += QStringLiteral("\tΔ");
+    }
+    table += u'\n';
+    for (const ComparisonRow &row : comparison.rows) {
+        table += row.symbol.plain();
+        for (qsizetype i = 0; i < row.values.size(); ++i) {
+            table += u'\t' + plain(row.values[i]);
+            if (!hasReasons && i > 0)
+                table += u'\t' + plain(row.differences[i]);
+        }
+        if (hasReasons)
+            table += u'\t' + plain(row.reason);
+        table += u'\n';
+    }
+    return table;
+}
+
+} // namespace palmer

@@ -1,0 +1,190 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Result {
+    int code = -1;
+    QString out;
+    QString err;
+};
+
+Result run(const QStringList &arguments, const QByteArray &input = {}, const QString &configuration = {}) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("LC_ALL", "C");
+    if (!configuration.isEmpty())
+        environment.insert("XDG_CONFIG_HOME", configuration);
+    process.setProcessEnvironment(environment);
+    process.start(PALMER_CLI, arguments);
+    process.write(input);
+    process.closeWriteChannel();
+    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+        qFatal("palmer-cli did not end by itself");
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QByteArray contents(const QString &name) {
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("cannot read %s", qPrintable(name));
+    return file.readAll();
+}
+
+void write(const QString &name, const QByteArray &bytes) {
+    QFile file(name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("cannot write %s", qPrintable(name));
+}
+
+QJsonObject document(const QString &name) {
+    return QJsonDocument::fromJson(contents(name)).object();
+}
+
+} // namespace
+
+class ImportExportTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void importsFilesIntoOneDocument();
+    void takesChoicesAndProfiles();
+    void refusesInOneLineAndWritesNothing();
+    void readsMeasurementFilesWhereverFilesStand();
+    void exportsEveryForm_data();
+    void exportsEveryForm();
+    void refusesHugeFilesAtOnce();
+
+private:
+    [[nodiscard]] QString at(const QString &name) const { return m_folder.filePath(name); }
+
+    QTemporaryDir m_folder;
+};
+
+void ImportExportTest::importsFilesIntoOneDocument() {
+    // The temperatures come first and still find their test.
+    const Result result =
+        run({"import", DATA "tables/temperatures.csv", DATA "rtl/typical.rtl", DATA "rtx/typical.rtx", "-o",
+             at("a.palmer"), "--keep-original", "--set", "correctionTo20=applied by the instrument"});
+    QVERIFY2(result.code == 0, qPrintable(result.err));
+    QVERIFY(result.err.contains("typical.rtl: Understood: targets: 3; runs ↑: 2; runs ↓: 2."));
+    QVERIFY(result.out.isEmpty());
+    const QJsonObject file = document(at("a.palmer"));
+    const QJsonArray tests = file["tests"].toArray();
+    QCOMPARE(tests.size(), 2);
+    QCOMPARE(tests[0]["kind"].toString(), "positioning");
+    QCOMPARE(tests[0]["conditions"]["correctionTo20"].toString(), "applied by the instrument");
+    QCOMPARE(tests[0]["conditions"]["sensors"].toArray().size(), 6);
+    QCOMPARE(tests[0]["imports"].toArray().size(), 2);
+    QCOMPARE(QByteArray::fromBase64(tests[0]["imports"][0]["data"].toString().toLatin1()),
+             contents(DATA "rtl/typical.rtl"));
+    QCOMPARE(tests[1]["kind"].toString(), "drift");
+    QCOMPARE(file["machine"]["name"].toString(), "Mill 5");
+    // What was written is a test file.
+    QCOMPARE(run({"evaluate", at("a.palmer")}).code, 0);
+}
+
+void ImportExportTest::takesChoicesAndProfiles() {
+    const QByteArray table = "0\t1\n100\t2\n";
+    const Result chosen = run({"import", "-", "-o", at("b.palmer"), "--set", "unit=nm", "--set", "axis=Z",
+                               "--set=directions=negative"},
+                              table);
+    QVERIFY2(chosen.code == 0, qPrintable(chosen.err));
+    const QJsonValue test = document(at("b.palmer"))["tests"][0];
+    QCOMPARE(test["axis"]["name"].toString(), "Z");
+    QCOMPARE(test["runs"][0]["approach"].toString(), "negative");
+    QCOMPARE(test["runs"][0]["deviations"][1].toDouble(), 2e-6);
+    const QString configuration = m_folder.path();
+    QVERIFY(QDir(configuration).mkpath("palmer"));
+    write(configuration + "/palmer/import-profiles.json", R"({"laser 2": {"unit": "um", "axis": "Y"}})");
+    const Result profile =
+        run({"import", "-", "-o", at("c.palmer"), "--profile", "laser 2", "--set", "axis=W"}, table,
+            configuration);
+    QVERIFY2(profile.code == 0, qPrintable(profile.err));
+    QCOMPARE(document(at("c.palmer"))["tests"][0]["axis"]["name"].toString(), "W");
+    QCOMPARE(document(at("c.palmer"))["tests"][0]["runs"][0]["deviations"][1].toDouble(), 0.002);
+    for (const QStringList &wrong :
+         {QStringList{"--set", "unit=furlong"}, QStringList{"--set", "unit"},
+          QStringList{"--set", "colour=blue"}, QStringList{"--profile", "unknown"}})
+        QCOMPARE(run(QStringList{"import", "-", "-o", at("d.palmer")} + wrong, table, configuration).code, 2);
+    QCOMPARE(run({"import", "-"}, table).code, 2);
+}
+
+void ImportExportTest::refusesInOneLineAndWritesNothing() {
+    for (const QString name : {"empty.csv", "binary.csv", "cut-off.rtl", "entities.b5r", "bomb.xlsx",
+                               "repeats.ods", "ballbar.b5r64", "document.palmer"}) {
+        const Result result = run({"import", DATA "refused/" + name, "-o", at("none.palmer")});
+        QCOMPARE(result.code, 3);
+        QCOMPARE(result.err.count('\n'), 1);
+        QVERIFY(result.err.startsWith("palmer-cli: "));
+        QVERIFY(!QFile::exists(at("none.palmer")));
+    }
+    // One bad file of several: nothing is written half.
+    QCOMPARE(run({"import", DATA "rtl/typical.rtl", DATA "refused/empty.csv", "-o", at("none.palmer")}).code,
+             3);
+    QVERIFY(!QFile::exists(at("none.palmer")));
+}
+
+void ImportExportTest::readsMeasurementFilesWhereverFilesStand() {
+    const Result file = run({"evaluate", "--json", DATA "tables/typical.csv"});
+    QVERIFY2(file.code == 0, qPrintable(file.err));
+    const Result piped = run({"evaluate", "--json", "-"}, contents(DATA "tables/typical.csv"));
+    const QJsonValue a = QJsonDocument::fromJson(file.out.toUtf8())["tests"];
+    QCOMPARE(a, QJsonDocument::fromJson(piped.out.toUtf8())["tests"]);
+    QVERIFY(a[0]["parameters"].toArray().size() > 5);
+    QVERIFY(file.err.contains("typical.csv: 7:7: “-4,,7” is not a number."));
+    QCOMPARE(run({"check", DATA "workbooks/typical.xlsx"}).code, 1);
+    QCOMPARE(run({"evaluate", DATA "b5r/typical-absolute.b5r"}).code, 0);
+}
+
+void ImportExportTest::exportsEveryForm_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QString>("contained");
+    QTest::newRow("CSV") << QStringList{"--as", "csv"} << "2,100,0.0002,";
+    QTest::newRow("CSV with comma") << QStringList{"--as", "csv", "--decimal-mark", "comma"}
+                                    << "2;100;0,0002;";
+    QTest::newRow("JSON") << QStringList{"--as", "json"} << R"("approach": "positive")";
+    QTest::newRow("LinuxCNC") << QStringList{"--as", "linuxcnc", "--per-direction"} << "\n0 -0.0025 0.0017\n";
+    QTest::newRow("Siemens") << QStringList{"--as", "siemens", "--interval", "50"}
+                             << "$AA_ENC_COMP_STEP[0,X]=50\n";
+    QTest::newRow("compensation as CSV")
+        << QStringList{"--as", "compensation-csv", "--incremental", "--deviations"}
+        << "form=incremental sign=deviation";
+}
+
+void ImportExportTest::exportsEveryForm() {
+    QFETCH(QStringList, options);
+    QFETCH(QString, contained);
+    const Result result = run(QStringList{"export", DATA "rtl/typical.rtl", "-o", "-"} + options);
+    QVERIFY2(result.code == 0, qPrintable(result.err));
+    QVERIFY2(result.out.contains(contained), qPrintable(result.out));
+    const bool predicts = !options.contains("csv") && !options.contains("json");
+    QCOMPARE(result.err.contains("predicted with the compensation applied:"), predicts);
+    QVERIFY(!predicts || result.err.contains("palmer-cli: E: "));
+    const Result saved = run(QStringList{"export", DATA "rtl/typical.rtl", "-o", at("out")} + options);
+    QCOMPARE(QString::fromUtf8(contents(at("out"))), result.out);
+    QVERIFY(saved.out.isEmpty());
+}
+
+void ImportExportTest::refusesHugeFilesAtOnce() {
+    QFile huge(at("huge.csv"));
+    QVERIFY(huge.open(QIODevice::WriteOnly));
+    if (!huge.resize(qint64(2) << 30))
+        QSKIP("no sparse files here");
+    huge.close();
+    const Result result = run({"import", at("huge.csv"), "-o", at("none.palmer")});
+    QCOMPARE(result.code, 3);
+    QCOMPARE(result.err.count('\n'), 1);
+    QVERIFY(huge.remove());
+}
+
+QTEST_GUILESS_MAIN(ImportExportTest)
+#include "importexporttest.moc"

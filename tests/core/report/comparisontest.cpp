@@ -1,0 +1,145 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "report/comparison.h"
+#include "core/kernel/evaluation/positioningdata.h"
+
+#include <QTest>
+#include <algorithm>
+#include <memory>
+
+using namespace palmer;
+using namespace palmer::testdata;
+
+namespace {
+
+EvaluatedDocument inDocument(const Test &test) {
+    auto document = std::make_shared<Document>();
+    document->tests.push_back(std::make_shared<const Test>(test));
+    return evaluate(std::move(document));
+}
+
+Language english() {
+    return Language(Language::Id::english);
+}
+
+const ComparisonRow &row(const ResultComparison &comparison, const char *id) {
+    const auto found = std::ranges::find(comparison.rows, QString(id), &ComparisonRow::id);
+    if (found == comparison.rows.end())
+        qFatal("no row %s", id);
+    return *found;
+}
+
+} // namespace
+
+class ComparisonTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// The worked example: R 13.49 and A 18.03 with 3 s, published; with 2 s as under 2006.
+    void editionsDifferByTheirFactor() {
+        const Test test = example1988("ISO 230-2:1988");
+        const ResultComparison comparison = compareEditions(inDocument(test), 0, editionsToCompare(test), english());
+        QCOMPARE(comparison.columns.first(), QString("ISO 230-2:1988"));
+        QCOMPARE(comparison.columns.size(), 5);
+        QCOMPARE(comparison.unit, QString("µm"));
+        const ComparisonRow &accuracy = row(comparison, "A");
+        QCOMPARE(accuracy.values[0], QString("18.03"));
+        const auto column = comparison.columns.indexOf("ISO 230-2:2006");
+        QVERIFY(accuracy.values[column] != accuracy.values[0]);
+        QVERIFY(accuracy.differences[column].startsWith(QChar(u'\u2212')));
+        QVERIFY2(accuracy.reason.contains("takes 3 s") && accuracy.reason.contains("takes 2 s"),
+                 qPrintable(accuracy.reason));
+        QVERIFY2(accuracy.reason.contains("No parameter of VDI/DGQ 3441:1977"), qPrintable(accuracy.reason));
+        // Means do not depend on the factor.
+        const ComparisonRow &reversal = row(comparison, "Bmean");
+        QCOMPARE(reversal.values[column], reversal.values[0]);
+        QVERIFY2(reversal.reason.startsWith("The same arithmetic."), qPrintable(reversal.reason));
+        const ComparisonRow &systematic = row(comparison, "E");
+        QVERIFY(systematic.values[0].isEmpty());
+        QVERIFY2(systematic.reason.contains("No parameter of ISO 230-2:1988"), qPrintable(systematic.reason));
+    }
+
+    void laterEditionsShareTheirArithmetic() {
+        const Test test = example1988("ISO 230-2:2006");
+        const ResultComparison comparison = compareEditions(
+            inDocument(test), 0, {"ISO 230-2:2006", "ISO 230-2:1997", "ISO 230-2:2014"}, english());
+        for (const ComparisonRow &row : comparison.rows) {
+            if (row.id == "UPR")
+                continue;
+            QCOMPARE(row.values[1], row.values[0]);
+            QCOMPARE(row.values[2], row.values[0]);
+            QCOMPARE(row.reason, QString("The same arithmetic."));
+        }
+    }
+
+    void theRangeMethodIsAReason() {
+        Test test = example1988("ISO 230-2:1988");
+        measurement(test).standardDeviation = DeviationMethod::range;
+        const ResultComparison comparison =
+            compareEditions(inDocument(test), 0, {"ISO 230-2:1988", "ISO 230-2:2006"}, english());
+        QVERIFY2(row(comparison, "R").reason.contains("from the range"),
+                 qPrintable(row(comparison, "R").reason));
+    }
+
+    void testsAreComparedUnderTheEditionOfTheFirst() {
+        Test left = example1988("ISO 230-2:1988");
+        for (Run &run : measurement(left).runs) {
+            for (auto &reading : run.deviations) {
+                if (reading)
+                    *reading *= 0.5;
+            }
+        }
+        const std::vector<ComparedTest> tests{{inDocument(example1988("ISO 230-2:2006")), 0, "as found"},
+                                              {inDocument(left), 0, "as left"}};
+        const ResultComparison comparison = compareTests(tests, english());
+        QCOMPARE(comparison.columns, (QStringList{"as found", "as left"}));
+        for (const ComparisonRow &row : comparison.rows) {
+            // half the deviations: half of every parameter, within the rounding of two numbers
+            QVERIFY(std::abs(QString(row.values[1]).replace(QChar(u'\u2212'), '-').toDouble() * 2 -
+                             QString(row.values[0]).replace(QChar(u'\u2212'), '-').toDouble()) <= 0.03);
+            QVERIFY(row.differences[0].isEmpty() && !row.differences[1].isEmpty());
+        }
+        QCOMPARE(comparison.notes, QStringList{"All tests as under ISO 230-2:2006."});
+    }
+
+    void whatCannotBeComparedIsLeftOut() {
+        Test circle;
+        circle.edition = "ISO 230-4:2005";
+        circle.measurement = CircularMeasurement();
+        const ResultComparison comparison = compareTests(
+            {{inDocument(example1988("ISO 230-2:2006")), 0, "X"}, {inDocument(circle), 0, "XY"}}, english());
+        QCOMPARE(comparison.columns, QStringList{"X"});
+        QVERIFY(comparison.notes.join(' ').contains("XY"));
+        QVERIFY(compareTests({}, english()).rows.empty());
+        Test drift;
+        drift.measurement = DriftMeasurement();
+        QVERIFY(editionsToCompare(drift).empty());
+        QVERIFY(compareEditions(inDocument(drift), 0, {"ISO 230-2:2006"}, english()).rows.empty());
+    }
+
+    void theFigureShowsTheMeans() {
+        const Test test = example1988("ISO 230-2:2006");
+        const ComparisonFigure figure =
+            comparisonFigure({{inDocument(test), 0, "a"}, {inDocument(test), 0, "b"}}, english());
+        QCOMPARE(figure.curves.size(), std::size_t(2));
+        QCOMPARE(figure.curves[0].lines.size(), std::size_t(1));
+        QCOMPARE(figure.curves[0].lines[0].size(), std::size_t(11));
+        QVERIFY(!figure.x.ticks.empty() && figure.y.unit == "µm");
+        const FigurePoint &point = figure.curves[0].lines[0][0];
+        QVERIFY(point.x >= figure.x.from && point.y >= figure.y.from && point.y <= figure.y.to);
+    }
+
+    void copiedTablesAreForSpreadsheets() {
+        const Test test = example1988("ISO 230-2:2006");
+        const ResultComparison comparison =
+            compareTests({{inDocument(test), 0, "a"}, {inDocument(test), 0, "b"}}, english());
+        const QStringList lines = asTabSeparated(comparison).trimmed().split('\n');
+        QCOMPARE(lines.size(), static_cast<qsizetype>(comparison.rows.size()) + 1);
+        QCOMPARE(lines[0], QString("µm\ta\tb\tΔ"));
+        for (const QString &line : lines)
+            QCOMPARE(line.count('\t'), 3);
+    }
+};
+
+QTEST_APPLESS_MAIN(ComparisonTest)
+#include "comparisontest.moc"

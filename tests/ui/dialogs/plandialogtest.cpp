@@ -1,0 +1,150 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/dialogs/plandialog.h"
+
+#include "ui/examples.h"
+#include "ui/model/documentmodel.h"
+#include "ui/windowlanguage.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+
+using namespace palmer;
+using namespace palmer::ui;
+using namespace palmer::testdata;
+
+namespace {
+
+Document emptyTest() {
+    Test test;
+    test.edition = "ISO 230-2:2006";
+    PositioningMeasurement measurement;
+    measurement.axis.name = "Y";
+    measurement.axis.range = Interval{0, 1200};
+    test.measurement = measurement;
+    Document document;
+    document.tests.push_back(std::make_shared<const Test>(test));
+    return document;
+}
+
+void type(QDialog &dialog, const char *name, const char *text) {
+    auto *edit = dialog.findChild<QLineEdit *>(QLatin1StringView(name));
+    if (!edit)
+        qFatal("no field %s", name);
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, text);
+}
+
+QPushButton *button(QDialog &dialog, const char *name) {
+    auto *found = dialog.findChild<QPushButton *>(QLatin1StringView(name));
+    if (!found)
+        qFatal("no button %s", name);
+    return found;
+}
+
+} // namespace
+
+/// The plan in the window.
+class PlanDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+    void beginsWithWhatTheTestStates() {
+        DocumentModel model;
+        model.setDocument(emptyTest(), {});
+        PlanDialog dialog(model, 0);
+        QCOMPARE(dialog.program().axis, std::string("Y"));
+        QCOMPARE(dialog.plan().targets.size(), std::size_t(6)); // 1 198 mm between the ends
+        QVERIFY(dialog.plan().targets.front() - dialog.program().approach >= 0);
+        QVERIFY(dialog.plan().targets.back() + dialog.program().approach <= 1200);
+    }
+
+    void fillsATestWithoutReadings() {
+        DocumentModel model;
+        model.setDocument(emptyTest(), {});
+        const Document before = *model.document();
+        PlanDialog dialog(model, 0);
+        dialog.show();
+        type(dialog, "plan.travel", "1000");
+        type(dialog, "plan.period", "10");
+        const auto targets = dialog.plan().targets;
+        button(dialog, "fillTest")->click();
+        const auto &measurement = std::get<PositioningMeasurement>(model.document()->tests[0]->measurement);
+        QCOMPARE(measurement.targets, targets);
+        QCOMPARE(measurement.targetChoice.period, std::optional(10.0));
+        QCOMPARE(measurement.runs.size(), std::size_t(10));
+        QCOMPARE(measurement.axis.range, std::optional(Interval{0, 1200})); // stays
+        model.undoStack()->undo();
+        QVERIFY(*model.document() == before);
+    }
+
+    void neverOverwritesReadings() {
+        DocumentModel model;
+        Document document;
+        document.tests.push_back(std::make_shared<const Test>(example1988("ISO 230-2:1988")));
+        model.setDocument(document, {});
+        PlanDialog dialog(model, 0);
+        QVERIFY(!button(dialog, "fillTest")->isEnabled());
+        QSignalSpy made(&dialog, &PlanDialog::testMade);
+        button(dialog, "makeTest")->click();
+        QCOMPARE(made.count(), 1);
+        QCOMPARE(model.document()->tests.size(), std::size_t(2));
+        QCOMPARE(model.document()->tests[0], document.tests[0]);
+        QCOMPARE(model.document()->tests[1]->edition, std::string("ISO 230-2:1988"));
+    }
+
+    void otherTargetsComeFromAnotherSeed() {
+        DocumentModel model;
+        model.setDocument(emptyTest(), {});
+        PlanDialog dialog(model, 0);
+        const auto before = dialog.plan().targets;
+        button(dialog, "reseed")->click();
+        QVERIFY(dialog.plan().targets != before);
+        QCOMPARE(dialog.findChild<QLineEdit *>("plan.seed")->text(), QString("2"));
+    }
+
+    void whatMakesNoPlanIsSaid() {
+        DocumentModel model;
+        model.setDocument(emptyTest(), {});
+        PlanDialog dialog(model, 0);
+        dialog.show();
+        type(dialog, "plan.travel", "2");
+        type(dialog, "plan.decimals", "0");
+        QVERIFY(dialog.plan().targets.empty());
+        QVERIFY(!button(dialog, "makeTest")->isEnabled());
+        QVERIFY(!dialog.findChild<QLabel *>("planSummary")->text().isEmpty());
+    }
+
+    void writesProgramAndPlan() {
+        DocumentModel model;
+        model.setDocument(emptyTest(), {});
+        PlanDialog dialog(model, 0);
+        QTemporaryDir folder;
+        for (int dialect = 0; dialect < 3; ++dialect) {
+            dialog.findChild<QComboBox *>("dialect")->setCurrentIndex(dialect);
+            QVERIFY(dialog.saveProgram(folder.filePath("p.nc")));
+            QFile program(folder.filePath("p.nc"));
+            QVERIFY(program.open(QIODevice::ReadOnly));
+            const QByteArray text = program.readAll();
+            QVERIFY(text.contains("M30"));
+            QCOMPARE(text.contains("BEGIN PGM"), dialect == 2);
+        }
+        QVERIFY(dialog.savePlan(folder.filePath("plan.pdf")));
+        QFile pdf(folder.filePath("plan.pdf"));
+        QVERIFY(pdf.open(QIODevice::ReadOnly) && pdf.readAll().startsWith("%PDF-"));
+    }
+};
+
+QTEST_MAIN(PlanDialogTest)
+#include "plandialogtest.moc"

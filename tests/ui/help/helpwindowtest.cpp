@@ -1,0 +1,60 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/window/shownwindow.h"
+
+#include "ui/help/helpwindow.h"
+
+#include <QAction>
+#include <QLineEdit>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+/// Help in the window.
+class HelpWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareApplication(); }
+
+    void opensAtTheFieldWithTheFocus() {
+        setWindowLanguage(Language::Id::english);
+        const ShownWindow shown(examplePath("iso230-2-1988-example"));
+        QVERIFY(QTest::qWaitForWindowActive(shown.window));
+        shown.window->workplace().showPage(Page::conditions);
+        for (QLineEdit *edit : shown.window->findChildren<QLineEdit *>()) {
+            if (edit->objectName().startsWith("field.airPressure.") && edit->isVisible())
+                edit->setFocus();
+        }
+        QTRY_VERIFY(QApplication::focusWidget() &&
+                    QApplication::focusWidget()->property("helpTopic").toString() == "airPressure");
+        shown.find<QAction>("help")->trigger();
+        auto *help = shown.find<HelpWindow>("helpWindow");
+        QCOMPARE(help->currentPage(), QString("fields"));
+        QVERIFY(help->text().contains("wavelength"));
+        help->showPage("validation");
+        QVERIFY(help->text().contains("NIST"));
+        setWindowLanguage(Language::Id::french);
+        QTRY_VERIFY(help->text().contains("certifié"));
+        QCOMPARE(help->currentPage(), QString("validation"));
+        setWindowLanguage(Language::Id::english);
+    }
+
+    void opensAtTheEditionOfAResult() {
+        const ShownWindow shown(examplePath("iso230-2-1988-example"));
+        shown.window->workplace().selection().setParameter("R");
+        if (QApplication::focusWidget())
+            QApplication::focusWidget()->clearFocus();
+        shown.find<QAction>("help")->trigger();
+        QCOMPARE(shown.find<HelpWindow>("helpWindow")->currentPage(), QString("editions.ISO 230-2:1988"));
+    }
+
+    void anUnknownPageIsTheFirst() {
+        HelpWindow help;
+        help.showPage("nothing");
+        QCOMPARE(help.currentPage(), QString("workflow"));
+    }
+};
+
+QTEST_MAIN(HelpWindowTest)
+#include "helpwindowtest.moc"

@@ -1,0 +1,298 @@
+#include "ui/dialogs/comparedialog.h"
+
+#include "document/savedocument.h"
+#include "ui/dialogs/comparisonview.h"
+#include "ui/testname.h"
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int listWidth = 220;
+constexpr int rowHeight = 26;
+
+QTableWidgetItem *cell(const QString &text, bool number) {
+    auto *item = new QTableWidgetItem(text);
+    item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    return item;
+}
+
+/// Fills a table; `differences`: a column beside every value but the first; else the reasons at the end.
+void fill(QTableWidget &table, const ResultComparison &comparison, const QStringList &heads,
+          bool differences) {
+    table.clear();
+    table.setColumnCount(static_cast<int>(heads.size()));
+    table.setHorizontalHeaderLabels(heads);
+    table.setRowCount(static_cast<int>(comparison.rows.size()));
+    for (int r = 0; r < table.rowCount(); ++r) {
+        const ComparisonRow &row = comparison.rows[static_cast<std::size_t>(r)];
+        int column = 0;
+        QTableWidgetItem *symbol = cell(row.symbol.plain(), false);
+        symbol->setToolTip(row.name);
+        QFont bold = symbol->font();
+        bold.setBold(true);
+        symbol->setFont(bold);
+        table.setItem(r, column++, symbol);
+        for (qsizetype i = 0; i < row.values.size(); ++i) {
+            table.setItem(r, column++, cell(row.values[i], true));
+            if (differences && i > 0)
+                table.setItem(r, column++, cell(row.differences[i], true));
+        }
+        if (!differences) {
+            QTableWidgetItem *reason = cell(row.reason, false);
+            reason->setToolTip(row.reason);
+            table.setItem(r, column, reason);
+        }
+    }
+    table.resizeColumnsToContents();
+    table.horizontalHeader()->setStretchLastSection(!differences);
+}
+
+QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
+    auto *table = new QTableWidget(parent);
+    table->setObjectName(QLatin1StringView(name));
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    table->setShowGrid(false);
+    table->setTabKeyNavigation(false);
+    table->setWordWrap(true);
+    return table;
+}
+
+} // namespace
+
+CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent)
+    : QDialog(parent)
+    , m_evaluated(evaluated)
+    , m_test(test)
+    , m_tabs(new QTabWidget(this))
+    , m_editionList(new QListWidget(this))
+    , m_editionTable(readOnlyTable(this, "editionTable"))
+    , m_editionNotes(new QLabel(this))
+    , m_testList(new QListWidget(this))
+    , m_view(new ComparisonView(this))
+    , m_testTable(readOnlyTable(this, "testTable"))
+    , m_testNotes(new QLabel(this))
+    , m_addFile(new QPushButton(this))
+    , m_copy(new QPushButton(this))
+    , m_close(new QPushButton(this)) {
+    setObjectName(QStringLiteral("compareDialog"));
+    resize(1040, 700);
+    m_tabs->setObjectName(QStringLiteral("compareTabs"));
+    m_editionList->setObjectName(QStringLiteral("editionList"));
+    m_testList->setObjectName(QStringLiteral("testList"));
+    m_addFile->setObjectName(QStringLiteral("addFile"));
+    m_copy->setObjectName(QStringLiteral("copyComparison"));
+    m_close->setObjectName(QStringLiteral("closeComparison"));
+    for (QListWidget *list : {m_editionList, m_testList})
+        list->setFixedWidth(listWidth);
+    for (QLabel *notes : {m_editionNotes, m_testNotes}) {
+        notes->setProperty("secondary", true);
+        notes->setWordWrap(true);
+    }
+    auto *editions = new QWidget(m_tabs);
+    auto *editionColumn = new QVBoxLayout;
+    editionColumn->addWidget(m_editionTable, 1);
+    editionColumn->addWidget(m_editionNotes);
+    auto *editionRow = new QHBoxLayout(editions);
+    editionRow->addWidget(m_editionList);
+    editionRow->addLayout(editionColumn, 1);
+    auto *tests = new QWidget(m_tabs);
+    auto *listColumn = new QVBoxLayout;
+    listColumn->addWidget(m_testList, 1);
+    listColumn->addWidget(m_addFile);
+    auto *testColumn = new QVBoxLayout;
+    testColumn->addWidget(m_view, 1);
+    testColumn->addWidget(m_testTable, 1);
+    testColumn->addWidget(m_testNotes);
+    auto *testRow = new QHBoxLayout(tests);
+    testRow->addLayout(listColumn);
+    testRow->addLayout(testColumn, 1);
+    m_tabs->addTab(editions, QString());
+    m_tabs->addTab(tests, QString());
+    auto *buttons = new QHBoxLayout;
+    buttons->addStretch();
+    buttons->addWidget(m_copy);
+    buttons->addWidget(m_close);
+    m_copy->setIcon(lineIcon(QStringLiteral("copy")));
+    for (QPushButton *button : {m_addFile, m_copy, m_close})
+        button->setAutoDefault(false);
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(m_tabs, 1);
+    layout->addLayout(buttons);
+
+    if (test < evaluated.tests.size()) {
+        const Test &shown = *evaluated.document->tests[test];
+        for (const std::string &word : editionsToCompare(shown))
+            m_editions.emplace_back(word, true);
+        m_offers.push_back({{evaluated, test, testName(shown)}, true});
+    }
+    offer(evaluated, {});
+    connect(m_editionList, &QListWidget::itemChanged, this, [this](QListWidgetItem *item) {
+        m_editions[static_cast<std::size_t>(m_editionList->row(item))].second =
+            item->checkState() == Qt::Checked;
+        showEditions();
+    });
+    connect(m_testList, &QListWidget::itemChanged, this, [this](QListWidgetItem *item) {
+        m_offers[static_cast<std::size_t>(m_testList->row(item))].isChosen =
+            item->checkState() == Qt::Checked;
+        showTests();
+    });
+    connect(m_addFile, &QPushButton::clicked, this, &CompareDialog::chooseFile);
+    connect(m_copy, &QPushButton::clicked, this, &CompareDialog::copy);
+    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+    retranslate();
+}
+
+/// The tests of a document that can be compared with the one in view; those of its own axis are chosen.
+void CompareDialog::offer(const EvaluatedDocument &evaluated, const QString &file) {
+    if (m_offers.empty())
+        return;
+    const Test &first = *m_offers[0].test.evaluated.document->tests[m_offers[0].test.test];
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        const Test &test = *evaluated.document->tests[i];
+        const bool itself = file.isEmpty() && i == m_test;
+        if (itself || !isComparable(first, test))
+            continue;
+        const QString name =
+            file.isEmpty() ? testName(test) : QStringLiteral("%1 – %2").arg(testName(test), file);
+        const auto *own = std::get_if<PositioningMeasurement>(&first.measurement);
+        const auto *other = std::get_if<PositioningMeasurement>(&test.measurement);
+        const bool sameAxis = own && other && own->axis.name == other->axis.name;
+        m_offers.push_back({{evaluated, i, name}, sameAxis || !file.isEmpty()});
+    }
+}
+
+void CompareDialog::fillLists() {
+    const QSignalBlocker quietEditions(m_editionList);
+    const QSignalBlocker quietTests(m_testList);
+    m_editionList->clear();
+    for (std::size_t i = 0; i < m_editions.size(); ++i) {
+        auto *item = new QListWidgetItem(QString::fromStdString(m_editions[i].first), m_editionList);
+        item->setCheckState(m_editions[i].second ? Qt::Checked : Qt::Unchecked);
+        if (i == 0)
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable); // what the others are compared with
+    }
+    m_testList->clear();
+    for (std::size_t i = 0; i < m_offers.size(); ++i) {
+        auto *item = new QListWidgetItem(m_offers[i].test.name, m_testList);
+        item->setCheckState(m_offers[i].isChosen ? Qt::Checked : Qt::Unchecked);
+        if (i == 0)
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    }
+}
+
+void CompareDialog::showEditions() {
+    std::vector<std::string> chosen;
+    for (const auto &[word, isShown] : m_editions) {
+        if (isShown)
+            chosen.push_back(word);
+    }
+    m_ofEditions = compareEditions(m_evaluated, m_test, chosen, windowLanguage());
+    fill(*m_editionTable, m_ofEditions,
+         QStringList{m_ofEditions.unit} + m_ofEditions.columns + QStringList{tr("Reason")}, false);
+    m_editionNotes->setText(m_ofEditions.notes.join(u' '));
+}
+
+void CompareDialog::showTests() {
+    std::vector<ComparedTest> chosen;
+    for (const Offer &offer : m_offers) {
+        if (offer.isChosen)
+            chosen.push_back(offer.test);
+    }
+    m_ofTests = compareTests(chosen, windowLanguage());
+    QStringList heads{m_ofTests.unit};
+    for (qsizetype i = 0; i < m_ofTests.columns.size(); ++i) {
+        heads << m_ofTests.columns[i];
+        if (i > 0)
+            heads << QStringLiteral("Δ");
+    }
+    fill(*m_testTable, m_ofTests, heads, true);
+    const ComparisonFigure figure = comparisonFigure(chosen, windowLanguage());
+    m_view->show(figure);
+    m_view->setVisible(!figure.curves.empty());
+    QStringList notes = m_ofTests.notes;
+    if (m_offers.size() < 2)
+        notes << tr("This file has no other test of this kind: add a file.");
+    m_testNotes->setText(notes.join(u' '));
+}
+
+bool CompareDialog::addFile(const QString &path) {
+    try {
+        const std::size_t before = m_offers.size();
+        offer(evaluate(std::make_shared<const Document>(openDocument(path))), QFileInfo(path).fileName());
+        fillLists();
+        showTests();
+        if (m_offers.size() == before)
+            m_testNotes->setText(tr("%1 has no test of this kind.").arg(QFileInfo(path).fileName()));
+        return true;
+    } catch (const Error &error) {
+        QMessageBox box(QMessageBox::Critical, windowTitle(),
+                        tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), QMessageBox::Ok, this);
+        box.setObjectName(QStringLiteral("errorBox"));
+        box.setInformativeText(windowLanguage().sentence(error.message));
+        box.exec();
+        return false;
+    }
+}
+
+void CompareDialog::chooseFile() {
+    QFileDialog dialog(this, tr("Compare with the tests of a file"));
+    dialog.setObjectName(QStringLiteral("compareFileDialog"));
+    dialog.setFileMode(QFileDialog::ExistingFiles);
+    dialog.setNameFilters({tr("Test files (*.palmer)"), tr("All files (*)")});
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    for (const QString &path : dialog.selectedFiles())
+        addFile(path);
+}
+
+void CompareDialog::copy() {
+    QApplication::clipboard()->setText(
+        asTabSeparated(m_tabs->currentIndex() == 0 ? m_ofEditions : m_ofTests));
+}
+
+void CompareDialog::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+void CompareDialog::retranslate() {
+    setWindowTitle(tr("Compare"));
+    m_tabs->setTabText(0, tr("&Editions"));
+    m_tabs->setTabText(1, tr("&Tests"));
+    m_addFile->setText(tr("&Add a file…"));
+    m_copy->setText(tr("Cop&y"));
+    m_copy->setToolTip(tr("Copy the table for a spreadsheet"));
+    m_close->setText(tr("&Close"));
+    m_editionList->setAccessibleName(tr("Editions"));
+    m_testList->setAccessibleName(tr("Tests"));
+    m_editionTable->setAccessibleName(tr("Results by edition"));
+    m_testTable->setAccessibleName(tr("Results by test"));
+    m_view->setAccessibleName(tr("Mean deviations"));
+    fillLists();
+    showEditions();
+    showTests();
+}
+
+} // namespace palmer::ui

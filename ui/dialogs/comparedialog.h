@@ -1,0 +1,66 @@
+#pragma once
+
+#include "report/comparison.h"
+
+#include <QDialog>
+#include <vector>
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QTabWidget;
+class QTableWidget;
+
+namespace palmer::ui {
+
+class ComparisonView;
+
+/// "Compare…": the test in view under several editions with the reason of each difference, and beside other
+/// tests of this or other files: as found and as left, this year and the last.
+class CompareDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    CompareDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent = nullptr);
+
+    /// Offers the tests of another file; false, and a message, when it cannot be read.
+    bool addFile(const QString &path);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    struct Offer {
+        ComparedTest test;
+        bool isChosen = false;
+    };
+
+    void offer(const EvaluatedDocument &evaluated, const QString &file);
+    void fillLists();
+    void showEditions();
+    void showTests();
+    void chooseFile();
+    void copy();
+    void retranslate();
+
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test;
+    std::vector<std::pair<std::string, bool>> m_editions; ///< word, whether it is shown
+    std::vector<Offer> m_offers;                          ///< the first is the test in view
+    ResultComparison m_ofEditions;
+    ResultComparison m_ofTests;
+
+    QTabWidget *m_tabs;
+    QListWidget *m_editionList;
+    QTableWidget *m_editionTable;
+    QLabel *m_editionNotes;
+    QListWidget *m_testList;
+    ComparisonView *m_view;
+    QTableWidget *m_testTable;
+    QLabel *m_testNotes;
+    QPushButton *m_addFile;
+    QPushButton *m_copy;
+    QPushButton *m_close;
+};
+
+} // namespace palmer::ui

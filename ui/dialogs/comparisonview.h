@@ -1,0 +1,27 @@
+#pragma once
+
+#include "report/comparison.h"
+
+#include <QWidget>
+
+namespace palmer::ui {
+
+/// The mean deviations of several tests over one another. Lines differ by colour, dashes and markers.
+class ComparisonView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ComparisonView(QWidget *parent = nullptr);
+
+    void show(const ComparisonFigure &figure);
+
+    [[nodiscard]] QSize sizeHint() const override { return {640, 260}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    ComparisonFigure m_figure;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,101 @@
+#include "ui/dialogs/cycleview.h"
+
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
+
+#include <QPainter>
+#include <QPolygonF>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double side = 24;
+constexpr double head = 34;
+constexpr double foot = 12;
+constexpr double radius = 2.6;
+constexpr std::size_t mostDots = 4000; ///< beyond, they run into one another
+
+} // namespace
+
+CycleView::CycleView(QWidget *parent)
+    : QWidget(parent) {
+    setMinimumSize(320, 180);
+}
+
+void CycleView::show(const CycleProgram &program) {
+    m_program = program;
+    update();
+}
+
+void CycleView::paintEvent(QPaintEvent *) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), palette().base());
+    const std::vector<Move> path = cyclePath(m_program);
+    if (path.empty())
+        return;
+    const auto [low, high] = std::ranges::minmax(path, {}, &Move::position);
+    const double span = std::max(high.position - low.position, 1e-9);
+    const auto x = [&](double position) {
+        return side + (position - low.position) / span * (width() - 2 * side);
+    };
+    // Rows: in the standard cycle a pass a row, in the step cycle a stop a row.
+    std::vector<double> rows;
+    double row = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const bool turns = !path[i].stop;
+        if (i > 0 && turns)
+            row += 1;
+        rows.push_back(row);
+    }
+    const double last = std::max(row, 1.0);
+    const auto y = [&](double atRow) { return head + atRow / last * (height() - head - foot); };
+
+    painter.setFont(themeFont(TextSize::tiny));
+    painter.setPen(QPen(token(Token::line, palette()), 1));
+    for (const double target : m_program.targets)
+        painter.drawLine(QPointF(x(target), head - 6), QPointF(x(target), height() - foot));
+    painter.setPen(token(Token::secondaryText, palette()));
+    const Language &language = windowLanguage();
+    const Quantity quantity = m_program.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    if (!m_program.targets.empty()) {
+        const QRectF top(0, 2, width(), head - 10);
+        painter.drawText(top.adjusted(side - 16, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         language.quantity(m_program.targets.front(), quantity, m_program.decimals));
+        painter.drawText(top.adjusted(0, 0, -(side - 16), 0), Qt::AlignRight | Qt::AlignVCenter,
+                         language.quantity(m_program.targets.back(), quantity, m_program.decimals));
+    }
+    const auto colour = [&](Direction direction) {
+        return token(direction == Direction::positive ? Token::up : Token::down, palette());
+    };
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        // A move without rest leads to the stop after it, from where the axis was.
+        const Stop &stop = path[i].stop ? *path[i].stop : *path[i + 1].stop;
+        if (i > 0) {
+            const bool turn = !path[i].stop;
+            QPen pen(turn ? token(Token::secondaryText, palette()) : colour(stop.approach), turn ? 1 : 1.6);
+            if (turn)
+                pen.setStyle(Qt::DotLine);
+            painter.setPen(pen);
+            painter.drawLine(QPointF(x(path[i - 1].position), y(rows[i - 1])),
+                             QPointF(x(path[i].position), y(rows[i])));
+        }
+    }
+    if (path.size() > mostDots)
+        return;
+    painter.setPen(Qt::NoPen);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (!path[i].stop)
+            continue;
+        const QPointF at(x(path[i].position), y(rows[i]));
+        painter.setBrush(colour(path[i].stop->approach));
+        // A triangle that points where the axis goes: no meaning by colour alone.
+        const double tip = path[i].stop->approach == Direction::positive ? radius * 1.5 : -radius * 1.5;
+        painter.drawPolygon(QPolygonF({at + QPointF(tip, 0), at + QPointF(-tip / 2, -radius * 1.2),
+                                       at + QPointF(-tip / 2, radius * 1.2)}));
+    }
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "kernel/planning/cycleprogram.h"
+
+#include <QWidget>
+
+namespace palmer::ui {
+
+/// A picture of the measuring cycle: along the axis from left to right, in time from top to bottom. A dot
+/// wherever the axis rests and a reading is taken; both directions in their colours and with their arrows.
+class CycleView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CycleView(QWidget *parent = nullptr);
+
+    void show(const CycleProgram &program);
+
+    [[nodiscard]] QSize sizeHint() const override { return {460, 300}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    CycleProgram m_program;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,548 @@
+#include "ui/dialogs/plandialog.h"
+
+#include "document/edits.h"
+#include "document/plannedtest.h"
+#include "document/savedocument.h"
+#include "kernel/evaluation/edition.h"
+#include "language/decimals.h"
+#include "language/entry.h"
+#include "report/planreport.h"
+#include "ui/dialogs/cycleview.h"
+#include "ui/model/documentmodel.h"
+#include "ui/pdf/pages.h"
+#include "ui/pdf/writepdf.h"
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
+
+#include <QBuffer>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPainter>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int fieldsWidth = 380;
+constexpr const char *defaultEdition = "ISO 230-2:2014";
+constexpr double pointsPerInch = 72;
+
+bool hasReadings(const PositioningMeasurement &measurement) {
+    return std::ranges::any_of(measurement.runs,
+                               [](const Run &run) {
+                                   return std::ranges::any_of(run.deviations, [](const auto &reading) {
+                                       return reading.has_value();
+                                   });
+                               }) ||
+           !measurement.excluded.empty();
+}
+
+} // namespace
+
+PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
+    : QDialog(parent)
+    , m_model(model)
+    , m_test(test)
+    , m_edition(defaultEdition)
+    , m_view(new CycleView(this))
+    , m_summary(new QLabel(this))
+    , m_targets(new QLabel(this))
+    , m_reseed(new QPushButton(this))
+    , m_fill(new QPushButton(this))
+    , m_make(new QPushButton(this))
+    , m_print(new QPushButton(this))
+    , m_savePlan(new QPushButton(this))
+    , m_dialect(new QComboBox(this))
+    , m_saveProgram(new QPushButton(this))
+    , m_close(new QPushButton(this)) {
+    setObjectName(QStringLiteral("planDialog"));
+    resize(980, 680);
+    m_request.travel = 1000;
+    begin(test);
+
+    auto *fields = new QWidget(this);
+    fields->setFixedWidth(fieldsWidth);
+    auto *grid = new QGridLayout(fields);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(12);
+    grid->setVerticalSpacing(8);
+    int row = 0;
+    const auto place = [&](QWidget *left, QWidget *right) {
+        grid->addWidget(left, row, 0);
+        if (right)
+            grid->addWidget(right, row, 1);
+        ++row;
+    };
+    m_axis = new Field(Field::Kind::text, fields);
+    m_axis->edit()->setObjectName(QStringLiteral("plan.axis"));
+    connect(m_axis, &Field::entered, this, [this] {
+        m_program.axis = m_axis->text().trimmed().toStdString();
+        replan();
+    });
+    m_motion = new Field(Field::Kind::choice, fields);
+    m_motion->edit()->setObjectName(QStringLiteral("plan.motion"));
+    connect(m_motion, &Field::entered, this, [this] {
+        m_request.motion = m_motion->choice() == 0 ? Motion::linear : Motion::rotary;
+        replan();
+    });
+    place(m_axis, m_motion);
+    const auto position = [this] {
+        return m_request.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    };
+    const auto amount = [this](double TargetRequest::*member, bool positive) {
+        return [this, member, positive](const std::optional<double> &value) {
+            if (!value || (positive && !(*value > 0)))
+                return false;
+            m_request.*member = *value;
+            return true;
+        };
+    };
+    place(addNumber(
+              "from", QT_TR_NOOP("Travel begins at"), false, position, [this] { return m_request.from; },
+              amount(&TargetRequest::from, false)),
+          addNumber(
+              "travel", QT_TR_NOOP("Measurement travel"), false, position,
+              [this] { return m_request.travel; }, amount(&TargetRequest::travel, true)));
+    place(addNumber(
+              "perMetre", QT_TR_NOOP("Targets per metre"), false, [] { return Quantity::number; },
+              [this] { return m_request.perMetre; }, amount(&TargetRequest::perMetre, true)),
+          addNumber(
+              "period", QT_TR_NOOP("Period of the error"), false, position,
+              [this] { return m_request.period; },
+              [this](const std::optional<double> &value) {
+                  if (value && !(*value > 0))
+                      return false;
+                  m_request.period = value;
+                  return true;
+              }));
+    m_rule = new Field(Field::Kind::choice, fields);
+    m_rule->edit()->setObjectName(QStringLiteral("plan.rule"));
+    connect(m_rule, &Field::entered, this, [this] {
+        m_request.rule = m_rule->choice() == 0 ? TargetRule::nominalInterval : TargetRule::pitches1988;
+        replan();
+    });
+    place(m_rule, addNumber(
+                      "decimals", QT_TR_NOOP("Decimals"), true, [] { return Quantity::count; },
+                      [this] { return m_request.decimals; },
+                      [this](const std::optional<double> &value) {
+                          if (!value || *value < 0 || *value > 9)
+                              return false;
+                          m_request.decimals = static_cast<int>(*value);
+                          return true;
+                      }));
+    m_reseed->setObjectName(QStringLiteral("reseed"));
+    m_reseed->setAutoDefault(false);
+    connect(m_reseed, &QPushButton::clicked, this, [this] {
+        ++m_request.seed;
+        replan();
+    });
+    auto *seedRow = new QWidget(fields);
+    auto *seedLayout = new QVBoxLayout(seedRow);
+    seedLayout->setContentsMargins(0, 0, 0, 0);
+    seedLayout->addStretch();
+    seedLayout->addWidget(m_reseed);
+    place(addNumber(
+              "seed", QT_TR_NOOP("Seed"), true, [] { return Quantity::count; },
+              [this] { return static_cast<double>(m_request.seed); },
+              [this](const std::optional<double> &value) {
+                  if (!value || *value < 0)
+                      return false;
+                  m_request.seed = static_cast<std::uint64_t>(*value);
+                  return true;
+              }),
+          seedRow);
+    m_cycle = new Field(Field::Kind::choice, fields);
+    m_cycle->edit()->setObjectName(QStringLiteral("plan.cycle"));
+    connect(m_cycle, &Field::entered, this, [this] {
+        m_program.cycle = m_cycle->choice() == 0 ? Cycle::standard : Cycle::step;
+        replan();
+    });
+    place(m_cycle, addNumber(
+                       "runs", QT_TR_NOOP("Runs each way"), true, [] { return Quantity::count; },
+                       [this] { return m_program.runs; },
+                       [this](const std::optional<double> &value) {
+                           if (value && (*value < 1 || *value > 1000))
+                               return false;
+                           m_runs = value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+                           return true;
+                       }));
+    place(addNumber(
+              "feed", QT_TR_NOOP("Feed rate (empty: rapid)"), false,
+              [this] { return m_request.motion == Motion::linear ? Quantity::feed : Quantity::angularFeed; },
+              [this] { return m_program.feed; },
+              [this](const std::optional<double> &value) {
+                  if (value && !(*value > 0))
+                      return false;
+                  m_program.feed = value;
+                  return true;
+              }),
+          addNumber(
+              "dwell", QT_TR_NOOP("Dwell at the target"), false, [] { return Quantity::time; },
+              [this] { return m_program.dwell; },
+              [this](const std::optional<double> &value) {
+                  if (!value || !(*value > 0))
+                      return false;
+                  m_program.dwell = *value;
+                  return true;
+              }));
+    place(addNumber(
+              "approach", QT_TR_NOOP("Approach distance"), false, position,
+              [this] { return m_program.approach; },
+              [this](const std::optional<double> &value) {
+                  if (!value || !(*value > 0))
+                      return false;
+                  m_program.approach = *value;
+                  return true;
+              }),
+          nullptr);
+    grid->setRowStretch(row, 1);
+
+    m_summary->setObjectName(QStringLiteral("planSummary"));
+    m_summary->setWordWrap(true);
+    m_targets->setObjectName(QStringLiteral("planTargets"));
+    m_targets->setWordWrap(true);
+    m_targets->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto *right = new QVBoxLayout;
+    right->addWidget(m_view, 1);
+    right->addWidget(m_summary);
+    right->addWidget(m_targets);
+    auto *body = new QHBoxLayout;
+    body->setSpacing(16);
+    body->addWidget(fields);
+    body->addLayout(right, 1);
+
+    auto *program = new QHBoxLayout;
+    m_dialect->setObjectName(QStringLiteral("dialect"));
+    m_dialect->addItems({QStringLiteral("ISO (DIN 66025)"), QStringLiteral("Siemens SINUMERIK"),
+                         QStringLiteral("Heidenhain")});
+    m_saveProgram->setObjectName(QStringLiteral("saveProgram"));
+    m_saveProgram->setIcon(lineIcon(QStringLiteral("save")));
+    m_print->setObjectName(QStringLiteral("printPlan"));
+    m_print->setIcon(lineIcon(QStringLiteral("print")));
+    m_savePlan->setObjectName(QStringLiteral("savePlan"));
+    m_savePlan->setIcon(lineIcon(QStringLiteral("pdf")));
+    m_fill->setObjectName(QStringLiteral("fillTest"));
+    m_make->setObjectName(QStringLiteral("makeTest"));
+    m_make->setProperty("primary", true);
+    m_close->setObjectName(QStringLiteral("closePlan"));
+    program->addWidget(m_dialect);
+    program->addWidget(m_saveProgram);
+    program->addSpacing(12);
+    program->addWidget(m_print);
+    program->addWidget(m_savePlan);
+    program->addStretch();
+    program->addWidget(m_fill);
+    program->addWidget(m_make);
+    program->addWidget(m_close);
+    for (QPushButton *button : {m_saveProgram, m_print, m_savePlan, m_fill, m_make, m_close})
+        button->setAutoDefault(false);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(16);
+    layout->addLayout(body, 1);
+    layout->addLayout(program);
+    connect(m_saveProgram, &QPushButton::clicked, this, &PlanDialog::chooseProgramFile);
+    connect(m_print, &QPushButton::clicked, this, &PlanDialog::choosePrinter);
+    connect(m_savePlan, &QPushButton::clicked, this, &PlanDialog::choosePlanFile);
+    connect(m_fill, &QPushButton::clicked, this, &PlanDialog::fillTest);
+    connect(m_make, &QPushButton::clicked, this, &PlanDialog::makeTest);
+    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+    retranslate();
+}
+
+Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
+                             std::function<Quantity()> quantity, std::function<std::optional<double>()> get,
+                             std::function<bool(const std::optional<double> &)> set) {
+    auto *field = new Field(Field::Kind::number, this);
+    field->edit()->setObjectName(QStringLiteral("plan.") + QLatin1StringView(name));
+    const auto shown = [whole, quantity](const std::optional<double> &value) {
+        if (!value)
+            return QString();
+        return whole ? QString::number(*value, 'f', 0) : windowLanguage().number(*value, quantity());
+    };
+    field->setReader([quantity, set, shown, whole](const QString &typed) -> Field::Reading {
+        const NumberEntry entry = enteredNumber(typed, quantity(), windowLanguage().units());
+        if (entry.refusal)
+            return {{}, windowLanguage().text(*entry.refusal)};
+        if ((entry.value && whole && std::trunc(*entry.value) != *entry.value) || !set(entry.value))
+            return {{}, tr("cannot be so")};
+        return {shown(entry.value), {}};
+    });
+    connect(field, &Field::entered, this, [this, field, quantity, set] {
+        if (field->isRefused()) // what was there before the typing holds
+            set(enteredNumber(field->valueText(), quantity(), windowLanguage().units()).value);
+        replan();
+    });
+    m_entries.push_back({field, label, whole, std::move(quantity), std::move(get)});
+    return field;
+}
+
+void PlanDialog::begin(std::size_t test) {
+    const auto &tests = m_model.document()->tests;
+    const auto *measurement =
+        test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[test]->measurement) : nullptr;
+    if (!measurement)
+        return;
+    m_edition = tests[test]->edition;
+    if (const Edition *edition = findEdition(m_edition))
+        m_request.rule = targetRuleOf(*edition);
+    m_request.motion = measurement->axis.motion;
+    if (!measurement->axis.name.empty())
+        m_program.axis = measurement->axis.name;
+    if (measurement->targets.size() > 1) {
+        m_request.from = measurement->targets.front();
+        m_request.travel = measurementTravel(*measurement);
+    }
+    if (measurement->axis.range) {
+        m_request.from = measurement->axis.range->from + m_program.approach;
+        m_request.travel =
+            measurement->axis.range->to - measurement->axis.range->from - 2 * m_program.approach;
+    } else if (measurement->axis.travel && measurement->targets.size() < 2) {
+        m_request.from = m_program.approach;
+        m_request.travel = *measurement->axis.travel - 2 * m_program.approach;
+    }
+    if (!(m_request.travel > 0))
+        m_request.travel = 1000;
+    m_request.period = measurement->targetChoice.period;
+    m_request.seed = static_cast<std::uint64_t>(std::max(0LL, measurement->targetChoice.seed.value_or(1)));
+    m_program.cycle = measurement->cycle;
+    m_program.feed = measurement->conditions.feed;
+    if (measurement->conditions.dwell && *measurement->conditions.dwell > 0)
+        m_program.dwell = *measurement->conditions.dwell;
+    if (measurement->conditions.approachDistance && *measurement->conditions.approachDistance > 0)
+        m_program.approach = *measurement->conditions.approachDistance;
+}
+
+void PlanDialog::replan() {
+    m_plan = planTargets(m_request);
+    m_program.motion = m_request.motion;
+    m_program.targets = m_plan.targets;
+    m_program.decimals = m_request.decimals;
+    m_program.runs = m_runs.value_or(m_plan.runs);
+    showFields();
+}
+
+void PlanDialog::showFields() {
+    for (const Entry &entry : m_entries) {
+        const auto value = entry.get();
+        entry.field->setUnit(windowLanguage().unit(entry.quantity()));
+        entry.field->show(!value        ? QString()
+                          : entry.whole ? QString::number(*value, 'f', 0)
+                                        : windowLanguage().number(*value, entry.quantity()),
+                          false);
+    }
+    m_axis->show(QString::fromStdString(m_program.axis), false);
+    m_motion->showChoice(m_request.motion == Motion::linear ? 0 : 1, false);
+    m_rule->showChoice(m_request.rule == TargetRule::nominalInterval ? 0 : 1, false);
+    m_cycle->showChoice(m_program.cycle == Cycle::standard ? 0 : 1, false);
+    m_view->show(m_program);
+    m_summary->setText(summary());
+    const Quantity position = m_request.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    QStringList targets;
+    constexpr std::size_t most = 60;
+    for (std::size_t i = 0; i < std::min(most, m_plan.targets.size()); ++i)
+        targets << windowLanguage().number(m_plan.targets[i], position, m_request.decimals);
+    if (m_plan.targets.size() > most)
+        targets << QStringLiteral("…");
+    m_targets->setText(targets.join(QStringLiteral(" · ")));
+    const bool any = !m_plan.targets.empty();
+    for (QPushButton *button : {m_print, m_savePlan, m_make})
+        button->setEnabled(any);
+    m_fill->setEnabled(any && canFill());
+    m_saveProgram->setEnabled(!partProgram(m_program, dialect(), windowLanguage()).isEmpty());
+}
+
+QString PlanDialog::summary() const {
+    if (m_plan.targets.empty())
+        return tr("These numbers give no plan: too many targets, or too few decimals to tell them apart.");
+    const Quantity position = m_request.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    const Language &language = windowLanguage();
+    const double low = m_program.targets.front() - m_program.approach;
+    const double high = m_program.targets.back() + m_program.approach;
+    QString text = tr("%n target(s)", nullptr, static_cast<int>(m_plan.targets.size())) + u' ' +
+                   tr("every %1, random part %2. The axis moves from %3 to %4.")
+                       .arg(language.quantity(m_plan.interval, position, 1),
+                            language.quantity(m_plan.randomPart, position, 1),
+                            language.quantity(low, position, m_request.decimals),
+                            language.quantity(high, position, m_request.decimals));
+    if (m_plan.runs == 1)
+        text += u' ' +
+                tr("A long axis: once each way over the whole travel, and a full test of an agreed zone of "
+                   "%1 besides.")
+                    .arg(m_request.motion == Motion::linear ? language.quantity(2000, Quantity::position)
+                                                            : language.quantity(360, Quantity::angle));
+    const auto &tests = m_model.document()->tests;
+    const auto *measurement =
+        m_test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[m_test]->measurement) : nullptr;
+    if (measurement && measurement->axis.range &&
+        (low < measurement->axis.range->from || high > measurement->axis.range->to))
+        text += u' ' + tr("That is beyond the ends of the axis.");
+    if (m_program.cycle == Cycle::step)
+        text += u' ' + tr("The step cycle needs a written agreement.");
+    return text;
+}
+
+/// Whether the test in view can take the plan: a positioning test without readings.
+bool PlanDialog::canFill() const {
+    const auto &tests = m_model.document()->tests;
+    const auto *measurement =
+        m_test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[m_test]->measurement) : nullptr;
+    return measurement && !hasReadings(*measurement);
+}
+
+void PlanDialog::fillTest() {
+    const Test planned = plannedTest(m_request, m_plan, m_program, m_edition);
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "plan the targets"), [&](Document &document) {
+        editTest(document, m_test, [&](Test &test) {
+            const auto &made = std::get<PositioningMeasurement>(planned.measurement);
+            auto &kept = std::get<PositioningMeasurement>(test.measurement);
+            kept.axis.name = made.axis.name;
+            kept.axis.motion = made.axis.motion;
+            kept.targets = made.targets;
+            kept.targetChoice = made.targetChoice;
+            kept.runs = made.runs;
+            kept.cycle = made.cycle;
+            kept.conditions.feed = made.conditions.feed;
+            kept.conditions.feedMode = made.conditions.feedMode;
+            kept.conditions.dwell = made.conditions.dwell;
+            kept.conditions.approachDistance = made.conditions.approachDistance;
+        });
+    });
+    accept();
+}
+
+void PlanDialog::makeTest() {
+    const std::size_t index = m_model.document()->tests.size();
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "add a planned test"), [&](Document &document) {
+        Test test = plannedTest(m_request, m_plan, m_program, m_edition);
+        if (document.instruments.size() == 1)
+            test.instruments = {document.instruments[0].id};
+        document.tests.push_back(std::make_shared<const Test>(std::move(test)));
+    });
+    emit testMade(index);
+    accept();
+}
+
+Report PlanDialog::report() const {
+    return composePlan(m_request, m_plan, m_program, windowLanguage());
+}
+
+Dialect PlanDialog::dialect() const {
+    return static_cast<Dialect>(m_dialect->currentIndex());
+}
+
+bool PlanDialog::write(const QString &path, const std::function<QByteArray()> &bytes) {
+    try {
+        saveBytes(bytes(), path);
+        return true;
+    } catch (const Error &error) {
+        QMessageBox box(QMessageBox::Critical, windowTitle(),
+                        tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), QMessageBox::Ok, this);
+        box.setObjectName(QStringLiteral("errorBox"));
+        box.setInformativeText(windowLanguage().sentence(error.message));
+        box.exec();
+        return false;
+    }
+}
+
+bool PlanDialog::saveProgram(const QString &path) {
+    return write(path, [this] { return partProgram(m_program, dialect(), windowLanguage()); });
+}
+
+bool PlanDialog::savePlan(const QString &path) {
+    return write(path, [this] {
+        QBuffer buffer;
+        buffer.open(QIODevice::WriteOnly);
+        writePdf(report(), buffer);
+        return buffer.data();
+    });
+}
+
+bool PlanDialog::printOn(QPrinter &printer) {
+    const Pages pages = layoutPages(report());
+    QPainter painter;
+    if (!painter.begin(&printer))
+        return false;
+    const double scale = printer.resolution() / pointsPerInch;
+    bool first = true;
+    for (const PrintedPage &page : pages) {
+        if (!std::exchange(first, false))
+            printer.newPage();
+        painter.save();
+        painter.scale(scale, scale);
+        drawPage(painter, page);
+        painter.restore();
+    }
+    return painter.end();
+}
+
+void PlanDialog::chooseProgramFile() {
+    QFileDialog dialog(this, tr("Save the part program"));
+    dialog.setObjectName(QStringLiteral("programDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    constexpr const char *endings[]{"nc", "mpf", "h"};
+    dialog.setDefaultSuffix(QLatin1StringView(endings[m_dialect->currentIndex()]));
+    if (dialog.exec() == QDialog::Accepted)
+        saveProgram(dialog.selectedFiles().constFirst());
+}
+
+void PlanDialog::choosePlanFile() {
+    QFileDialog dialog(this, tr("Save the plan"));
+    dialog.setObjectName(QStringLiteral("planFileDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("pdf"));
+    if (dialog.exec() == QDialog::Accepted)
+        savePlan(dialog.selectedFiles().constFirst());
+}
+
+void PlanDialog::choosePrinter() {
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setFullPage(true);
+    QPrintDialog dialog(&printer, this);
+    if (dialog.exec() == QDialog::Accepted)
+        printOn(printer);
+}
+
+void PlanDialog::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+void PlanDialog::retranslate() {
+    setWindowTitle(tr("Plan of measurement"));
+    for (const Entry &entry : m_entries)
+        entry.field->setLabel(tr(entry.label));
+    m_axis->setLabel(tr("Axis"));
+    m_motion->setLabel(tr("Motion"));
+    m_motion->setChoices({tr("linear"), tr("rotary")}, false);
+    m_rule->setLabel(tr("Choice of targets"));
+    m_rule->setChoices({QStringLiteral("P = (i − 1)·p + r"), QStringLiteral("P = (N + r)·p (1988)")}, false);
+    m_cycle->setLabel(tr("Test cycle"));
+    m_cycle->setChoices({tr("standard test cycle"), tr("step cycle")}, false);
+    m_reseed->setText(tr("&Other targets"));
+    m_fill->setText(tr("&Put into the test"));
+    m_fill->setToolTip(tr("For a positioning test without readings"));
+    m_make->setText(tr("&New test"));
+    m_print->setText(tr("P&rint…"));
+    m_savePlan->setText(tr("Save P&DF…"));
+    m_saveProgram->setText(tr("Part pro&gram…"));
+    m_close->setText(tr("&Close"));
+    m_dialect->setAccessibleName(tr("Control"));
+    m_view->setAccessibleName(tr("Measuring cycle"));
+    replan();
+}
+
+} // namespace palmer::ui

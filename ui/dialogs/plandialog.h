@@ -1,0 +1,101 @@
+#pragma once
+
+#include "export/partprogram.h"
+#include "kernel/planning/targetplan.h"
+#include "report/report.h"
+#include "ui/forms/field.h"
+
+#include <QDialog>
+#include <functional>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QPrinter;
+
+namespace palmer::ui {
+
+class CycleView;
+class DocumentModel;
+
+/// "Plan…": the targets of a positioning test, chosen after the rule of an edition, with a picture of the
+/// measuring cycle. The plan is put into the test or a new one, printed with an empty table, or written as a
+/// part program.
+class PlanDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// Begins with what the test at that index states, if it is a positioning test.
+    PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent = nullptr);
+
+    [[nodiscard]] const TargetPlan &plan() const { return m_plan; }
+    [[nodiscard]] const CycleProgram &program() const { return m_program; }
+
+    /// Writes the part program of the dialect chosen; false, and a message, when that fails.
+    bool saveProgram(const QString &path);
+    /// Writes the plan as a PDF; likewise.
+    bool savePlan(const QString &path);
+    bool printOn(QPrinter &printer);
+
+signals:
+    /// A test was made of the plan; its index.
+    void testMade(std::size_t test);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    Field *addNumber(const char *name, const char *label, bool whole, std::function<Quantity()> quantity,
+                     std::function<std::optional<double>()> get,
+                     std::function<bool(const std::optional<double> &)> set);
+    void begin(std::size_t test);
+    void replan();
+    void showFields();
+    void fillTest();
+    void makeTest();
+    void choosePlanFile();
+    void chooseProgramFile();
+    void choosePrinter();
+    bool write(const QString &path, const std::function<QByteArray()> &bytes);
+    [[nodiscard]] bool canFill() const;
+    [[nodiscard]] Report report() const;
+    [[nodiscard]] Dialect dialect() const;
+    [[nodiscard]] QString summary() const;
+    void retranslate();
+
+    struct Entry {
+        Field *field;
+        const char *label;
+        bool whole;
+        std::function<Quantity()> quantity;
+        std::function<std::optional<double>()> get;
+    };
+
+    DocumentModel &m_model;
+    std::size_t m_test;
+    TargetRequest m_request;
+    TargetPlan m_plan;
+    CycleProgram m_program;
+    std::optional<int> m_runs; ///< chosen by the user; null: as the standard asks
+    std::string m_edition;
+
+    std::vector<Entry> m_entries;
+    Field *m_axis;
+    Field *m_motion;
+    Field *m_rule;
+    Field *m_cycle;
+    CycleView *m_view;
+    QLabel *m_summary;
+    QLabel *m_targets;
+    QPushButton *m_reseed;
+    QPushButton *m_fill;
+    QPushButton *m_make;
+    QPushButton *m_print;
+    QPushButton *m_savePlan;
+    QComboBox *m_dialect;
+    QPushButton *m_saveProgram;
+    QPushButton *m_close;
+};
+
+} // namespace palmer::ui

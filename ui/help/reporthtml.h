@@ -1,0 +1,13 @@
+#pragma once
+
+#include "report/report.h"
+
+#include <QString>
+
+namespace palmer::ui {
+
+/// A report as simple HTML for reading in a window: headings with their anchors, paragraphs, pairs and
+/// tables. Figures, signatures and page breaks are left out.
+[[nodiscard]] QString reportHtml(const Report &report);
+
+} // namespace palmer::ui
