@@ -140,6 +140,10 @@ void MainWindow::makeActions() {
     m_saveAsAction = addAction(m_fileMenu, QStringLiteral("saveAs"));
     m_saveAsAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
     m_fileMenu->addSeparator();
+    m_planAction = addAction(m_fileMenu, QStringLiteral("plan"), QStringLiteral("plan"));
+    m_planAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
+    m_compareAction = addAction(m_fileMenu, QStringLiteral("compare"), QStringLiteral("bars"));
+    m_compareAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
     m_reportAction = addAction(m_fileMenu, QStringLiteral("report"), QStringLiteral("report"));
     m_reportAction->setShortcut(QKeySequence::Print);
     m_fileMenu->addSeparator();
@@ -172,11 +176,6 @@ void MainWindow::makeActions() {
     m_previousTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
     m_nextTestAction = addAction(m_testMenu, QStringLiteral("nextTest"));
     m_nextTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
-    m_testMenu->addSeparator();
-    m_planAction = addAction(m_testMenu, QStringLiteral("plan"), QStringLiteral("plan"));
-    m_planAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
-    m_compareAction = addAction(m_testMenu, QStringLiteral("compare"), QStringLiteral("bars"));
-    m_compareAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
     m_testMenu->addSeparator();
     m_setEditionAction = addAction(m_testMenu, QStringLiteral("setEditionAction"));
     m_ownEditionAction = addAction(m_testMenu, QStringLiteral("ownEdition"));
@@ -880,7 +879,7 @@ void MainWindow::retranslate() {
     m_quitAction->setText(tr("&Quit"));
     m_planAction->setText(tr("P&lan…"));
     m_planAction->setIconText(tr("Plan…"));
-    m_compareAction->setText(tr("C&ompare…"));
+    m_compareAction->setText(tr("Co&mpare…"));
     m_helpAction->setText(tr("&Help"));
     m_previousTestAction->setText(tr("&Previous test"));
     m_nextTestAction->setText(tr("&Next test"));
