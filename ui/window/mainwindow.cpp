@@ -861,7 +861,7 @@ void MainWindow::retranslate() {
     m_editMenu->setTitle(tr("&Edit"));
     m_testMenu->setTitle(tr("&Test"));
     m_viewMenu->setTitle(tr("&View"));
-    m_toolsMenu->setTitle(tr("Tool&s"));
+    m_toolsMenu->setTitle(tr("&Utilities"));
     m_helpMenu->setTitle(tr("&Help"));
     m_newAction->setText(tr("&New…"));
     m_newAction->setIconText(tr("New"));
@@ -883,7 +883,7 @@ void MainWindow::retranslate() {
     m_quitAction->setText(tr("&Quit"));
     m_planAction->setText(tr("P&lan…"));
     m_planAction->setIconText(tr("Plan…"));
-    m_compareAction->setText(tr("C&ompare…"));
+    m_compareAction->setText(tr("Co&mpare…"));
     m_helpAction->setText(tr("&Help"));
     m_previousTestAction->setText(tr("&Previous test"));
     m_nextTestAction->setText(tr("&Next test"));
