@@ -1252,8 +1252,8 @@
         <translation>non</translation>
     </message>
     <message>
-        <source>Next  F8</source>
-        <translation>Suivante  F8</translation>
+        <source>Next (F8)</source>
+        <translation>Suivante (F8)</translation>
     </message>
 </context>
 <context>
@@ -1962,10 +1962,6 @@
         <translation>Plan…</translation>
     </message>
     <message>
-        <source>C&amp;ompare…</source>
-        <translation>C&amp;omparer…</translation>
-    </message>
-    <message>
         <source>Contouring &amp;feed…</source>
         <translation>&amp;Avance de contournage…</translation>
     </message>
@@ -1994,8 +1990,12 @@
         <translation>Angles : degrés seulement</translation>
     </message>
     <message>
-        <source>Tool&amp;s</source>
+        <source>&amp;Utilities</source>
         <translation>O&amp;utils</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare…</source>
+        <translation>Comp&amp;arer…</translation>
     </message>
 </context>
 <context>
