@@ -1995,7 +1995,7 @@
     </message>
     <message>
         <source>Co&amp;mpare…</source>
-        <translation>Comp&amp;arer…</translation>
+        <translation>C&amp;omparer…</translation>
     </message>
 </context>
 <context>
