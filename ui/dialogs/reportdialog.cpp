@@ -24,6 +24,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -37,6 +38,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int headHeight = 44;
+constexpr int frameHeight = 40; ///< that the system may put around the window
 constexpr int sideWidth = 304;
 constexpr int smallWidth = 132;
 constexpr double smallestScale = 0.25;
@@ -82,7 +84,7 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
     , m_simulator(evaluator) {
     setObjectName(QStringLiteral("reportDialog"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
-    resize(1280, 800);
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frameHeight)));
     m_small = new PageColumn(this);
     m_small->setNumbered(true);
     m_small->setScale(96 / 595.0);

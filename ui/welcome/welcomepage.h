@@ -22,6 +22,7 @@ public:
 
 signals:
     void newAsked();
+    void newCircleAsked();
     void openAsked();
     void fileChosen(const QString &path);
 
@@ -41,6 +42,7 @@ private:
     QLabel *m_examplesTitle;
     QLabel *m_examplesNote;
     StartButton *m_new;
+    StartButton *m_newCircle;
     StartButton *m_open;
     StartList *m_recentList;
     StartList *m_examplesList;
