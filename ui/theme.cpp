@@ -124,6 +124,9 @@ QPushButton:disabled { color: @disabled; border-color: @line; }
 QPushButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 11px; }
 QPushButton::menu-indicator, QToolButton::menu-indicator { image: url(:/icons/down-@kind.svg); width: 12px;
     height: 12px; subcontrol-origin: padding; subcontrol-position: center right; right: 6px; }
+QToolButton[popupMode="1"] { padding-right: 20px; }
+QToolButton::menu-button { border: none; width: 18px; }
+QToolButton::menu-arrow { image: url(:/icons/down-@kind.svg); width: 12px; height: 12px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton[primary="true"] { background: @accent; color: @onAccent; border-color: @accent; }
 QPushButton[primary="true"]:hover { background: @accentHover; }

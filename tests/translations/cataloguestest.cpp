@@ -193,6 +193,8 @@ void CataloguesTest::translateEveryText() {
         QVERIFY2(entry.counted || !entry.source.contains("(s)"),
                  place + ": (s) belongs to REPORT_TEXT_COUNTED");
         QVERIFY2(!entry.counted || entry.source.contains("%n"), place + ": a plural of what?");
+        QVERIFY2(entry.counted || !entry.source.contains("%n"),
+                 place + ": a count belongs to REPORT_TEXT_COUNTED, or several have no translation");
         QCOMPARE(entry.translations.size(), entry.counted ? 2 : 1);
         for (qsizetype form = 0; form < entry.translations.size(); ++form) {
             QStringList expected = placesOf(entry.source), found = placesOf(entry.translations[form]);

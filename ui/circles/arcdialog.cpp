@@ -121,8 +121,7 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_add = buttons->addButton(QString(), QDialogButtonBox::AcceptRole);
     m_add->setObjectName(QStringLiteral("addArcs"));
-    m_add->setProperty("primary", true);
-    m_add->setDefault(true);
+    makePrimary(*m_add);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(16);

@@ -2,6 +2,8 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
+#include <QStyle>
 
 namespace palmer::ui {
 
@@ -15,6 +17,14 @@ inline void alignLabels(QFormLayout &form) {
         if (auto *label = item ? qobject_cast<QLabel *>(item->widget()) : nullptr)
             label->setMinimumHeight(fieldHeight);
     }
+}
+
+/// Shows a button as the one to press. A box of buttons has given it its look before.
+inline void makePrimary(QPushButton &button) {
+    button.setProperty("primary", true);
+    button.setDefault(true);
+    button.style()->unpolish(&button);
+    button.style()->polish(&button);
 }
 
 } // namespace palmer::ui

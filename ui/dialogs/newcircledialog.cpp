@@ -72,6 +72,7 @@ NewCircleDialog::NewCircleDialog(const Language &language, const Test *like, QWi
         auto *unit = new QLabel(m_language.unit(quantity), this);
         unit->setProperty("secondary", true);
         auto *row = new QHBoxLayout;
+        row->setSpacing(8);
         row->addWidget(field);
         row->addWidget(unit);
         form->addRow(label, row);
@@ -89,8 +90,7 @@ NewCircleDialog::NewCircleDialog(const Language &language, const Test *like, QWi
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
     m_create->setObjectName(QStringLiteral("createCircle"));
-    m_create->setProperty("primary", true);
-    m_create->setDefault(true);
+    makePrimary(*m_create);
     auto *column = new QVBoxLayout(this);
     column->addLayout(form);
     column->addWidget(m_problem);

@@ -30,6 +30,7 @@ constexpr double proposedTravel = 1000;
 constexpr double proposedAngle = 360;
 constexpr int decimals = 3; ///< of proposed targets
 constexpr double resolution = 0.001;
+constexpr int dialogWidth = 460;
 constexpr int spinWidth = 56;
 constexpr quint32 mostSeed = 1'000'000; ///< short enough to be read out
 
@@ -104,6 +105,7 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
         auto *label = new QLabel(text, this);
         label->setBuddy(field);
         auto *row = new QHBoxLayout;
+        row->setSpacing(8);
         row->addWidget(field, beside == m_both ? 0 : 1);
         row->addWidget(beside, beside == m_both ? 1 : 0);
         form->addRow(label, row);
@@ -127,14 +129,11 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
     m_create->setObjectName(QStringLiteral("createTest"));
-    m_create->setProperty("primary", true);
-    m_create->setDefault(true);
+    makePrimary(*m_create);
     auto *column = new QVBoxLayout(this);
     column->addLayout(form);
     column->addWidget(m_problem);
     column->addWidget(buttons);
-    resize(460, sizeHint().height());
-
     connect(m_motion, &QComboBox::currentIndexChanged, this, [this] {
         const bool linear = axis().motion == Motion::linear;
         m_name->setText(linear ? QStringLiteral("X") : QStringLiteral("C"));
@@ -165,6 +164,7 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     propose();
+    resize(dialogWidth, sizeHint().height());
 }
 
 Axis NewTestDialog::axis() const {

@@ -32,6 +32,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -257,8 +258,9 @@ void MainWindow::makeToolBar() {
         button->setFocusPolicy(Qt::TabFocus);
     }
     auto *newButton = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(m_newAction));
-    newButton->addAction(m_newAction);
-    newButton->addAction(m_newCircleAction);
+    auto *kinds = new QMenu(newButton);
+    kinds->addActions({m_newAction, m_newCircleAction});
+    newButton->setMenu(kinds);
     newButton->setPopupMode(QToolButton::MenuButtonPopup);
     auto *space = new QWidget(m_toolBar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);

@@ -383,17 +383,31 @@ bool Workplace::showNextMissing(bool forward) {
     }
     if (missing.empty())
         return false;
-    // Page by page, so that the walk does not jump to and fro.
-    // On the page with most fields from the top to the bottom.
-    std::ranges::stable_sort(missing, {}, [this](const std::pair<Page, QString> &field) {
-        return std::pair(field.first,
-                         field.first == Page::conditions ? m_conditions->placeOf(field.second) : 0);
-    });
+    // Page by page, so that the walk does not jump to and fro; on the page with most fields from the top down.
+    const auto placeOf = [this](const std::pair<Page, QString> &field) {
+        return field.first == Page::conditions ? m_conditions->placeOf(field.second) : 0;
+    };
+    std::ranges::stable_sort(missing, {},
+                             [&](const auto &field) { return std::pair(field.first, placeOf(field)); });
     const auto now = std::ranges::find(missing, std::pair(m_selection.page(), m_selection.field()));
-    std::size_t next = forward ? 0 : missing.size() - 1;
+    const std::size_t last = missing.size() - 1;
+    std::size_t next = forward ? 0 : last;
     if (now != missing.end()) {
         const auto at = static_cast<std::size_t>(now - missing.begin());
-        next = forward ? (at + 1) % missing.size() : (at + missing.size() - 1) % missing.size();
+        next = forward ? (at + 1) % missing.size() : (at + last) % missing.size();
+    } else {
+        // From no missing statement, or one that has just been made: the nearest on the page in view.
+        const Page page = m_selection.page();
+        const std::size_t here = page == Page::conditions && !m_selection.field().isEmpty()
+                                     ? placeOf({page, m_selection.field()})
+                                     : 0;
+        const auto ofPage = [page](const auto &field) { return field.first == page; };
+        const auto behind = [&](const auto &field) { return ofPage(field) && placeOf(field) >= here; };
+        auto found = forward ? std::ranges::find_if(missing, behind) : missing.end();
+        if (found == missing.end())
+            found = std::ranges::find_if(missing, ofPage);
+        if (found != missing.end())
+            next = static_cast<std::size_t>(found - missing.begin());
     }
     showPage(missing[next].first);
     m_selection.setField(missing[next].second);
