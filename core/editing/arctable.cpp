@@ -11,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace palmer {
 
@@ -27,6 +28,18 @@ std::string shortest(double value) {
 /// Headings count, numbers decide: one column of them.
 bool isOneColumn(const TableBody &body) {
     return body.numberColumns().size() == 1;
+}
+
+/// The double of the decimal that was written: a change of unit may miss it by the last bit, which a table
+/// that shows all digits would tell.
+void tidy(std::vector<double> &values) {
+    constexpr double grid = 1e10; // finer than anybody writes millimetres or degrees
+    constexpr double lastBits = 4 * std::numeric_limits<double>::epsilon();
+    for (double &value : values) {
+        const double decimal = std::round(value * grid) / grid;
+        if (std::abs(decimal - value) <= lastBits * std::abs(value))
+            value = decimal;
+    }
 }
 
 void giveSense(Arc &arc, Sense sense) {
@@ -82,6 +95,7 @@ ArcTable readDeviations(const CellTable &table, const TableBody &body, const Arc
              "unit"});
     for (double &deviation : arc.radialDeviations)
         deviation = unit->toBase(deviation);
+    tidy(arc.radialDeviations);
     arc.sense = choices.sense.value_or(Sense::counterclockwise);
     arc.angleReference = choices.angleReference;
     const double way = arc.sense == Sense::counterclockwise ? choices.arc : -choices.arc;
@@ -139,6 +153,8 @@ ArcTable readArcTable(const std::string &text, const CircularMeasurement &circle
     result.arcs = std::move(std::get<CircularMeasurement>(imported.test->measurement).arcs);
     for (Arc &arc : result.arcs) {
         arc.angleReference = choices.angleReference;
+        tidy(arc.angles);
+        tidy(arc.radialDeviations);
         result.points += arc.angles.size();
         if (choices.sense)
             giveSense(arc, *choices.sense);

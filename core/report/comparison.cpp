@@ -306,20 +306,35 @@ ComparisonCurve meanCurve(const PositioningMeasurement &measurement, const Posit
     return curve;
 }
 
+/// What of a profile is evaluated; `points` are indices of the arc.
+PathProfile onlyPoints(const PathProfile &profile, const std::vector<std::size_t> &points) {
+    const auto [first, last] = std::ranges::minmax(points);
+    PathProfile result;
+    result.ordered = profile.ordered;
+    for (std::size_t i = 0; i < profile.source.size(); ++i) {
+        if (profile.source[i] < first || profile.source[i] > last)
+            continue;
+        result.angles.push_back(profile.angles[i]);
+        result.deviations.push_back(profile.deviations[i]);
+        result.source.push_back(profile.source[i]);
+    }
+    return result;
+}
+
 /// The angles of every path begin in the first turn, so that paths of several tests lie over one another.
 ComparisonCurve pathCurve(const Test &test, const TestEvaluation &evaluation, const EvaluatedPath &path,
                           const Language &language, CurveRanges &ranges) {
     ComparisonCurve curve;
     curve.sense = path.sense;
-    PathProfile profile = wholeArc(test, evaluation, path.arc);
+    if (path.source.empty())
+        return curve;
     const double micrometre = unitScale(Quantity::deviation, language.units()) / 1000;
     constexpr double turn = 360;
     const double turns = std::floor((path.evaluated.from + turnTolerance) / turn) * turn;
+    const PathProfile profile = onlyPoints(wholeArc(test, evaluation, path.arc), path.source);
     for (const CircleTrace &trace : decimated(profile, comparedStep)) {
         curve.lines.emplace_back();
         for (const TracePoint &point : trace.points) {
-            if (point.angle < path.evaluated.from || point.angle > path.evaluated.to)
-                continue;
             curve.lines.back().push_back({point.angle - turns, point.deviation * micrometre, 0});
             ranges.take(curve.lines.back().back());
         }
@@ -353,7 +368,7 @@ ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests, const 
         } else {
             for (const EvaluatedPath &path : std::get<CircularResults>(evaluation.results).paths)
                 add(pathCurve(test, evaluation, path, language, ranges),
-                    compared.name + u' ' + QString::fromStdString(path.index));
+                    QStringLiteral("%1 (%2)").arg(compared.name, QString::fromStdString(path.index)));
         }
         ++shown;
     }

@@ -539,8 +539,8 @@ void CirclesPage::refresh() {
     const int arcs = m_arcsModel.rowCount();
     m_arcs->setFixedHeight(headHeight + std::clamp(arcs, 1, mostArcs) * rowHeight + 2);
     m_arcs->setCurrentIndex(m_arcsModel.index(static_cast<int>(m_arc), 0));
-    fitColumns();
     showParts();
+    fitColumns();
     m_filling = false;
     chooseArc(static_cast<int>(m_arc));
     showCurrent();
@@ -655,6 +655,8 @@ void CirclesPage::showCurrent() {
 bool CirclesPage::eventFilter(QObject *watched, QEvent *event) {
     if (watched == m_points->viewport() && event->type() == QEvent::Leave)
         m_selection.setHovered({});
+    else if (watched == m_points->viewport() && event->type() == QEvent::Resize)
+        fitColumns(); // a table that comes into view has its width only then
     return QWidget::eventFilter(watched, event);
 }
 

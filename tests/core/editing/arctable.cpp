@@ -119,6 +119,18 @@ private slots:
                 !mentions(read, "nominalRadius"));
     }
 
+    void whatWasWrittenIsTakenToTheLastBit() {
+        QString text = "angle °\tdeviation µm\n";
+        for (int i = 0; i < 3000; ++i)
+            text += QString("%1\t%2\n").arg(i * 0.1, 0, 'f', 1).arg(i * 0.01 - 15, 0, 'f', 2);
+        const ArcTable read = readArcTable(text.toStdString(), circle(), {});
+        for (int i = 0; i < 3000; ++i) {
+            QCOMPARE(read.arcs.at(0).radialDeviations.at(std::size_t(i)),
+                     QString::number(i - 1500).toDouble() / 100'000); // one division: the nearest double
+            QCOMPARE(read.arcs.at(0).angles.at(std::size_t(i)), i / 10.0);
+        }
+    }
+
     void deviationsAloneStandAtEqualSteps() {
         QString text = "Δr µm\n";
         for (int i = 0; i <= 36; ++i)

@@ -92,8 +92,8 @@ private slots:
         const ComparisonFigure figure = comparisonFigure(
             {{evaluated, 0, "as found"}, {evaluated, 1, "as left"}}, Language(Language::Id::english));
         QCOMPARE(figure.curves.size(), std::size_t{4});
-        QCOMPARE(figure.curves[0].name, QString("as found XY"));
-        QCOMPARE(figure.curves[3].name, QString("as left YX"));
+        QCOMPARE(figure.curves[0].name, QString("as found (XY)"));
+        QCOMPARE(figure.curves[3].name, QString("as left (YX)"));
         QCOMPARE(figure.curves[3].test, std::size_t{1});
         QCOMPARE(figure.curves[3].sense, std::optional(Sense::clockwise));
         // The extremes are those of all points about the least squares centre; few points carry them.
@@ -114,6 +114,10 @@ private slots:
         const CircleResult *circle = std::get<CircularResults>(evaluation.results)
                                          .circle(CircleOf::counterclockwise, ReferenceCircle::leastSquares);
         QVERIFY(std::abs(reach(figure.curves[0]) - circle->width * 1000) < 1e-6); // µm
+        // Every evaluated point counts, the first and the last, too.
+        const Arc &arc = circular(first).arcs[0];
+        QVERIFY(std::abs(figure.curves[0].lines.front().front().x - arc.angles.front()) < 0.01);
+        QVERIFY(std::abs(figure.curves[0].lines.back().back().x - arc.angles.back()) < 0.01);
         QVERIFY(std::abs(figure.x.to - figure.x.from - 360) < 30);
         CompareDialog dialog(evaluated, 0);
         QCOMPARE(dialog.findChild<QListWidget *>("testList")->count(), 2);
