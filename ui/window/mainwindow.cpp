@@ -1,4 +1,5 @@
 #include "ui/window/mainwindow.h"
+#include "ui/sizeonscreen.h"
 
 #include "document/savedocument.h"
 #include "editing/newtest.h"
@@ -91,7 +92,7 @@ MainWindow::MainWindow(QWidget *parent)
     makeToolBar();
     makeStatusBar();
     connectParts();
-    resize(1280, 800);
+    resize(sizeOnScreen(*this, {1280, 800}));
     const QByteArray geometry = QSettings().value(QStringLiteral("window/geometry")).toByteArray();
     if (!geometry.isEmpty())
         restoreGeometry(geometry);
