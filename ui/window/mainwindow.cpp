@@ -319,7 +319,7 @@ void MainWindow::connectParts() {
             [this] { m_workplace->showTest(m_workplace->selection().test() + 1); });
     connect(m_setEditionAction, &QAction::triggered, this, [this] {
         const std::size_t test = m_workplace->selection().test();
-        setEdition(test, QString::fromUtf8(m_evaluator.current().tests[test]->edition->word));
+        setEdition(test, QString::fromUtf8(m_evaluator.latest().tests[test]->edition->word));
     });
     connect(m_ownEditionAction, &QAction::triggered, this,
             [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
@@ -357,6 +357,8 @@ void MainWindow::connectParts() {
             remember();
         showState();
     });
+    connect(&m_evaluator, &Evaluator::awaiting, this,
+            [this](const EvaluatedDocument &awaiting) { m_workplace->show(awaiting); });
     connect(&m_evaluator, &Evaluator::busyChanged, this, &MainWindow::showState);
     connect(m_workplace, &Workplace::viewChosen, this, [this](std::size_t test, const QString &edition) {
         m_evaluator.setView(test, edition.toStdString());
@@ -693,13 +695,13 @@ void MainWindow::showState() {
 
     const std::size_t tests = m_open ? m_model.document()->tests.size() : 0;
     const std::size_t test = m_workplace->selection().test();
-    const auto &evaluated = m_evaluator.current().tests;
+    const auto &evaluated = m_evaluator.latest().tests;
     const bool view = m_open && test < evaluated.size() && evaluated[test]->view;
     m_saveAction->setEnabled(m_open);
     m_saveAsAction->setEnabled(m_open);
     m_reportAction->setEnabled(m_open);
     m_planAction->setEnabled(m_open);
-    m_compareAction->setEnabled(test < evaluated.size() && evaluated[test]->edition);
+    m_compareAction->setEnabled(test < evaluated.size() && evaluated[test]->edition && !m_evaluator.isBusy());
     m_previousTestAction->setEnabled(test > 0 && test < tests);
     m_nextTestAction->setEnabled(test + 1 < tests);
     m_addTestAction->setEnabled(m_open);
@@ -764,7 +766,7 @@ void MainWindow::showHelp() {
     const QWidget *focused = QApplication::focusWidget();
     const QString topic = focused ? focused->property("helpTopic").toString() : QString();
     const std::size_t test = m_workplace->selection().test();
-    const auto &evaluated = m_evaluator.current().tests;
+    const auto &evaluated = m_evaluator.latest().tests;
     if (!topic.isEmpty())
         m_help->showPage(QStringLiteral("fields"), topic);
     else if (!m_workplace->selection().parameter().isEmpty() && test < evaluated.size() &&
