@@ -9,6 +9,7 @@
 #include "ui/dialogs/recoverydialog.h"
 #include "ui/dialogs/reportdialog.h"
 #include "ui/help/helpwindow.h"
+#include "ui/import/importassistant.h"
 #include "ui/model/editname.h"
 #include "ui/readings/readingspage.h"
 #include "ui/testname.h"
@@ -54,6 +55,14 @@ constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
 constexpr qint64 readAtOnce = 256 * 1024; ///< bytes; larger files are read on a thread
 constexpr int iconsOnlyBelow = 1180;
+
+/// Whether a file is no test file, by its content unless its name says that it is one.
+bool isMeasurement(const QString &path) {
+    if (isExample(path) || path.endsWith(QStringLiteral(".palmer"), Qt::CaseInsensitive))
+        return false;
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && !isTestFile(file.peek(4096));
+}
 
 /// The tooltip of an action: its name and its shortcut.
 QString hint(const QAction &action) {
@@ -132,6 +141,8 @@ void MainWindow::makeActions() {
     m_newAction->setShortcut(QKeySequence::New);
     m_openAction = addAction(m_fileMenu, QStringLiteral("open"), QStringLiteral("open"));
     m_openAction->setShortcut(QKeySequence::Open);
+    m_importAction = addAction(m_fileMenu, QStringLiteral("import"), QStringLiteral("imp"));
+    m_importAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
     m_recentMenu = m_fileMenu->addMenu(QString());
     m_examplesMenu = m_fileMenu->addMenu(QString());
     m_fileMenu->addSeparator();
@@ -348,6 +359,8 @@ void MainWindow::connectParts() {
 
     connect(m_welcome, &WelcomePage::newAsked, this, &MainWindow::newFile);
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
+    connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
+    connect(m_importAction, &QAction::triggered, this, &MainWindow::chooseMeasurements);
     connect(m_welcome, &WelcomePage::fileChosen, this, &MainWindow::openFile);
     connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
     connect(&m_model, &DocumentModel::fileChanged, this, &MainWindow::showState);
@@ -380,7 +393,75 @@ void MainWindow::chooseFile() {
         openFile(path);
 }
 
+void MainWindow::chooseMeasurements() {
+    QFileDialog dialog(this, tr("Import measurement files"),
+                       QSettings().value(QStringLiteral("window/importFolder")).toString());
+    dialog.setObjectName(QStringLiteral("importDialog"));
+    dialog.setFileMode(QFileDialog::ExistingFiles);
+    dialog.setNameFilters(
+        {tr("Measurements (*.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.rtx *.ren)"), tr("All files (*)")});
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    QSettings().setValue(QStringLiteral("window/importFolder"), dialog.directory().absolutePath());
+    m_toImport << dialog.selectedFiles();
+    importWaiting();
+}
+
+/// The assistant is asked for one file after the other, however they came.
+void MainWindow::importWaiting() {
+    if (std::exchange(m_importing, true))
+        return;
+    const QPointer<MainWindow> alive(this);
+    while (alive && !m_toImport.isEmpty())
+        importFile(m_toImport.takeFirst());
+    if (alive)
+        m_importing = false;
+}
+
+bool MainWindow::importFile(const QString &path) {
+    try {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly))
+            throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
+                                                  {file.errorString().toStdString()}});
+        constexpr qint64 wholeUpTo = qint64(1) << 30;
+        if (file.size() > wholeUpTo) { // refused for its size, without reading it
+            const uchar *begin = file.map(0, file.size());
+            if (begin)
+                (void)importMeasurement(QByteArrayView(begin, file.size()), path);
+        }
+        ImportAssistant assistant(file.read(wholeUpTo), path, m_open ? m_model.document().get() : nullptr,
+                                  this);
+        if (assistant.exec() != QDialog::Accepted)
+            return false;
+        if (!assistant.wantsNewDocument()) {
+            const std::size_t before = m_model.document()->tests.size();
+            m_model.edit(QT_TRANSLATE_NOOP("edits", "import a measurement file"),
+                         [&](Document &document) { assistant.addTo(document); });
+            if (m_model.document()->tests.size() > before)
+                m_workplace->showTest(before);
+            return true;
+        }
+        Document document;
+        document.writtenBy = "Palmer " PALMER_VERSION;
+        document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
+                                                                                   : ReportLanguage::en};
+        assistant.addTo(document);
+        take(std::move(document), {}, true);
+        return true;
+    } catch (const Error &error) {
+        showError(tr("%1 cannot be imported").arg(QFileInfo(path).fileName()), path, error);
+        return false;
+    }
+}
+
 void MainWindow::openFile(const QString &path) {
+    if (isMeasurement(path)) {
+        m_toImport << path;
+        // Not from here: whoever dropped the file waits for the end of this call.
+        QMetaObject::invokeMethod(this, &MainWindow::importWaiting, Qt::QueuedConnection);
+        return;
+    }
     const QString whole = isExample(path) ? path : QFileInfo(path).absoluteFilePath();
     for (QWidget *widget : QApplication::topLevelWidgets()) {
         auto *other = qobject_cast<MainWindow *>(widget);
@@ -872,6 +953,7 @@ void MainWindow::retranslate() {
     m_deleteTestAction->setText(tr("Delete the t&est"));
     m_openAction->setText(tr("&Open…"));
     m_openAction->setIconText(tr("Open"));
+    m_importAction->setText(tr("&Import…"));
     m_recentMenu->setTitle(tr("Open &recent"));
     m_examplesMenu->setTitle(tr("E&xamples"));
     m_saveAction->setText(tr("&Save"));

@@ -33,7 +33,13 @@ public:
 
     /// Opens a test file: here when nothing is open, else in another window; a file that is open already is
     /// brought to the front. What cannot be opened is said in one sentence, and nothing changes.
+    /// A file that is no test file is a measurement: it goes to the import assistant, several one after the
+    /// other.
     void openFile(const QString &path);
+
+    /// Shows a measurement file in the import assistant; what is accepted goes into the open document as one
+    /// step to undo, or makes a new one. False: refused, with one sentence, or given up.
+    bool importFile(const QString &path);
 
     /// Saves under that path; false, and a message, when that fails.
     bool saveTo(const QString &path);
@@ -66,6 +72,8 @@ private:
     void connectParts();
 
     void chooseFile();
+    void chooseMeasurements();
+    void importWaiting();
     bool save();
     bool saveAs();
     bool mayClose();
@@ -101,6 +109,8 @@ private:
     int m_reading = 0; ///< number of the latest file being read
     bool m_open = false;
     bool m_rememberNext = false;
+    QStringList m_toImport; ///< measurement files that wait for the assistant
+    bool m_importing = false;
     QString m_savedAt;
     QPointer<HelpWindow> m_help;
     QString m_autosavedAt;
@@ -125,6 +135,7 @@ private:
 
     QAction *m_newAction;
     QAction *m_openAction;
+    QAction *m_importAction;
     QAction *m_saveAction;
     QAction *m_saveAsAction;
     QAction *m_reportAction;
