@@ -7,11 +7,14 @@
 #include "ui/windowlanguage.h"
 
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QEvent>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
@@ -37,14 +40,21 @@ constexpr int rowHeight = 26;
 constexpr int remarksHeight = 150;
 constexpr std::size_t remarksShown = 200; ///< a file of a million broken cells has as many remarks
 
-/// A title over a part, and the part.
-QWidget *part(QWidget *parent, QLabel *title, QWidget *content) {
+/// A title over a part, what is said of its size at the right, and the part.
+QWidget *part(QWidget *parent, QLabel *title, QLabel *size, QWidget *content) {
     auto *whole = new QWidget(parent);
     whole->setProperty("ground", QStringLiteral("base"));
     auto *column = new QVBoxLayout(whole);
     column->setContentsMargins(12, 8, 4, 4);
     title->setFont(themeFont(TextSize::head));
-    column->addWidget(title);
+    auto *head = new QHBoxLayout;
+    head->addWidget(title, 1);
+    if (size) {
+        size->setProperty("secondary", true);
+        head->addWidget(size);
+        head->addSpacing(8);
+    }
+    column->addLayout(head);
     column->addWidget(content, 1);
     return whole;
 }
@@ -63,14 +73,18 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
     , m_imported(importMeasurement(m_bytes, m_fileName))
     , m_title(new QLabel(this))
     , m_origin(new QLabel(this))
+    , m_other(new QPushButton(this))
+    , m_paste(new QPushButton(this))
     , m_choices(new QGridLayout)
     , m_destinationName(new QLabel(this))
     , m_destination(new QComboBox(this))
     , m_profileName(new QLabel(this))
     , m_profile(new QComboBox(this))
     , m_rawTitle(new QLabel(this))
+    , m_rawSize(new QLabel(this))
     , m_rawView(new QListView(this))
     , m_tableTitle(new QLabel(this))
+    , m_tableSize(new QLabel(this))
     , m_table(new QTableView(this))
     , m_curveTitle(new QLabel(this))
     , m_curves(new QStackedWidget(this))
@@ -95,10 +109,8 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
     }
     makeLayout();
     m_keep->setChecked(QSettings().value(QStringLiteral("import/keepBytes")).toBool());
-    const QString last = QSettings().value(profileSetting(m_fileName)).toString();
     retranslate();
-    if (m_profiles.contains(last.toStdString()))
-        useProfile(last);
+    useLastProfile();
 }
 
 void ImportAssistant::makeLayout() {
@@ -109,6 +121,10 @@ void ImportAssistant::makeLayout() {
     head->addWidget(m_title);
     head->addWidget(m_origin);
     head->addStretch();
+    m_other->setObjectName(QStringLiteral("importOther"));
+    m_paste->setObjectName(QStringLiteral("importPaste"));
+    head->addWidget(m_other);
+    head->addWidget(m_paste);
     m_choices->setHorizontalSpacing(12);
     m_choices->setVerticalSpacing(6);
 
@@ -140,9 +156,9 @@ void ImportAssistant::makeLayout() {
     m_curves->addWidget(m_noCurve);
     auto *middle = new QSplitter(this);
     middle->setChildrenCollapsible(false);
-    middle->addWidget(part(middle, m_rawTitle, m_rawView));
-    middle->addWidget(part(middle, m_tableTitle, m_table));
-    middle->addWidget(part(middle, m_curveTitle, m_curves));
+    middle->addWidget(part(middle, m_rawTitle, m_rawSize, m_rawView));
+    middle->addWidget(part(middle, m_tableTitle, m_tableSize, m_table));
+    middle->addWidget(part(middle, m_curveTitle, nullptr, m_curves));
     middle->setSizes({427, 427, 427});
 
     auto *remarks = new QWidget(this);
@@ -172,7 +188,7 @@ void ImportAssistant::makeLayout() {
     foot->addWidget(m_open);
     foot->addWidget(m_cancel);
     foot->addWidget(m_import);
-    for (QPushButton *button : {m_saveProfile, m_cancel, m_import})
+    for (QPushButton *button : {m_other, m_paste, m_saveProfile, m_cancel, m_import})
         button->setAutoDefault(false);
 
     auto *layout = new QVBoxLayout(this);
@@ -190,6 +206,8 @@ void ImportAssistant::makeLayout() {
             useProfile(m_profile->itemText(index));
     });
     connect(m_saveProfile, &QPushButton::clicked, this, &ImportAssistant::askProfileName);
+    connect(m_other, &QPushButton::clicked, this, &ImportAssistant::chooseOther);
+    connect(m_paste, &QPushButton::clicked, this, &ImportAssistant::pasteText);
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_import, &QPushButton::clicked, this, &QDialog::accept);
     connect(m_curveCanvas, &FigureCanvas::rangesWanted, this, [this](const Interval &x, const Interval &y) {
@@ -214,6 +232,52 @@ bool ImportAssistant::wantsNewDocument() const {
 
 void ImportAssistant::addTo(Document &document) const {
     addImported(document, m_imported, m_bytes, m_fileName, m_keep->isChecked());
+}
+
+void ImportAssistant::takeFile(const QByteArray &bytes, const QString &fileName) {
+    const QString name = QFileInfo(fileName).fileName();
+    m_refusal.reset();
+    try {
+        Imported imported = importMeasurement(bytes, name);
+        m_raw.show(nullptr);
+        m_recognised.show(nullptr);
+        m_imported = std::move(imported);
+        m_bytes = bytes;
+        m_fileName = name;
+        m_options.clear();
+        m_profile->setCurrentIndex(0);
+        retranslate();
+        useLastProfile();
+    } catch (const Error &error) {
+        refuse(error, name);
+        showRemarks();
+    }
+}
+
+void ImportAssistant::pasteText() {
+    takeFile(QGuiApplication::clipboard()->text().toUtf8(), tr("clipboard"));
+}
+
+void ImportAssistant::chooseOther() {
+    auto *dialog = new QFileDialog(this, tr("Import another file"),
+                                   QSettings().value(QStringLiteral("window/importFolder")).toString());
+    dialog->setObjectName(QStringLiteral("otherDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
+        QFile file(path);
+        try {
+            demandImportable(file.size());
+            if (!file.open(QIODevice::ReadOnly))
+                throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
+                                                      {file.errorString().toStdString()}});
+            takeFile(file.readAll(), path);
+        } catch (const Error &error) {
+            refuse(error, QFileInfo(path).fileName());
+            showRemarks();
+        }
+    });
+    dialog->open();
 }
 
 void ImportAssistant::choose(const std::string &key, const std::string &value) {
@@ -241,15 +305,25 @@ void ImportAssistant::takeOptions(ImportOptions options) {
         m_raw.show(nullptr);
         m_imported = std::move(imported);
     } catch (const Error &error) {
-        refuse(error);
+        refuse(error, {});
     }
     refresh();
 }
 
-void ImportAssistant::refuse(const Error &error) {
-    m_refusal = windowLanguage().sentence(error.message);
-    if (!error.place.empty())
-        m_refusal = QStringLiteral("%1: %2").arg(QString::fromStdString(error.place), *m_refusal);
+/// `file`: where it is not the one at hand.
+void ImportAssistant::refuse(const Error &error, const QString &file) {
+    QString sentence = windowLanguage().sentence(error.message);
+    for (const QString &where : {QString::fromStdString(error.place), file}) {
+        if (!where.isEmpty())
+            sentence = tr("%1: %2").arg(where, sentence);
+    }
+    m_refusal = sentence;
+}
+
+void ImportAssistant::useLastProfile() {
+    const QString last = QSettings().value(profileSetting(m_fileName)).toString();
+    if (m_profiles.contains(last.toStdString()))
+        useProfile(last);
 }
 
 void ImportAssistant::useProfile(const QString &name) {
@@ -487,9 +561,34 @@ void ImportAssistant::showCurve() {
     }
 }
 
+void ImportAssistant::showSizes() {
+    m_rawSize->setText(tr("%n line(s)", nullptr, m_raw.rowCount()));
+    QStringList sizes;
+    if (m_imported.test) {
+        const auto &measurement = m_imported.test->measurement;
+        if (const auto *positioning = std::get_if<PositioningMeasurement>(&measurement)) {
+            sizes << tr("%n target(s)", nullptr, static_cast<int>(positioning->targets.size()));
+            for (const auto &[approach, arrow] :
+                 {std::pair(Direction::positive, u'↑'), std::pair(Direction::negative, u'↓')}) {
+                const auto runs = std::ranges::count(positioning->runs, approach, &Run::approach);
+                sizes << tr("%n run(s)", nullptr, static_cast<int>(runs)) + u' ' + arrow;
+            }
+        } else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement)) {
+            sizes << tr("%n arc(s)", nullptr, static_cast<int>(circular->arcs.size()))
+                  << tr("%n point(s)", nullptr, readingsOf(m_imported));
+        } else {
+            sizes << tr("%n point(s)", nullptr, readingsOf(m_imported));
+        }
+    } else {
+        sizes << tr("%n sensor(s)", nullptr, static_cast<int>(m_imported.sensors.size()));
+    }
+    m_tableSize->setText(sizes.join(QStringLiteral(" · ")));
+}
+
 void ImportAssistant::refresh() {
     m_raw.show(&m_imported);
     m_recognised.show(&m_imported);
+    showSizes();
     showChoices();
     showRemarks();
     showCurve();
@@ -497,7 +596,13 @@ void ImportAssistant::refresh() {
     m_import->setText(tr("&Import %n reading(s)", nullptr, readings));
     m_import->setEnabled(!m_refusal && readings > 0);
     const auto guesses = std::ranges::count(m_imported.choices, Origin::guessed, &ImportChoice::origin);
-    m_open->setText(guesses > 0 ? tr("%n guess(es)", nullptr, static_cast<int>(guesses)) : QString());
+    const int missing = missingOf(m_imported);
+    QStringList open;
+    if (missing > 0)
+        open << tr("%n missing reading(s)", nullptr, missing);
+    if (guesses > 0)
+        open << tr("%n guess(es)", nullptr, static_cast<int>(guesses));
+    m_open->setText(open.join(QStringLiteral(" · ")));
     m_open->setStyleSheet(QStringLiteral("color: %1;").arg(token(Token::unsure, palette()).name()));
 }
 
@@ -508,7 +613,7 @@ void ImportAssistant::accept() {
         Document trial = wantsNewDocument() ? Document() : *m_document;
         addTo(trial);
     } catch (const Error &error) {
-        refuse(error);
+        refuse(error, {});
         showRemarks();
         return;
     }
@@ -527,6 +632,8 @@ void ImportAssistant::changeEvent(QEvent *event) {
 
 void ImportAssistant::retranslate() {
     setWindowTitle(tr("Import"));
+    m_other->setText(tr("&Other file…"));
+    m_paste->setText(tr("&Paste text"));
     m_title->setText(tr("Import %1").arg(m_fileName));
     const QString hash = QString::fromStdString(sha256(m_bytes));
     m_origin->setText(QStringLiteral("%1 · SHA-256 %2…%3")

@@ -48,6 +48,10 @@ public:
     void choose(const std::string &key, const std::string &value);
     /// Takes what was guessed for a choice as said.
     void confirm(const std::string &key);
+    /// Reads other bytes in the place of those at hand; what cannot be read is said, and nothing changes.
+    void takeFile(const QByteArray &bytes, const QString &fileName);
+    void pasteText();
+
     /// Keeps the choices under a name; those that the file itself says are not among them. False, and a
     /// message, when that fails.
     bool saveProfile(const QString &name);
@@ -68,6 +72,8 @@ private:
     };
 
     void makeLayout();
+    void useLastProfile();
+    void chooseOther();
     void takeOptions(ImportOptions options);
     void useProfile(const QString &name);
     void fillProfiles(const QString &current);
@@ -77,8 +83,9 @@ private:
     void showRemarks();
     void addRemark(const Remark &remark);
     void showCurve();
+    void showSizes();
     void refresh();
-    void refuse(const Error &error);
+    void refuse(const Error &error, const QString &file);
     void retranslate();
 
     QByteArray m_bytes;
@@ -96,14 +103,18 @@ private:
 
     QLabel *m_title;
     QLabel *m_origin;
+    QPushButton *m_other;
+    QPushButton *m_paste;
     QGridLayout *m_choices;
     QLabel *m_destinationName;
     QComboBox *m_destination;
     QLabel *m_profileName;
     QComboBox *m_profile;
     QLabel *m_rawTitle;
+    QLabel *m_rawSize;
     QListView *m_rawView;
     QLabel *m_tableTitle;
+    QLabel *m_tableSize;
     QTableView *m_table;
     QLabel *m_curveTitle;
     QStackedWidget *m_curves;

@@ -141,4 +141,15 @@ int readingsOf(const Imported &imported) {
     return static_cast<int>(count);
 }
 
+int missingOf(const Imported &imported) {
+    std::size_t cells = 0;
+    const auto *positioning =
+        imported.test ? std::get_if<PositioningMeasurement>(&imported.test->measurement) : nullptr;
+    if (!positioning)
+        return 0;
+    for (const Run &run : positioning->runs)
+        cells += run.deviations.size();
+    return static_cast<int>(cells) - readingsOf(imported);
+}
+
 } // namespace palmer::ui

@@ -44,5 +44,7 @@ private:
 
 /// How many readings come in.
 [[nodiscard]] int readingsOf(const Imported &imported);
+/// How many readings of a positioning test are missing.
+[[nodiscard]] int missingOf(const Imported &imported);
 
 } // namespace palmer::ui

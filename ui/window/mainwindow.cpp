@@ -25,6 +25,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -144,6 +145,8 @@ void MainWindow::makeActions() {
     m_openAction->setShortcut(QKeySequence::Open);
     m_importAction = addAction(m_fileMenu, QStringLiteral("import"), QStringLiteral("imp"));
     m_importAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
+    m_importClipboardAction = addAction(m_fileMenu, QStringLiteral("importClipboard"));
+    m_importClipboardAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     m_recentMenu = m_fileMenu->addMenu(QString());
     m_examplesMenu = m_fileMenu->addMenu(QString());
     m_fileMenu->addSeparator();
@@ -360,6 +363,7 @@ void MainWindow::connectParts() {
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
     connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
     connect(m_importAction, &QAction::triggered, this, &MainWindow::chooseMeasurements);
+    connect(m_importClipboardAction, &QAction::triggered, this, &MainWindow::importClipboard);
     connect(m_welcome, &WelcomePage::fileChosen, this, &MainWindow::openFile);
     connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
     connect(&m_model, &DocumentModel::fileChanged, this, &MainWindow::showState);
@@ -402,63 +406,74 @@ void MainWindow::chooseMeasurements() {
     if (dialog.exec() != QDialog::Accepted)
         return;
     QSettings().setValue(QStringLiteral("window/importFolder"), dialog.directory().absolutePath());
-    m_toImport << dialog.selectedFiles();
-    importWaiting();
+    importFiles(dialog.selectedFiles());
+}
+
+void MainWindow::importFiles(const QStringList &paths) {
+    m_toImport << paths;
+    importNext();
 }
 
 /// The assistant is asked for one file after the other, however they came.
-void MainWindow::importWaiting() {
-    if (std::exchange(m_importing, true))
-        return;
-    const QPointer<MainWindow> alive(this);
-    while (alive && !m_toImport.isEmpty())
-        importFile(m_toImport.takeFirst());
-    if (alive)
-        m_importing = false;
+void MainWindow::importNext() {
+    while (!m_assistant && !m_toImport.isEmpty()) {
+        const QString path = m_toImport.takeFirst();
+        try {
+            QFile file(path);
+            if (!file.open(QIODevice::ReadOnly))
+                throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
+                                                      {file.errorString().toStdString()}});
+            demandImportable(file.size());
+            showAssistant(file.readAll(), path);
+        } catch (const Error &error) {
+            showError(tr("%1 cannot be imported").arg(QFileInfo(path).fileName()), path, error);
+        }
+    }
 }
 
-bool MainWindow::importFile(const QString &path) {
+void MainWindow::importClipboard() {
+    const QString name = tr("clipboard");
     try {
-        QFile file(path);
-        if (!file.open(QIODevice::ReadOnly))
-            throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
-                                                  {file.errorString().toStdString()}});
-        constexpr qint64 wholeUpTo = qint64(1) << 30;
-        if (file.size() > wholeUpTo) { // refused for its size, without reading it
-            const uchar *begin = file.map(0, file.size());
-            if (begin)
-                (void)importMeasurement(QByteArrayView(begin, file.size()), path);
-        }
-        ImportAssistant assistant(file.read(wholeUpTo), path, m_open ? m_model.document().get() : nullptr,
-                                  this);
-        if (assistant.exec() != QDialog::Accepted)
-            return false;
-        if (!assistant.wantsNewDocument()) {
-            const std::size_t before = m_model.document()->tests.size();
-            m_model.edit(QT_TRANSLATE_NOOP("edits", "import a measurement file"),
-                         [&](Document &document) { assistant.addTo(document); });
-            if (m_model.document()->tests.size() > before)
-                m_workplace->showTest(before);
-            return true;
-        }
-        Document document;
-        document.writtenBy = "Palmer " PALMER_VERSION;
-        document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
-                                                                                   : ReportLanguage::en};
-        assistant.addTo(document);
-        take(std::move(document), {}, true);
-        return true;
+        if (!m_assistant)
+            showAssistant(QGuiApplication::clipboard()->text().toUtf8(), name);
     } catch (const Error &error) {
-        showError(tr("%1 cannot be imported").arg(QFileInfo(path).fileName()), path, error);
-        return false;
+        showError(tr("%1 cannot be imported").arg(name), name, error);
     }
+}
+
+void MainWindow::showAssistant(const QByteArray &bytes, const QString &fileName) {
+    m_assistant = new ImportAssistant(bytes, fileName, m_open ? m_model.document().get() : nullptr, this);
+    m_assistant->setAttribute(Qt::WA_DeleteOnClose);
+    connect(m_assistant, &QDialog::finished, this, [this](int result) {
+        const ImportAssistant *assistant = m_assistant;
+        m_assistant.clear();
+        if (result == QDialog::Accepted)
+            takeImport(*assistant);
+        importNext();
+    });
+    m_assistant->open();
+}
+
+void MainWindow::takeImport(const ImportAssistant &assistant) {
+    if (!assistant.wantsNewDocument()) {
+        const std::size_t before = m_model.document()->tests.size();
+        m_model.edit(QT_TRANSLATE_NOOP("edits", "import a measurement file"),
+                     [&](Document &document) { assistant.addTo(document); });
+        if (m_model.document()->tests.size() > before)
+            m_workplace->showTest(before);
+        return;
+    }
+    Document document;
+    document.writtenBy = "Palmer " PALMER_VERSION;
+    document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
+                                                                               : ReportLanguage::en};
+    assistant.addTo(document);
+    take(std::move(document), {}, true);
 }
 
 void MainWindow::openFile(const QString &path) {
     if (isMeasurement(path)) {
-        m_toImport << path;
-        // Not from here: whoever dropped the file waits for the end of this call.
-        QMetaObject::invokeMethod(this, &MainWindow::importWaiting, Qt::QueuedConnection);
+        importFiles({path});
         return;
     }
     const QString whole = isExample(path) ? path : QFileInfo(path).absoluteFilePath();
@@ -954,6 +969,7 @@ void MainWindow::retranslate() {
     m_openAction->setText(tr("&Open…"));
     m_openAction->setIconText(tr("Open"));
     m_importAction->setText(tr("&Import…"));
+    m_importClipboardAction->setText(tr("Import from the clip&board…"));
     m_recentMenu->setTitle(tr("Open &recent"));
     m_examplesMenu->setTitle(tr("E&xamples"));
     m_saveAction->setText(tr("&Save"));

@@ -19,6 +19,7 @@ class QToolBar;
 namespace palmer::ui {
 
 class HelpWindow;
+class ImportAssistant;
 class NoticeBar;
 class WelcomePage;
 class Workplace;
@@ -37,9 +38,12 @@ public:
     /// other.
     void openFile(const QString &path);
 
-    /// Shows a measurement file in the import assistant; what is accepted goes into the open document as one
-    /// step to undo, or makes a new one. False: refused, with one sentence, or given up.
-    bool importFile(const QString &path);
+    /// Shows measurement files in the import assistant, one after the other; what is accepted goes into the
+    /// open document as one step to undo, or makes a new one. A file that cannot be read is refused with one
+    /// sentence.
+    void importFiles(const QStringList &paths);
+    /// The same for the text on the clipboard, as a spreadsheet puts it there.
+    void importClipboard();
 
     /// Saves under that path; false, and a message, when that fails.
     bool saveTo(const QString &path);
@@ -73,7 +77,9 @@ private:
 
     void chooseFile();
     void chooseMeasurements();
-    void importWaiting();
+    void importNext();
+    void showAssistant(const QByteArray &bytes, const QString &fileName);
+    void takeImport(const ImportAssistant &assistant);
     bool save();
     bool saveAs();
     bool mayClose();
@@ -110,7 +116,7 @@ private:
     bool m_open = false;
     bool m_rememberNext = false;
     QStringList m_toImport; ///< measurement files that wait for the assistant
-    bool m_importing = false;
+    QPointer<ImportAssistant> m_assistant;
     QString m_savedAt;
     QPointer<HelpWindow> m_help;
     QString m_autosavedAt;
@@ -137,6 +143,7 @@ private:
     QAction *m_newAction;
     QAction *m_openAction;
     QAction *m_importAction;
+    QAction *m_importClipboardAction;
     QAction *m_saveAction;
     QAction *m_saveAsAction;
     QAction *m_reportAction;

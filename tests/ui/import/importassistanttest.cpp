@@ -6,13 +6,15 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPushButton>
 #include <QTest>
-#include <QTimer>
 #include <QUndoStack>
 
 using namespace palmer;
@@ -43,15 +45,12 @@ QPushButton *importButton(const QWidget &dialog) {
     return dialog.findChild<QPushButton *>("acceptImport");
 }
 
-/// Runs `act` on the assistant once it is open.
-template <typename Act>
-void onAssistant(Act act) {
-    QTimer::singleShot(0, qApp, [act] {
-        auto *dialog = qobject_cast<ImportAssistant *>(QApplication::activeModalWidget());
-        if (!dialog)
-            qFatal("no assistant");
-        act(*dialog);
-    });
+/// The assistant that the window shows.
+ImportAssistant &assistantOf(const ShownWindow &shown) {
+    auto *dialog = shown.window->findChild<ImportAssistant *>();
+    if (!dialog || !dialog->isVisible())
+        qFatal("no assistant");
+    return *dialog;
 }
 
 } // namespace
@@ -150,8 +149,8 @@ private slots:
     void comesIntoTheOpenFileAsOneStep() {
         const ShownWindow shown(examplePath("iso230-2-1988-example"));
         const Document before = *shown.window->model().document();
-        onAssistant([](ImportAssistant &dialog) { importButton(dialog)->click(); });
-        QVERIFY(shown.window->importFile(QString(DATA) + "tables/typical.csv"));
+        shown.window->importFiles({QString(DATA) + "tables/typical.csv"});
+        importButton(assistantOf(shown))->click();
         const auto &tests = shown.window->model().document()->tests;
         QCOMPARE(tests.size(), before.tests.size() + 1);
         QCOMPARE(positioning(*tests.back()).targets.size(), std::size_t(4));
@@ -164,16 +163,99 @@ private slots:
     void anOpenedMeasurementMakesANewFile() {
         const ShownWindow shown;
         shown.window->openFile(QString(DATA) + "tables/circle-radius.csv");
-        QTRY_VERIFY(qobject_cast<ImportAssistant *>(QApplication::activeModalWidget()));
-        importButton(*QApplication::activeModalWidget())->click();
-        QTRY_VERIFY(shown.window->hasDocument());
+        importButton(assistantOf(shown))->click();
+        QVERIFY(shown.window->hasDocument());
         QCOMPARE(shown.window->model().document()->tests.size(), std::size_t(1));
         QVERIFY(shown.window->model().isModified());
     }
 
+    void severalFilesComeOneAfterTheOther() {
+        const ShownWindow shown;
+        shown.window->importFiles({QString(DATA) + "tables/typical.csv", QString(DATA) + "refused/test.xcal",
+                                   QString(DATA) + "tables/circle-radius.csv",
+                                   QString(DATA) + "tables/temperatures.csv"});
+        importButton(assistantOf(shown))->click();
+        // The refused one is said and stops nothing; the next goes into what the first has opened.
+        QVERIFY(shown.window->findChild<QMessageBox *>("errorBox"));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(!assistantOf(shown).wantsNewDocument());
+        importButton(assistantOf(shown))->click();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        importButton(assistantOf(shown))->click();
+        const auto &tests = shown.window->model().document()->tests;
+        QCOMPARE(tests.size(), std::size_t(2));
+        QVERIFY(std::holds_alternative<CircularMeasurement>(tests[1]->measurement));
+        QVERIFY(!positioning(*tests[0]).conditions.common.sensors.empty());
+        QCOMPARE(shown.window->model().undoStack()->count(), 2);
+    }
+
+    void filesCanBeDropped() {
+        const ShownWindow shown;
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(QString(DATA) + "tables/typical.csv")});
+        QDragEnterEvent enter({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(shown.window, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(shown.window, &drop);
+        importButton(assistantOf(shown))->click();
+        QVERIFY(shown.window->hasDocument());
+    }
+
+    void theClipboardIsAFileToo() {
+        const ShownWindow shown;
+        QGuiApplication::clipboard()->setText(QString::fromUtf8(bytesOf("tables/typical.csv")));
+        shown.find<QAction>("importClipboard")->trigger();
+        QCOMPARE(importButton(assistantOf(shown))->text(), QString("&Import 23 readings"));
+        // Another text in its place; one that is nothing changes nothing.
+        QGuiApplication::clipboard()->setText(QString::fromUtf8(bytesOf("tables/circle-radius.csv")));
+        assistantOf(shown).findChild<QPushButton *>("importPaste")->click();
+        QVERIFY(std::holds_alternative<CircularMeasurement>(assistantOf(shown).imported().test->measurement));
+        QGuiApplication::clipboard()->setText("nothing");
+        assistantOf(shown).findChild<QPushButton *>("importPaste")->click();
+        QVERIFY(!assistantOf(shown).findChild<QLabel *>("importRefusal")->text().isEmpty());
+        QVERIFY(std::holds_alternative<CircularMeasurement>(assistantOf(shown).imported().test->measurement));
+    }
+
+    void theBytesAreKeptOnRequest() {
+        const QByteArray bytes = bytesOf("tables/typical.csv");
+        ImportAssistant dialog(bytes, "typical.csv", nullptr);
+        Document without;
+        dialog.addTo(without);
+        QVERIFY(!without.tests[0]->imports[0].data);
+        QCOMPARE(without.tests[0]->imports[0].sha256, sha256(bytes));
+        dialog.findChild<QCheckBox *>("keepBytes")->setChecked(true);
+        Document with;
+        dialog.addTo(with);
+        QCOMPARE(QByteArray::fromBase64(QByteArray::fromStdString(*with.tests[0]->imports[0].data)), bytes);
+    }
+
+    void everyChoiceCanBeMade_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QStringList>("choices");
+        QTest::newRow("table of an axis")
+            << "tables/bare-alternating.txt"
+            << QStringList{"delimiter", "decimalMark",  "layout", "directions",    "content",
+                           "unit",      "positionUnit", "sign",   "correctionTo20"};
+        QTest::newRow("ballbar") << "b5r/typical-absolute.b5r"
+                                 << QStringList{"unit",           "startAngle", "arc",  "calibrated",
+                                                "correctionTo20", "feed",       "plane"};
+    }
+
+    void everyChoiceCanBeMade() {
+        QFETCH(QString, file);
+        QFETCH(QStringList, choices);
+        ImportAssistant dialog(bytesOf(qPrintable(file)), file, nullptr);
+        dialog.show();
+        for (const QString &choice : choices) {
+            const auto *box = dialog.findChild<QWidget *>("import." + choice);
+            QVERIFY2(box && box->isVisible() && box->isEnabled(), qPrintable(choice));
+        }
+    }
+
     void aRefusedFileIsOneSentence() {
         const ShownWindow shown;
-        QVERIFY(!shown.window->importFile(QString(DATA) + "refused/test.xcal"));
+        shown.window->importFiles({QString(DATA) + "refused/test.xcal"});
         auto *box = shown.window->findChild<QMessageBox *>("errorBox");
         QVERIFY(box && box->informativeText().contains("Renishaw CARTO"));
         box->close();
@@ -185,9 +267,6 @@ private slots:
         ImportAssistant dialog(bytesOf("tables/typical.csv"), "typical.csv", nullptr);
         dialog.show();
         QCOMPARE(dialog.findChild<QComboBox *>("import.delimiter")->accessibleName(), QString("Séparateur"));
-        const QString grabPath = qEnvironmentVariable("PALMER_GRAB");
-        if (!grabPath.isEmpty())
-            dialog.grab().save(grabPath);
     }
 };
 
