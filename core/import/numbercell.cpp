@@ -26,10 +26,9 @@ constexpr std::array<std::string_view, 6> minusSigns{"\u2212", "\u2013", "\u2010
 // No-break space, narrow no-break space, thin space, figure space.
 constexpr std::array<std::string_view, 4> wideBlanks{"\u00A0", "\u202F", "\u2009", "\u2007"};
 
-constexpr std::array<std::string_view, 24> missingWords{
-    "nan",      "na", "n/a", "n.a.", "null",   "none",   "nil",    "missing",
-    "manquant", "-",  "--",  "---",  "\u2013", "\u2014", "\u2212", "\u2026",
-    "...",      "*",  "?",   "x",    "#n/a",   "#nv",    "#na",    "void"};
+constexpr std::array<std::string_view, 23> missingWords{
+    "na",     "n/a",    "n.a.",   "null", "none", "nil", "missing", "manquant", "-",   "--",  "---", "\u2013",
+    "\u2014", "\u2212", "\u2026", "...",  "*",    "?",   "x",       "#n/a",     "#nv", "#na", "void"};
 
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
@@ -237,7 +236,7 @@ CellValue readCell(std::string_view cell, DecimalMark mark) {
     if (std::ranges::any_of(missingWords, [&](std::string_view word) { return sameWord(cell, word); }))
         return {CellKind::missing};
     for (const std::string_view word :
-         {"inf", "-inf", "+inf", "infinity", "-infinity", "\u221E", "-\u221E"}) {
+         {"nan", "-nan", "inf", "-inf", "+inf", "infinity", "-infinity", "\u221E", "-\u221E"}) {
         if (sameWord(cell, word))
             return {CellKind::broken};
     }

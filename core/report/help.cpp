@@ -196,7 +196,7 @@ HelpPage workflowPage(const Language &language) {
         Text title;
         Text words;
     } steps[]{
-        {REPORT_TEXT("report", "Start"),
+        {REPORT_TEXT_FOR("report", "Start", "the first step of the work"),
          REPORT_TEXT("report",
                      "A new test, an import, a file, an example. A file holds one report: a machine, its "
                      "instruments and any number of tests.")},
@@ -227,8 +227,7 @@ HelpPage workflowPage(const Language &language) {
                      "verdict. It is taken from unrounded numbers.")},
         {REPORT_TEXT("report", "Print"),
          REPORT_TEXT("report",
-                     "“Report…” shows the pages as they are printed, in French, in English or both. The PDF "
-                     "carries its data: who receives it can evaluate them again.")},
+                     "“Report…” shows the pages as they are printed, in French, in English or both.")},
     };
     auto &blocks = page.content.blocks;
     blocks.emplace_back(Heading{1, page.title});

@@ -79,7 +79,7 @@ void NumberCellTest::refusesWhatIsNone_data() {
         << QByteArray("9").repeated(350) << false << CellKind::broken;
     QTest::newRow("senselessly long") << QByteArray("9").repeated(5000) << false << CellKind::broken;
     QTest::newRow("infinite") << QByteArray("inf") << false << CellKind::broken;
-    QTest::newRow("nan") << QByteArray("NaN") << false << CellKind::missing;
+    QTest::newRow("nan") << QByteArray("NaN") << false << CellKind::broken;
     QTest::newRow("not available") << QByteArray("n/a") << false << CellKind::missing;
     QTest::newRow("error of a spreadsheet") << QByteArray("#N/A") << false << CellKind::missing;
     QTest::newRow("dash") << QByteArray("-") << false << CellKind::missing;

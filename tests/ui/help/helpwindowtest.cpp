@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QLineEdit>
+#include <QTest>
 
 using namespace palmer;
 using namespace palmer::ui;
