@@ -1248,16 +1248,8 @@
         <translation>version du programme</translation>
     </message>
     <message>
-        <source>palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2).</source>
-        <translation>palmer-cli évalue des essais de machines-outils&#xa0;: positionnement d’axes (ISO 230-2).</translation>
-    </message>
-    <message>
         <source>COMMAND [OPTION]… [FILE]…</source>
         <translation>COMMANDE [OPTION]… [FICHIER]…</translation>
-    </message>
-    <message>
-        <source>FILE is a test file (.palmer); - is standard input.</source>
-        <translation>FICHIER est un fichier d’essai (.palmer)&#x202f;; - est l’entrée standard.</translation>
     </message>
     <message>
         <source>evaluate the tests of its kind under another edition (a view: no verdicts)</source>
@@ -2565,6 +2557,2530 @@
     <message>
         <source>Correction of F and D to 20 °C</source>
         <translation>Correction de F et D à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>this is no copy of a test file that was being edited</source>
+        <translation>ce n’est pas la copie d’un fichier d’essai en cours de modification</translation>
+    </message>
+    <message>
+        <source>the disk is read-only; save in a folder of another disk</source>
+        <translation>le disque est en lecture seule&#x202f;; enregistrer dans un dossier d’un autre disque</translation>
+    </message>
+    <message>
+        <source>the disk is full; what was there before is unchanged: free some space or save on another disk</source>
+        <translation>le disque est plein&#x202f;; ce qui y était avant est inchangé&#xa0;: libérer de la place ou enregistrer sur un autre disque</translation>
+    </message>
+    <message>
+        <source>this is no template of Palmer</source>
+        <translation>ce n’est pas un modèle de Palmer</translation>
+    </message>
+    <message>
+        <source>expected one of machine, instrument, laboratory and limits, not two</source>
+        <translation>un seul attendu parmi machine, instrument, laboratory et limits, pas deux</translation>
+    </message>
+    <message>
+        <source>this key is unknown</source>
+        <translation>cette clé est inconnue</translation>
+    </message>
+    <message>
+        <source>there are no numbers in what was copied</source>
+        <translation>il n’y a pas de nombre dans ce qui a été copié</translation>
+    </message>
+    <message>
+        <source>lines of headings left out: %1</source>
+        <translation>lignes d’en-tête laissées de côté&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the target positions that the block begins with are left out</source>
+        <translation>les positions visées au début du tableau sont laissées de côté</translation>
+    </message>
+    <message>
+        <source>a target position in the block is no number: the targets stay</source>
+        <translation>une position visée du tableau n’est pas un nombre&#xa0;: les points visés restent</translation>
+    </message>
+    <message>
+        <source>the target positions of the block do not ascend: the targets stay</source>
+        <translation>les positions visées du tableau ne sont pas croissantes&#xa0;: les points visés restent</translation>
+    </message>
+    <message>
+        <source>no numbers, kept in red: %1</source>
+        <translation>pas des nombres, gardés en rouge&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>outside the table and not taken: %1</source>
+        <translation>hors du tableau et non repris&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>all readings are zero</source>
+        <translation>tous les relevés sont nuls</translation>
+    </message>
+    <message>
+        <source>all readings are very small: is this the unit?</source>
+        <translation>tous les relevés sont très petits&#xa0;: est-ce la bonne unité&#x202f;?</translation>
+    </message>
+    <message>
+        <source>the range of a compensation begins before it ends</source>
+        <translation>l’étendue d’une compensation commence avant sa fin</translation>
+    </message>
+    <message>
+        <source>the interval of a compensation is positive and gives at most 100 000 points</source>
+        <translation>le pas d’une compensation est positif et donne au plus 100&#x202f;000 points</translation>
+    </message>
+    <message>
+        <source>“%1” is no line of a compensation table</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une ligne de table de compensation</translation>
+    </message>
+    <message>
+        <source>the compensation table has no values, no step or no begin</source>
+        <translation>la table de compensation n’a pas de valeurs, de pas ou d’origine</translation>
+    </message>
+    <message>
+        <source>a compensation is made of a positioning test; this test is none</source>
+        <translation>une compensation se fait à partir d’un essai de positionnement&#x202f;; cet essai n’en est pas un</translation>
+    </message>
+    <message>
+        <source>a compensation needs two targets at least</source>
+        <translation>une compensation demande au moins deux points visés</translation>
+    </message>
+    <message>
+        <source>target %1 has no mean; a compensation needs one at every target</source>
+        <translation>le point visé %1 n’a pas de moyenne&#x202f;; une compensation en demande une à chaque point</translation>
+    </message>
+    <message>
+        <source>this format knows absolute values of one sign only; choose compensation-csv</source>
+        <translation>ce format ne connaît que des valeurs absolues d’un seul signe&#x202f;; choisir compensation-csv</translation>
+    </message>
+    <message>
+        <source>this format has one value a point; combine the directions, and state the reversal value as backlash</source>
+        <translation>ce format a une valeur par point&#x202f;; combiner les sens et déclarer la valeur de réversibilité comme jeu</translation>
+    </message>
+    <message>
+        <source>the positions of a compensation table ascend</source>
+        <translation>les positions d’une table de compensation sont croissantes</translation>
+    </message>
+    <message>
+        <source>positioning test of axis %1; targets: %2; runs each way: %3</source>
+        <translation>essai de positionnement de l’axe %1&#x202f;; points visés&#xa0;: %2&#x202f;; passes par sens&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>moves from %1 to %2: check the room before the start</source>
+        <translation>déplacement de %1 à %2&#xa0;: vérifier l’espace avant le départ</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>passe %1</translation>
+    </message>
+    <message>
+        <source>target %1</source>
+        <translation>point visé %1</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>limite %1</translation>
+    </message>
+    <message>
+        <source>anticlockwise, %1</source>
+        <translation>sens antihoraire, %1</translation>
+    </message>
+    <message>
+        <source>clockwise, %1</source>
+        <translation>sens horaire, %1</translation>
+    </message>
+    <message>
+        <source>repetitions</source>
+        <translation>répétitions</translation>
+    </message>
+    <message>
+        <source>nominal circle</source>
+        <translation>cercle nominal</translation>
+    </message>
+    <message>
+        <source>minimum zone, %1</source>
+        <translation>zone minimale, %1</translation>
+    </message>
+    <message>
+        <source>least squares, %1</source>
+        <translation>moindres carrés, %1</translation>
+    </message>
+    <message>
+        <source>limits of F</source>
+        <translation>limites de F</translation>
+    </message>
+    <message>
+        <source>reference centre</source>
+        <translation>centre de référence</translation>
+    </message>
+    <message>
+        <source>starting point</source>
+        <translation>point de départ</translation>
+    </message>
+    <message>
+        <source>ruling points</source>
+        <translation>points déterminants</translation>
+    </message>
+    <message>
+        <source>Radial deviation F, %1</source>
+        <translation>Écart radial F, %1</translation>
+    </message>
+    <message>
+        <source>Circular deviation G, %1</source>
+        <translation>Écart de circularité G, %1</translation>
+    </message>
+    <message>
+        <source>Actual path, %1</source>
+        <translation>Trajectoire réelle, %1</translation>
+    </message>
+    <message>
+        <source>Actual paths</source>
+        <translation>Trajectoires réelles</translation>
+    </message>
+    <message>
+        <source>about the centre of the set-up</source>
+        <translation>autour du centre de réglage</translation>
+    </message>
+    <message>
+        <source>about the programmed centre</source>
+        <translation>autour du centre programmé</translation>
+    </message>
+    <message>
+        <source>about the centre of the minimum zone of %1</source>
+        <translation>autour du centre de la zone minimale de %1</translation>
+    </message>
+    <message>
+        <source>about the centre of the least squares circle of %1</source>
+        <translation>autour du centre du cercle des moindres carrés de %1</translation>
+    </message>
+    <message>
+        <source>magnification %1, %2 per division</source>
+        <translation>grossissement %1, %2 par division</translation>
+    </message>
+    <message>
+        <source>the plane cannot be %1; expected two axes, for example XY</source>
+        <translation>le plan ne peut être %1&#x202f;; deux axes sont attendus, par exemple XY</translation>
+    </message>
+    <message>
+        <source>Plane: nothing in the file says it; taken as XY.</source>
+        <translation>Plan&#xa0;: rien ne le dit dans le fichier&#x202f;; pris comme XY.</translation>
+    </message>
+    <message>
+        <source>Whether the length is calibrated is not stated: F and D need it.</source>
+        <translation>Rien ne dit si la longueur est étalonnée&#xa0;: F et D en ont besoin.</translation>
+    </message>
+    <message>
+        <source>document type definitions and entities are refused: no ballbar file has them</source>
+        <translation>les définitions de type et les entités sont refusées&#xa0;: aucun fichier de ballbar n’en a</translation>
+    </message>
+    <message>
+        <source>nested deeper than a file of this kind can be</source>
+        <translation>imbrication plus profonde que ne peut l’être un tel fichier</translation>
+    </message>
+    <message>
+        <source>a text longer than a file of this kind can have</source>
+        <translation>texte plus long que ne peut en avoir un tel fichier</translation>
+    </message>
+    <message>
+        <source>this is no whole XML (%1); the file was cut off or damaged</source>
+        <translation>ce n’est pas un XML complet (%1)&#x202f;; le fichier est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>“%1” is no direction of a run; expected CW or CCW</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas le sens d’une passe&#x202f;; CW ou CCW est attendu</translation>
+    </message>
+    <message>
+        <source>“%1” is no reading; expected numbers separated by blanks</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un relevé&#x202f;; des nombres séparés par des blancs sont attendus</translation>
+    </message>
+    <message>
+        <source>there are no readings of a ballbar in it</source>
+        <translation>il ne contient aucun relevé de ballbar</translation>
+    </message>
+    <message>
+        <source>the nominal length is missing; state it as nominalRadius</source>
+        <translation>la longueur nominale manque&#x202f;; la donner par nominalRadius</translation>
+    </message>
+    <message>
+        <source>the nominal radius is not positive</source>
+        <translation>le rayon nominal n’est pas positif</translation>
+    </message>
+    <message>
+        <source>Results of the instrument&apos;s own program: %1; they are shown beside ours.</source>
+        <translation>Résultats du logiciel de l’instrument&#xa0;: %1&#x202f;; ils sont montrés à côté des nôtres.</translation>
+    </message>
+    <message>
+        <source>Elements that are not known and were not read: %1.</source>
+        <translation>Éléments inconnus, non lus&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2 for a circular test</source>
+        <translation>%1 ne peut être %2 pour un essai de circularité</translation>
+    </message>
+    <message>
+        <source>Readings: the file states no unit; about %1 they are read as lengths of the bar in %2.</source>
+        <translation>Relevés&#xa0;: le fichier n’indique pas d’unité&#x202f;; autour de %1, ils sont lus comme longueurs de la barre en %2.</translation>
+    </message>
+    <message>
+        <source>Readings: the file states no unit; up to %1 they are read as deviations in %2, positive outwards.</source>
+        <translation>Relevés&#xa0;: le fichier n’indique pas d’unité&#x202f;; jusqu’à %1, ils sont lus comme écarts en %2, positifs vers l’extérieur.</translation>
+    </message>
+    <message>
+        <source>start angle, arc or overshoot is beyond sense</source>
+        <translation>l’angle de départ, l’arc ou le dépassement est insensé</translation>
+    </message>
+    <message>
+        <source>Arc: the file has no angles; %1 at constant feed are assumed.</source>
+        <translation>Arc&#xa0;: le fichier ne donne pas d’angles&#x202f;; %1 à vitesse constante sont supposés.</translation>
+    </message>
+    <message>
+        <source>Start angle: taken as %1. A wrong one turns squareness into scale mismatch.</source>
+        <translation>Angle de départ&#xa0;: pris à %1. Un angle faux change la perpendicularité en différence d’échelle.</translation>
+    </message>
+    <message>
+        <source>A run states no direction; taken as counterclockwise.</source>
+        <translation>Une passe n’indique pas son sens&#x202f;; prise comme antihoraire.</translation>
+    </message>
+    <message>
+        <source>a run of one reading is no circle</source>
+        <translation>une passe d’un seul relevé n’est pas un cercle</translation>
+    </message>
+    <message>
+        <source>Understood: paths: %1; points: %2.</source>
+        <translation>Compris&#xa0;: trajectoires&#xa0;: %1&#x202f;; points&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>tableau</translation>
+    </message>
+    <message>
+        <source>workbook (.xlsx, .ods)</source>
+        <translation>classeur (.xlsx, .ods)</translation>
+    </message>
+    <message>
+        <source>Renishaw laser data (.rtl)</source>
+        <translation>données laser Renishaw (.rtl)</translation>
+    </message>
+    <message>
+        <source>Renishaw ballbar (.b5r)</source>
+        <translation>ballbar Renishaw (.b5r)</translation>
+    </message>
+    <message>
+        <source>Renishaw dynamic capture (.rtx)</source>
+        <translation>acquisition dynamique Renishaw (.rtx)</translation>
+    </message>
+    <message>
+        <source>values with indexes (TGT_DATA)</source>
+        <translation>valeurs indexées (TGT_DATA)</translation>
+    </message>
+    <message>
+        <source>compensation text (.REN)</source>
+        <translation>texte de compensation (.REN)</translation>
+    </message>
+    <message>
+        <source>UTF-8</source>
+        <translation>UTF-8</translation>
+    </message>
+    <message>
+        <source>UTF-16, little end first</source>
+        <translation>UTF-16, petit-boutiste</translation>
+    </message>
+    <message>
+        <source>UTF-16, big end first</source>
+        <translation>UTF-16, gros-boutiste</translation>
+    </message>
+    <message>
+        <source>Western Europe (Windows-1252)</source>
+        <translation>Europe occidentale (Windows-1252)</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>tabulation</translation>
+    </message>
+    <message>
+        <source>semicolon ;</source>
+        <translation>point-virgule&#x202f;;</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>virgule ,</translation>
+    </message>
+    <message>
+        <source>vertical bar |</source>
+        <translation>barre verticale |</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>blancs</translation>
+    </message>
+    <message>
+        <source>point .</source>
+        <translation>point .</translation>
+    </message>
+    <message>
+        <source>positioning test</source>
+        <translation>essai de positionnement</translation>
+    </message>
+    <message>
+        <source>circular test</source>
+        <translation>essai de circularité</translation>
+    </message>
+    <message>
+        <source>drift test</source>
+        <translation>essai de dérive</translation>
+    </message>
+    <message>
+        <source>temperatures over time</source>
+        <translation>températures en fonction du temps</translation>
+    </message>
+    <message>
+        <source>targets down, runs across</source>
+        <translation>points en lignes, passes en colonnes</translation>
+    </message>
+    <message>
+        <source>runs down, targets across</source>
+        <translation>passes en lignes, points en colonnes</translation>
+    </message>
+    <message>
+        <source>one reading a line</source>
+        <translation>un relevé par ligne</translation>
+    </message>
+    <message>
+        <source>x and y</source>
+        <translation>x et y</translation>
+    </message>
+    <message>
+        <source>angle and radius</source>
+        <translation>angle et rayon</translation>
+    </message>
+    <message>
+        <source>angle and radial deviation</source>
+        <translation>angle et écart radial</translation>
+    </message>
+    <message>
+        <source>values over time</source>
+        <translation>valeurs en fonction du temps</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>selon le fichier</translation>
+    </message>
+    <message>
+        <source>alternating ↑ ↓</source>
+        <translation>passes alternées ↑ ↓</translation>
+    </message>
+    <message>
+        <source>all ↑, then all ↓</source>
+        <translation>toutes ↑, puis toutes ↓</translation>
+    </message>
+    <message>
+        <source>all ↑</source>
+        <translation>toutes ↑</translation>
+    </message>
+    <message>
+        <source>all ↓</source>
+        <translation>toutes ↓</translation>
+    </message>
+    <message>
+        <source>deviations</source>
+        <translation>écarts</translation>
+    </message>
+    <message>
+        <source>positions</source>
+        <translation>positions</translation>
+    </message>
+    <message>
+        <source>actual − target (ISO)</source>
+        <translation>réel − visé (ISO)</translation>
+    </message>
+    <message>
+        <source>target − actual</source>
+        <translation>visé − réel</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>µm</translation>
+    </message>
+    <message>
+        <source>nm</source>
+        <translation>nm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>µin</source>
+        <translation>µin</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>′</source>
+        <translation>′</translation>
+    </message>
+    <message>
+        <source>″</source>
+        <translation>″</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+    <message>
+        <source>mrad</source>
+        <translation>mrad</translation>
+    </message>
+    <message>
+        <source>µrad</source>
+        <translation>µrad</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>h</translation>
+    </message>
+    <message>
+        <source>of the measured point</source>
+        <translation>du point mesuré</translation>
+    </message>
+    <message>
+        <source>of the programmed path</source>
+        <translation>de la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Encoding</source>
+        <translation>Codage</translation>
+    </message>
+    <message>
+        <source>Delimiter</source>
+        <translation>Séparateur</translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation>Décimales</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Feuille</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Nature</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Contenu</translation>
+    </message>
+    <message>
+        <source>Unit of positions</source>
+        <translation>Unité des points</translation>
+    </message>
+    <message>
+        <source>Unit of times</source>
+        <translation>Unité des temps</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Signe</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Nominal radius (mm)</source>
+        <translation>Rayon nominal (mm)</translation>
+    </message>
+    <message>
+        <source>Centre, first axis (mm)</source>
+        <translation>Centre, premier axe (mm)</translation>
+    </message>
+    <message>
+        <source>Centre, second axis (mm)</source>
+        <translation>Centre, second axe (mm)</translation>
+    </message>
+    <message>
+        <source>Feed (mm/min)</source>
+        <translation>Vitesse d’avance (mm/min)</translation>
+    </message>
+    <message>
+        <source>Start angle (°)</source>
+        <translation>Angle de départ (°)</translation>
+    </message>
+    <message>
+        <source>Arc (°)</source>
+        <translation>Arc (°)</translation>
+    </message>
+    <message>
+        <source>Angular overshoot (°)</source>
+        <translation>Dépassement angulaire (°)</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Angles</translation>
+    </message>
+    <message>
+        <source>Length calibrated</source>
+        <translation>Longueur étalonnée</translation>
+    </message>
+    <message>
+        <source>unknown choice %1; known: %2</source>
+        <translation>choix inconnu&#xa0;: %1&#x202f;; connus&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; known: %3</source>
+        <translation>%1 ne peut être %2&#x202f;; connus&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; expected a number</source>
+        <translation>%1 ne peut être %2&#x202f;; un nombre est attendu</translation>
+    </message>
+    <message>
+        <source>unknown edition %1</source>
+        <translation>édition inconnue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>there are no points of a circle in it</source>
+        <translation>il ne contient aucun point d’un cercle</translation>
+    </message>
+    <message>
+        <source>Points without a number were left out: %1.</source>
+        <translation>Points sans nombre laissés de côté&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>one column of numbers does not make a circle; expected x and y, angle and radius, or angle and deviation</source>
+        <translation>une seule colonne de nombres ne fait pas un cercle&#x202f;; x et y, angle et rayon ou angle et écart sont attendus</translation>
+    </message>
+    <message>
+        <source>Content: the columns are read as x and y of points of a circle.</source>
+        <translation>Contenu&#xa0;: les colonnes sont lues comme x et y des points d’un cercle.</translation>
+    </message>
+    <message>
+        <source>Content: the columns are read as angle and radius.</source>
+        <translation>Contenu&#xa0;: les colonnes sont lues comme angle et rayon.</translation>
+    </message>
+    <message>
+        <source>Content: the columns are read as angle and radial deviation.</source>
+        <translation>Contenu&#xa0;: les colonnes sont lues comme angle et écart radial.</translation>
+    </message>
+    <message>
+        <source>Unit of x and y: nothing in the file says it; read as %1.</source>
+        <translation>Unité de x et y&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
+    </message>
+    <message>
+        <source>the points do not lie on a circle</source>
+        <translation>les points ne sont pas sur un cercle</translation>
+    </message>
+    <message>
+        <source>Centre: nothing in the file says it; taken at %1; %2.</source>
+        <translation>Centre&#xa0;: rien ne le dit dans le fichier&#x202f;; pris en %1&#x202f;; %2.</translation>
+    </message>
+    <message>
+        <source>Nominal radius: nothing in the file says it; taken as %1.</source>
+        <translation>Rayon nominal&#xa0;: rien ne le dit dans le fichier&#x202f;; pris à %1.</translation>
+    </message>
+    <message>
+        <source>Unit of the angles: nothing in the file says it; read as %1.</source>
+        <translation>Unité des angles&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
+    </message>
+    <message>
+        <source>Unit of the radial deviations: nothing in the file says it; read as %1.</source>
+        <translation>Unité des écarts radiaux&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
+    </message>
+    <message>
+        <source>The nominal radius is not in the file: %1 is put in its place; set it.</source>
+        <translation>Le rayon nominal n’est pas dans le fichier&#xa0;: %1 en tient lieu&#x202f;; le donner.</translation>
+    </message>
+    <message>
+        <source>Sign: radial deviations are read as positive outwards.</source>
+        <translation>Signe&#xa0;: les écarts radiaux sont lus comme positifs vers l’extérieur.</translation>
+    </message>
+    <message>
+        <source>Angles: read as those of the measured point, not of the programmed path (a ballbar).</source>
+        <translation>Angles&#xa0;: lus comme ceux du point mesuré, non de la trajectoire programmée (ballbar).</translation>
+    </message>
+    <message>
+        <source>Sense: the angles run against the sense the file names; the points are taken in the opposite order.</source>
+        <translation>Sens&#xa0;: les angles vont à l’encontre du sens indiqué par le fichier&#x202f;; les points sont pris dans l’ordre inverse.</translation>
+    </message>
+    <message>
+        <source>this is no character of UTF-16; expected a text file</source>
+        <translation>ce n’est pas un caractère UTF-16&#x202f;; un fichier texte est attendu</translation>
+    </message>
+    <message>
+        <source>this is no character of UTF-8 nor of Windows-1252; expected a text file</source>
+        <translation>ce n’est un caractère ni d’UTF-8 ni de Windows-1252&#x202f;; un fichier texte est attendu</translation>
+    </message>
+    <message>
+        <source>this is binary data; expected a text file, a workbook or an instrument file that can be read</source>
+        <translation>ce sont des données binaires&#x202f;; un fichier texte, un classeur ou un fichier d’instrument lisible est attendu</translation>
+    </message>
+    <message>
+        <source>this is no character of UTF-8; expected a text file in UTF-8</source>
+        <translation>ce n’est pas un caractère UTF-8&#x202f;; un fichier texte en UTF-8 est attendu</translation>
+    </message>
+    <message>
+        <source>the file is empty; expected a table of readings or the file of an instrument</source>
+        <translation>le fichier est vide&#x202f;; un tableau de relevés ou un fichier d’instrument est attendu</translation>
+    </message>
+    <message>
+        <source>Correction to 20 °C: whether the instrument has applied one is not stated; say it.</source>
+        <translation>Correction à 20&#xa0;°C&#xa0;: rien ne dit si l’instrument en a appliqué une&#x202f;; l’indiquer.</translation>
+    </message>
+    <message>
+        <source>there are numbers in it that no machine has; check units and decimal mark</source>
+        <translation>il contient des nombres qu’aucune machine n’a&#x202f;; vérifier les unités et les décimales</translation>
+    </message>
+    <message>
+        <source>this is a test file or a report, not a measurement; open it instead</source>
+        <translation>c’est un fichier d’essai ou un rapport, non une mesure&#x202f;; l’ouvrir</translation>
+    </message>
+    <message>
+        <source>temperatures need a test that they belong to; import the measurement before them</source>
+        <translation>des températures demandent un essai auquel elles appartiennent&#x202f;; importer d’abord la mesure</translation>
+    </message>
+    <message>
+        <source>Unit of the positions: nothing in the file says it; read as %1.</source>
+        <translation>Unité des positions&#xa0;: rien ne le dit dans le fichier&#x202f;; lues en %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2 here: the axis moves the other way</source>
+        <translation>%1 ne peut être %2 ici&#xa0;: ce n’est pas le mouvement de l’axe</translation>
+    </message>
+    <message>
+        <source>there are no target positions in it</source>
+        <translation>il ne contient aucun point visé</translation>
+    </message>
+    <message>
+        <source>The head names %1 targets, the list has %2; the list counts.</source>
+        <translation>L’en-tête annonce %1 points visés, la liste en a %2&#x202f;; la liste compte.</translation>
+    </message>
+    <message>
+        <source>Lines of text that were not used: %1.</source>
+        <translation>Lignes de texte ignorées&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. The reading stays missing.</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre. Le relevé reste manquant.</translation>
+    </message>
+    <message>
+        <source>“%1” is no target position</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un point visé</translation>
+    </message>
+    <message>
+        <source>The unit “%1” is not known.</source>
+        <translation>L’unité «&#xa0;%1&#xa0;» est inconnue.</translation>
+    </message>
+    <message>
+        <source>there are readings of targets that are not in the list</source>
+        <translation>il y a des relevés de points visés absents de la liste</translation>
+    </message>
+    <message>
+        <source>The head names %1 cycles, the readings have %2; the readings count.</source>
+        <translation>L’en-tête annonce %1 cycles, les relevés en ont %2&#x202f;; les relevés comptent.</translation>
+    </message>
+    <message>
+        <source>All readings of run %1 are zero: was it measured at all?</source>
+        <translation>Tous les relevés de la passe %1 sont nuls&#xa0;: a-t-elle été mesurée&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Readings missing: %1.</source>
+        <translation>Relevés manquants&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The directions have unequal numbers of runs: %1 ↑ and %2 ↓.</source>
+        <translation>Les sens n’ont pas le même nombre de passes&#xa0;: %1 ↑ et %2 ↓.</translation>
+    </message>
+    <message>
+        <source>Understood: targets: %1; runs ↑: %2; runs ↓: %3.</source>
+        <translation>Compris&#xa0;: points visés&#xa0;: %1&#x202f;; passes ↑&#xa0;: %2&#x202f;; passes ↓&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>there are no readings in it; expected target positions and deviations</source>
+        <translation>il ne contient aucun relevé&#x202f;; des points visés et des écarts sont attendus</translation>
+    </message>
+    <message>
+        <source>Readings that stand at a target twice in one run: %1; the first is kept.</source>
+        <translation>Relevés en double à un point visé d’une même passe&#xa0;: %1&#x202f;; le premier est gardé.</translation>
+    </message>
+    <message>
+        <source>Content: the values run from %1 to %2 as the targets do; they are read as positions, not as deviations.</source>
+        <translation>Contenu&#xa0;: les valeurs vont de %1 à %2 comme les points visés&#x202f;; elles sont lues comme positions, non comme écarts.</translation>
+    </message>
+    <message>
+        <source>Content: the values run from %1 to %2; they are read as deviations, not as positions.</source>
+        <translation>Contenu&#xa0;: les valeurs vont de %1 à %2&#x202f;; elles sont lues comme écarts, non comme positions.</translation>
+    </message>
+    <message>
+        <source>Unit of the target positions: nothing in the file says it; read as %1.</source>
+        <translation>Unité des points visés&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
+    </message>
+    <message>
+        <source>Unit of the deviations: nothing in the file says it; read as %1 after their size.</source>
+        <translation>Unité des écarts&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1 d’après leur grandeur.</translation>
+    </message>
+    <message>
+        <source>Sign: nothing in the file says it; read as actual − target.</source>
+        <translation>Signe&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme «&#xa0;réel − visé&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Layout: the first line is read as the targets, each further one as a run.</source>
+        <translation>Disposition&#xa0;: la première ligne est lue comme les points visés, chaque suivante comme une passe.</translation>
+    </message>
+    <message>
+        <source>The column “%1” is not read: it holds no readings.</source>
+        <translation>La colonne «&#xa0;%1&#xa0;» n’est pas lue&#xa0;: elle ne contient pas de relevés.</translation>
+    </message>
+    <message>
+        <source>there is one column of numbers only; expected target positions and readings</source>
+        <translation>il n’y a qu’une colonne de nombres&#x202f;; des points visés et des relevés sont attendus</translation>
+    </message>
+    <message>
+        <source>The targets stand in no order; they were sorted.</source>
+        <translation>Les points visés ne sont pas dans l’ordre&#x202f;; ils ont été triés.</translation>
+    </message>
+    <message>
+        <source>“%1” is no target position; the line was not read.</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un point visé&#x202f;; la ligne n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>the file does not say which runs are ↑ and which ↓; choose another word for “directions”</source>
+        <translation>le fichier ne dit pas quelles passes sont ↑ et lesquelles ↓&#x202f;; choisir un autre mot pour «&#xa0;directions&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Directions: the letters in the headings are read as ↑ (A, F) and ↓ (R, B).</source>
+        <translation>Sens&#xa0;: les lettres des en-têtes sont lues comme ↑ (A, F) et ↓ (R, B).</translation>
+    </message>
+    <message>
+        <source>Directions: nothing in the file says them; the lines are read as ↑ and ↓ in turn.</source>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; les lignes sont lues comme ↑ et ↓ tour à tour.</translation>
+    </message>
+    <message>
+        <source>Directions: nothing in the file says them; the blocks are read as ↑ and ↓ in turn.</source>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; les blocs sont lus comme ↑ et ↓ tour à tour.</translation>
+    </message>
+    <message>
+        <source>Directions: nothing in the file says them; the runs are read as ↑ and ↓ in turn.</source>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; les passes sont lues comme ↑ et ↓ tour à tour.</translation>
+    </message>
+    <message>
+        <source>Directions: nothing in the file says them; the first half of the runs is read as ↑, the second as ↓.</source>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; la première moitié des passes est lue comme ↑, la seconde comme ↓.</translation>
+    </message>
+    <message>
+        <source>Directions: nothing in the file says them; all runs are read as ↑.</source>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; toutes les passes sont lues comme ↑.</translation>
+    </message>
+    <message>
+        <source>this is no file of import profiles; expected names with their choices</source>
+        <translation>ce n’est pas un fichier de profils d’import&#x202f;; des noms avec leurs choix sont attendus</translation>
+    </message>
+    <message>
+        <source>This line is not like the others and was not read.</source>
+        <translation>Cette ligne n’est pas comme les autres et n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>there is no table of axis positions and compensation values in it</source>
+        <translation>il ne contient pas de table de positions et de valeurs de compensation</translation>
+    </message>
+    <message>
+        <source>Start and end of the head are not those of the table; the table counts.</source>
+        <translation>Le début et la fin de l’en-tête ne sont pas ceux de la table&#x202f;; la table compte.</translation>
+    </message>
+    <message>
+        <source>This is a compensation table, not a measurement: its values are read with the opposite sign as deviations, to compare.</source>
+        <translation>C’est une table de compensation, non une mesure&#xa0;: ses valeurs sont lues avec le signe opposé comme écarts, pour comparer.</translation>
+    </message>
+    <message>
+        <source>Unit of the compensation values: nothing in the file says it; read as %1.</source>
+        <translation>Unité des valeurs de compensation&#xa0;: rien ne le dit dans le fichier&#x202f;; lues en %1.</translation>
+    </message>
+    <message>
+        <source>the file ends before “%1”: it was cut off</source>
+        <translation>le fichier finit avant «&#xa0;%1&#xa0;»&#xa0;: il est tronqué</translation>
+    </message>
+    <message>
+        <source>the section %1 is missing</source>
+        <translation>la section %1 manque</translation>
+    </message>
+    <message>
+        <source>“%1” is not a list of target positions</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une liste de points visés</translation>
+    </message>
+    <message>
+        <source>“%1” is not run, target and deviation; the line was not read.</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas passe, point visé et écart&#x202f;; la ligne n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>there is no target %1; the list has %2</source>
+        <translation>il n’y a pas de point visé %1&#x202f;; la liste en a %2</translation>
+    </message>
+    <message>
+        <source>The head names %1 runs, the rows have %2; the rows count.</source>
+        <translation>L’en-tête annonce %1 passes, les lignes en ont %2&#x202f;; les lignes comptent.</translation>
+    </message>
+    <message>
+        <source>Directions: the order of the targets does not say them; odd runs are read as ↑, even ones as ↓.</source>
+        <translation>Sens&#xa0;: l’ordre des points visés ne le dit pas&#x202f;; les passes impaires sont lues comme ↑, les paires comme ↓.</translation>
+    </message>
+    <message>
+        <source>Units of this format: targets in %1, deviations in %2, actual − target.</source>
+        <translation>Unités de ce format&#xa0;: points visés en %1, écarts en %2, réel − visé.</translation>
+    </message>
+    <message>
+        <source>The date %1 is no ISO date; it stays as text in the remarks.</source>
+        <translation>La date %1 n’est pas une date ISO&#x202f;; elle reste en texte dans les remarques.</translation>
+    </message>
+    <message>
+        <source>“%1” is 0 °C: taken as not connected.</source>
+        <translation>«&#xa0;%1&#xa0;» est à 0&#xa0;°C&#xa0;: pris comme non raccordé.</translation>
+    </message>
+    <message>
+        <source>Temperatures of the file are taken as those at the start of the test.</source>
+        <translation>Les températures du fichier sont prises comme celles du début de l’essai.</translation>
+    </message>
+    <message>
+        <source>The section %1 is not known and was not read.</source>
+        <translation>La section %1 est inconnue et n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>the number of samples is missing in the head</source>
+        <translation>le nombre d’échantillons manque dans l’en-tête</translation>
+    </message>
+    <message>
+        <source>the sample rate is missing in the head</source>
+        <translation>la fréquence d’échantillonnage manque dans l’en-tête</translation>
+    </message>
+    <message>
+        <source>the file was cut off: %1 samples are announced, %2 are there</source>
+        <translation>le fichier est tronqué&#xa0;: %1 échantillons annoncés, %2 présents</translation>
+    </message>
+    <message>
+        <source>sample %1 is no number: the data are damaged</source>
+        <translation>l’échantillon %1 n’est pas un nombre&#xa0;: les données sont endommagées</translation>
+    </message>
+    <message>
+        <source>The file has no end mark behind its samples.</source>
+        <translation>Le fichier n’a pas de marque de fin après ses échantillons.</translation>
+    </message>
+    <message>
+        <source>Understood: a drift test; points: %1; duration: %2.</source>
+        <translation>Compris&#xa0;: un essai de dérive&#x202f;; points&#xa0;: %1&#x202f;; durée&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>one column of numbers is no series; expected times and values</source>
+        <translation>une seule colonne de nombres n’est pas une série&#x202f;; des temps et des valeurs sont attendus</translation>
+    </message>
+    <message>
+        <source>Unit of the times: nothing in the file says it; read as %1.</source>
+        <translation>Unité des temps&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
+    </message>
+    <message>
+        <source>the times do not rise; expected a series over time</source>
+        <translation>les temps ne croissent pas&#x202f;; une série temporelle est attendue</translation>
+    </message>
+    <message>
+        <source>Sensor “%1”: read as the temperature of the %2.</source>
+        <translation>Capteur «&#xa0;%1&#xa0;»&#xa0;: température lue comme celle de&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>air</source>
+        <translation>air</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>machine</translation>
+    </message>
+    <message>
+        <source>Largest change within an hour: %1.</source>
+        <translation>Plus grande variation en une heure&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The series is shorter than an hour: no gradient per hour.</source>
+        <translation>La série dure moins d’une heure&#xa0;: pas de gradient horaire.</translation>
+    </message>
+    <message>
+        <source>Columns read: the times and “%1”; %2 further ones are not read.</source>
+        <translation>Colonnes lues&#xa0;: les temps et «&#xa0;%1&#xa0;»&#x202f;; %2 autres ne sont pas lues.</translation>
+    </message>
+    <message>
+        <source>there are no readings in it; expected times and deviations</source>
+        <translation>il ne contient aucun relevé&#x202f;; des temps et des écarts sont attendus</translation>
+    </message>
+    <message>
+        <source>more rows or cells than a table of readings can have</source>
+        <translation>plus de lignes ou de cellules que n’en peut avoir un tableau de relevés</translation>
+    </message>
+    <message>
+        <source>there is no table of numbers in it; expected target positions and readings, points of a circle, or values over time</source>
+        <translation>il ne contient pas de tableau de nombres&#x202f;; des points visés et des relevés, des points d’un cercle ou des valeurs en fonction du temps sont attendus</translation>
+    </message>
+    <message>
+        <source>“%1” is read as a missing reading.</source>
+        <translation>«&#xa0;%1&#xa0;» est lu comme un relevé manquant.</translation>
+    </message>
+    <message>
+        <source>“%1” has another decimal mark or thousands separators. The reading stays missing.</source>
+        <translation>«&#xa0;%1&#xa0;» a une autre marque décimale ou des séparateurs de milliers. Le relevé reste manquant.</translation>
+    </message>
+    <message>
+        <source>Further readings are not numbers, too.</source>
+        <translation>D’autres relevés ne sont pas des nombres non plus.</translation>
+    </message>
+    <message>
+        <source>Kind: nothing in the file says it; read as a circular test.</source>
+        <translation>Nature&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme un essai de circularité.</translation>
+    </message>
+    <message>
+        <source>Kind: nothing in the file says it; read as a positioning test.</source>
+        <translation>Nature&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme un essai de positionnement.</translation>
+    </message>
+    <message>
+        <source>Encoding: the text is not UTF-8; read as Windows-1252.</source>
+        <translation>Codage&#xa0;: le texte n’est pas en UTF-8&#x202f;; lu en Windows-1252.</translation>
+    </message>
+    <message>
+        <source>Decimal mark: the numbers can be read in several ways; the comma is taken as decimal mark.</source>
+        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; la virgule est prise comme marque décimale.</translation>
+    </message>
+    <message>
+        <source>Decimal mark: the numbers can be read in several ways; the point is taken as decimal mark.</source>
+        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; le point est pris comme marque décimale.</translation>
+    </message>
+    <message>
+        <source>save the test from Ballbar 20 as .b5r (XML), or export its readings as text</source>
+        <translation>enregistrer l’essai depuis Ballbar 20 en .b5r (XML), ou exporter ses relevés en texte</translation>
+    </message>
+    <message>
+        <source>export the test from Explore as .rtl, or as CSV</source>
+        <translation>exporter l’essai depuis Explore en .rtl ou en CSV</translation>
+    </message>
+    <message>
+        <source>print or export the data table as text or CSV</source>
+        <translation>imprimer ou exporter le tableau de données en texte ou en CSV</translation>
+    </message>
+    <message>
+        <source>export the results as text or CSV</source>
+        <translation>exporter les résultats en texte ou en CSV</translation>
+    </message>
+    <message>
+        <source>export the data as text or CSV</source>
+        <translation>exporter les données en texte ou en CSV</translation>
+    </message>
+    <message>
+        <source>export the measured values as text or CSV</source>
+        <translation>exporter les valeurs mesurées en texte ou en CSV</translation>
+    </message>
+    <message>
+        <source>export the measured values as text (ASCII)</source>
+        <translation>exporter les valeurs mesurées en texte (ASCII)</translation>
+    </message>
+    <message>
+        <source>save the workbook as .xlsx, .ods or CSV</source>
+        <translation>enregistrer le classeur en .xlsx, .ods ou CSV</translation>
+    </message>
+    <message>
+        <source>export the test as text or CSV</source>
+        <translation>exporter l’essai en texte ou en CSV</translation>
+    </message>
+    <message>
+        <source>the format %1 is not documented publicly and cannot be read; %2</source>
+        <translation>le format %1 n’est pas documenté publiquement et ne peut être lu&#x202f;; %2</translation>
+    </message>
+    <message>
+        <source>the workbook is damaged or was cut off; save it again, or export the sheet as CSV</source>
+        <translation>le classeur est endommagé ou tronqué&#x202f;; l’enregistrer de nouveau, ou exporter la feuille en CSV</translation>
+    </message>
+    <message>
+        <source>there is no sheet “%1”; there are: %2</source>
+        <translation>il n’y a pas de feuille «&#xa0;%1&#xa0;»&#x202f;; il y a&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>this archive is no workbook; expected .xlsx or .ods</source>
+        <translation>cette archive n’est pas un classeur&#x202f;; .xlsx ou .ods est attendu</translation>
+    </message>
+    <message>
+        <source>The workbook has %1 sheets; “%2” is read.</source>
+        <translation>Le classeur a %1 feuilles&#x202f;; «&#xa0;%2&#xa0;» est lue.</translation>
+    </message>
+    <message>
+        <source>the workbook unpacks to more than a table of readings can be</source>
+        <translation>le classeur se décompresse en plus que ne peut être un tableau de relevés</translation>
+    </message>
+    <message>
+        <source>No uncertainty by the budget: impossible as stated: %1.</source>
+        <translation>Pas d’incertitude selon le budget&#xa0;: valeur impossible&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>No uncertainty by the budget: not stated: %1.</source>
+        <translation>Pas d’incertitude selon le budget&#xa0;: non indiqué&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>No uncertainty of %1 by the budget: impossible as stated: %2.</source>
+        <translation>Pas d’incertitude de %1 selon le budget&#xa0;: valeur impossible&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>No uncertainty of %1 by the budget: not stated: %2.</source>
+        <translation>Pas d’incertitude de %1 selon le budget&#xa0;: non indiqué&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>The Monte Carlo simulation that is to give the uncertainty was not run.</source>
+        <translation>La simulation de Monte-Carlo qui doit donner l’incertitude n’a pas été exécutée.</translation>
+    </message>
+    <message>
+        <source>The Monte Carlo simulation was run before the last edit of the test: its figures are outdated.</source>
+        <translation>La simulation de Monte-Carlo précède la dernière modification de l’essai&#xa0;: ses chiffres sont périmés.</translation>
+    </message>
+    <message>
+        <source>The Monte Carlo simulation ended before two places of the uncertainty were stable.</source>
+        <translation>La simulation de Monte-Carlo s’est terminée avant que deux chiffres de l’incertitude soient stables.</translation>
+    </message>
+    <message>
+        <source>The errors of measurement shift %1 by more than a third of the uncertainty that the Monte Carlo simulation gives: the budget decides.</source>
+        <translation>Les erreurs de mesure décalent %1 de plus d’un tiers de l’incertitude que donne la simulation de Monte-Carlo&#xa0;: le budget décide.</translation>
+    </message>
+    <message>
+        <source>The errors of measurement shift %1 by more than a third of the uncertainty that the Monte Carlo simulation gives.</source>
+        <translation>Les erreurs de mesure décalent %1 de plus d’un tiers de l’incertitude que donne la simulation de Monte-Carlo.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: the simulation follows the extreme points of the path and their noise.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la simulation suit les points extrêmes de la trajectoire et leur bruit.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: an error that all points of a path have in common moves the circle and leaves its width; the budget counts it in full.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: une erreur commune à tous les points d’une trajectoire change le cercle sans en changer la largeur&#x202f;; le budget la compte entière.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: the ruling targets lie closer together than the length L = %2 of the budget.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: les points déterminants sont plus proches l’un de l’autre que la longueur L = %2 du budget.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: the mean over all targets is surer than the one target that the budget takes.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la moyenne sur tous les points est plus sûre que le seul point que prend le budget.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: the simulation follows the extremes over all targets and the scatter of the readings, the budget one target.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la simulation suit les extrêmes sur tous les points et la dispersion des relevés, le budget un seul point.</translation>
+    </message>
+    <message>
+        <source>Readings that are no numbers (%n), hence missing: %1.</source>
+        <translation>Relevés qui ne sont pas des nombres (%n), donc manquants&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>resolution of the instrument</source>
+        <translation>résolution de l’instrument</translation>
+    </message>
+    <message>
+        <source>2 · %1 / √12</source>
+        <translation>2 · %1 / √12</translation>
+    </message>
+    <message>
+        <source>environmental variation, E_VE</source>
+        <translation>variation de l’environnement, E_VE</translation>
+    </message>
+    <message>
+        <source>environmental variation error E_VE</source>
+        <translation>erreur de variation environnementale E_VE</translation>
+    </message>
+    <message>
+        <source>centring of the set-up</source>
+        <translation>centrage du réglage</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the centring</source>
+        <translation>incertitude type du centrage</translation>
+    </message>
+    <message>
+        <source>2 · %1</source>
+        <translation>2 · %1</translation>
+    </message>
+    <message>
+        <source>coverage factor of the certificate</source>
+        <translation>facteur d’élargissement du certificat</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>%1 · 2/%2</source>
+        <translation>%1 · 2/%2</translation>
+    </message>
+    <message>
+        <source>instrument, calibration of displacement</source>
+        <translation>instrument, étalonnage du déplacement</translation>
+    </message>
+    <message>
+        <source>uncertainty of the calibration of displacement</source>
+        <translation>incertitude de l’étalonnage du déplacement</translation>
+    </message>
+    <message>
+        <source>reference length</source>
+        <translation>longueur étalon</translation>
+    </message>
+    <message>
+        <source>uncertainty of the reference length</source>
+        <translation>incertitude de la longueur étalon</translation>
+    </message>
+    <message>
+        <source>noise of the points</source>
+        <translation>bruit des points</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of one point</source>
+        <translation>incertitude type d’un point</translation>
+    </message>
+    <message>
+        <source>2 · %1 / √%2</source>
+        <translation>2 · %1 / √%2</translation>
+    </message>
+    <message>
+        <source>repeatability, or repeated circles</source>
+        <translation>répétabilité, ou cercles répétés</translation>
+    </message>
+    <message>
+        <source>2 · %1, largest s of the repeated circles</source>
+        <translation>2 · %1, plus grand s des cercles répétés</translation>
+    </message>
+    <message>
+        <source>correction to 20 °C</source>
+        <translation>correction à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>coefficient of expansion α of the machine</source>
+        <translation>coefficient de dilatation α de la machine</translation>
+    </message>
+    <message>
+        <source>coefficient of expansion α of the instrument</source>
+        <translation>coefficient de dilatation α de l’instrument</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the temperature of the machine</source>
+        <translation>incertitude type de la température de la machine</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the temperature of the instrument</source>
+        <translation>incertitude type de la température de l’instrument</translation>
+    </message>
+    <message>
+        <source>temperature θ of the machine</source>
+        <translation>température θ de la machine</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the coefficient of expansion of the machine</source>
+        <translation>incertitude type du coefficient de dilatation de la machine</translation>
+    </message>
+    <message>
+        <source>temperature θ of the instrument</source>
+        <translation>température θ de l’instrument</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the coefficient of expansion of the instrument</source>
+        <translation>incertitude type du coefficient de dilatation de l’instrument</translation>
+    </message>
+    <message>
+        <source>2 · %1, from temperatures and coefficients of expansion</source>
+        <translation>2 · %1, des températures et coefficients de dilatation</translation>
+    </message>
+    <message>
+        <source>temperature of the machine</source>
+        <translation>température de la machine</translation>
+    </message>
+    <message>
+        <source>coefficient of expansion of the machine</source>
+        <translation>coefficient de dilatation de la machine</translation>
+    </message>
+    <message>
+        <source>range R(θ) of the temperature of the machine</source>
+        <translation>étendue R(θ) de la température de la machine</translation>
+    </message>
+    <message>
+        <source>range R(α) of the coefficient of expansion of the machine</source>
+        <translation>étendue R(α) du coefficient de dilatation de la machine</translation>
+    </message>
+    <message>
+        <source>temperature of the instrument</source>
+        <translation>température de l’instrument</translation>
+    </message>
+    <message>
+        <source>coefficient of expansion of the instrument</source>
+        <translation>coefficient de dilatation de l’instrument</translation>
+    </message>
+    <message>
+        <source>range R(θ) of the temperature of the instrument</source>
+        <translation>étendue R(θ) de la température de l’instrument</translation>
+    </message>
+    <message>
+        <source>range R(α) of the coefficient of expansion of the instrument</source>
+        <translation>étendue R(α) du coefficient de dilatation de l’instrument</translation>
+    </message>
+    <message>
+        <source>length L above 0</source>
+        <translation>longueur L supérieure à 0</translation>
+    </message>
+    <message>
+        <source>instrument, calibration certificate</source>
+        <translation>instrument, certificat d’étalonnage</translation>
+    </message>
+    <message>
+        <source>instrument, range of its error</source>
+        <translation>instrument, étendue de son erreur</translation>
+    </message>
+    <message>
+        <source>fixed part of the instrument</source>
+        <translation>part fixe de l’instrument</translation>
+    </message>
+    <message>
+        <source>part per metre of the instrument</source>
+        <translation>part par mètre de l’instrument</translation>
+    </message>
+    <message>
+        <source>part per metre of the instrument, on a rotary axis</source>
+        <translation>part par mètre de l’instrument, sur un axe rotatif</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1/m · %2&#xa0;m</source>
+        <translation>%1/m · %2&#xa0;m</translation>
+    </message>
+    <message>
+        <source>%1/m · %2&#xa0;m · 2/%3</source>
+        <translation>%1/m · %2&#xa0;m · 2/%3</translation>
+    </message>
+    <message>
+        <source>%1 · %2/m · %3&#xa0;m</source>
+        <translation>%1 · %2/m · %3&#xa0;m</translation>
+    </message>
+    <message>
+        <source>%1 + %2/m · %3&#xa0;m</source>
+        <translation>%1 + %2/m · %3&#xa0;m</translation>
+    </message>
+    <message>
+        <source>(%1 + %2/m · %3&#xa0;m) · 2/%4</source>
+        <translation>(%1 + %2/m · %3&#xa0;m) · 2/%4</translation>
+    </message>
+    <message>
+        <source>%1 · (%2 + %3/m · %4&#xa0;m)</source>
+        <translation>%1 · (%2 + %3/m · %4&#xa0;m)</translation>
+    </message>
+    <message>
+        <source>misalignment</source>
+        <translation>désalignement</translation>
+    </message>
+    <message>
+        <source>range of the misalignment</source>
+        <translation>étendue du désalignement</translation>
+    </message>
+    <message>
+        <source>%1 · (%2)² / %3</source>
+        <translation>%1 · (%2)² / %3</translation>
+    </message>
+    <message>
+        <source>instrument without expansion, α = 0</source>
+        <translation>instrument sans dilatation, α = 0</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3&#xa0;m · %4</source>
+        <translation>%1 · %2 · %3&#xa0;m · %4</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>pas un nombre</translation>
+    </message>
+    <message>
+        <source>larger than any number</source>
+        <translation>plus grand que tout nombre</translation>
+    </message>
+    <message>
+        <source>not two numbers, from … to</source>
+        <translation>pas deux nombres, de … à</translation>
+    </message>
+    <message>
+        <source>the first number is not the smaller one</source>
+        <translation>le premier nombre n’est pas le plus petit</translation>
+    </message>
+    <message>
+        <source>not a date</source>
+        <translation>pas une date</translation>
+    </message>
+    <message>
+        <source>not a time</source>
+        <translation>pas une heure</translation>
+    </message>
+    <message>
+        <source>comma and point in one number</source>
+        <translation>virgule et point dans un nombre</translation>
+    </message>
+    <message>
+        <source>two commas</source>
+        <translation>deux virgules</translation>
+    </message>
+    <message>
+        <source>two points</source>
+        <translation>deux points décimaux</translation>
+    </message>
+    <message>
+        <source>About the centre of the minimum zone circles: %1.</source>
+        <translation>Par rapport au centre des cercles de zone minimale&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>About the centre of the least squares circle: %1.</source>
+        <translation>Par rapport au centre du cercle des moindres carrés&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>About the centre the instrument was set up at: the set-up error is part of it.</source>
+        <translation>Par rapport au centre de réglage de l’instrument&#xa0;: l’erreur de réglage en fait partie.</translation>
+    </message>
+    <message>
+        <source>Both paths about one centre, each with equal weight.</source>
+        <translation>Les deux trajectoires autour d’un seul centre, chacune de même poids.</translation>
+    </message>
+    <message>
+        <source>The points of both paths about one centre.</source>
+        <translation>Les points des deux trajectoires autour d’un seul centre.</translation>
+    </message>
+    <message>
+        <source>Proven: no narrower pair of circles holds all points.</source>
+        <translation>Prouvé&#xa0;: aucune paire de cercles plus étroite ne contient tous les points.</translation>
+    </message>
+    <message>
+        <source>Not proven: a narrower pair of circles may hold all points.</source>
+        <translation>Non prouvé&#xa0;: une paire de cercles plus étroite pourrait contenir tous les points.</translation>
+    </message>
+    <message>
+        <source>Farthest from the centre at %1.</source>
+        <translation>Au plus loin du centre à %1.</translation>
+    </message>
+    <message>
+        <source>Nearest to the centre at %1.</source>
+        <translation>Au plus près du centre à %1.</translation>
+    </message>
+    <message>
+        <source>%1 per sense</source>
+        <translation>%1 par sens</translation>
+    </message>
+    <message>
+        <source>anticlockwise</source>
+        <comment>short</comment>
+        <translation>antihoraire</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <comment>short</comment>
+        <translation>horaire</translation>
+    </message>
+    <message>
+        <source>minimum zone</source>
+        <translation>zone minimale</translation>
+    </message>
+    <message>
+        <source>least squares</source>
+        <translation>moindres carrés</translation>
+    </message>
+    <message>
+        <source>Nominal diameter</source>
+        <translation>Diamètre nominal</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <comment>contouring</comment>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Contouring</source>
+        <translation>Contournage</translation>
+    </message>
+    <message>
+        <source>Axes moved</source>
+        <translation>Axes déplacés</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>axes</comment>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centre</translation>
+    </message>
+    <message>
+        <source>Tool offset</source>
+        <translation>Décalage, outil</translation>
+    </message>
+    <message>
+        <source>Workpiece offset</source>
+        <translation>Décalage, pièce</translation>
+    </message>
+    <message>
+        <source>Correction C</source>
+        <translation>Correction C</translation>
+    </message>
+    <message>
+        <source>Captured range</source>
+        <translation>Étendue saisie</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Start, stop</source>
+        <translation>Départ, arrêt</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>Compensation</source>
+        <translation>Compensation</translation>
+    </message>
+    <message>
+        <source>Circle, G, G(b)</source>
+        <translation>Cercle, G, G(b)</translation>
+    </message>
+    <message>
+        <source>Centre, F</source>
+        <translation>Centre, F</translation>
+    </message>
+    <message>
+        <source>set-up of the instrument</source>
+        <translation>réglage de l’instrument</translation>
+    </message>
+    <message>
+        <source>Set-up removed</source>
+        <translation>Réglage retiré</translation>
+    </message>
+    <message>
+        <source>full circle</source>
+        <translation>cercle complet</translation>
+    </message>
+    <message>
+        <source>arc of %1</source>
+        <translation>arc de %1</translation>
+    </message>
+    <message>
+        <source>proven narrowest</source>
+        <translation>minimum prouvé</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cercle</translation>
+    </message>
+    <message>
+        <source>clause %1</source>
+        <translation>article %1</translation>
+    </message>
+    <message>
+        <source>Test parameters</source>
+        <translation>Paramètres de l’essai</translation>
+    </message>
+    <message>
+        <source>Positions in mm, α in µm/(m·°C).</source>
+        <translation>Positions en mm, α en µm/(m·°C).</translation>
+    </message>
+    <message>
+        <source>Positions in mm.</source>
+        <translation>Positions en mm.</translation>
+    </message>
+    <message>
+        <source>Figure drawn %1.</source>
+        <translation>Figure tracée %1.</translation>
+    </message>
+    <message>
+        <source>Sense</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesurée</translation>
+    </message>
+    <message>
+        <source>Evaluated</source>
+        <translation>Évaluée</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Measured paths</source>
+        <translation>Trajectoires mesurées</translation>
+    </message>
+    <message>
+        <source>points and time of the evaluated range</source>
+        <translation>points et durée de l’étendue évaluée</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>centres relative to the programmed one</source>
+        <translation>centres par rapport au centre programmé</translation>
+    </message>
+    <message>
+        <source>without correction to 20 °C</source>
+        <translation>sans correction à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>Reference circles</source>
+        <translation>Cercles de référence</translation>
+    </message>
+    <message>
+        <source>Centring error taken out of the commanded angles: %1.</source>
+        <translation>Erreur de centrage retirée des angles programmés&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>evaluated</source>
+        <translation>évaluée</translation>
+    </message>
+    <message>
+        <source>Repetitions</source>
+        <translation>Répétitions</translation>
+    </message>
+    <message>
+        <source>all paths in the order of measurement; further paths of a sense have no part in the results</source>
+        <translation>toutes les trajectoires dans l’ordre de mesure&#x202f;; les suivantes d’un même sens n’entrent pas dans les résultats</translation>
+    </message>
+    <message>
+        <source>%1 takes s from the range, %2 from the squares.</source>
+        <translation>%1 tire s de l’étendue, %2 des carrés.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 s, %3 takes %4 s.</source>
+        <translation>%1 prend %2 s, %3 prend %4 s.</translation>
+    </message>
+    <message>
+        <source>%1 computes it otherwise than %2.</source>
+        <translation>%1 le calcule autrement que %2.</translation>
+    </message>
+    <message>
+        <source>No parameter of %1.</source>
+        <translation>Pas un paramètre de %1.</translation>
+    </message>
+    <message>
+        <source>The same arithmetic.</source>
+        <translation>Le même calcul.</translation>
+    </message>
+    <message>
+        <source>The same readings under each edition; verdicts hold for the edition of the test alone.</source>
+        <translation>Les mêmes relevés selon chaque édition&#x202f;; les verdicts ne valent que pour l’édition de l’essai.</translation>
+    </message>
+    <message>
+        <source>All tests as under %1.</source>
+        <translation>Tous les essais selon %1.</translation>
+    </message>
+    <message>
+        <source>Of another kind, and left out: %1.</source>
+        <translation>D’un autre genre, et laissés de côté&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Mean deviation</source>
+        <translation>Écart moyen</translation>
+    </message>
+    <message>
+        <source>commanded: of the programmed path; the centring error is taken out</source>
+        <translation>programmés&#xa0;: de la trajectoire programmée&#x202f;; l’erreur de centrage est retirée</translation>
+    </message>
+    <message>
+        <source>polar: of the measured points</source>
+        <translation>polaires&#xa0;: des points mesurés</translation>
+    </message>
+    <message>
+        <source>Between the runs</source>
+        <translation>Entre les parcours</translation>
+    </message>
+    <message>
+        <source>instrument centred anew</source>
+        <translation>instrument recentré</translation>
+    </message>
+    <message>
+        <source>measured consecutively, without re-centring</source>
+        <translation>mesures successives, sans recentrage</translation>
+    </message>
+    <message>
+        <source>F and D at 20 °C: correction %1.</source>
+        <translation>F et D à 20&#xa0;°C&#xa0;: correction %1.</translation>
+    </message>
+    <message>
+        <source>Whether F and D are corrected to 20 °C is not stated; nothing is corrected here.</source>
+        <translation>Il n’est pas indiqué si F et D sont ramenés à 20&#xa0;°C&#x202f;; rien n’est corrigé ici.</translation>
+    </message>
+    <message>
+        <source>F and D are not corrected to 20 °C.</source>
+        <translation>F et D ne sont pas ramenés à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>The instrument corrects its readings to 20 °C; nothing is corrected here.</source>
+        <translation>L’instrument ramène ses relevés à 20&#xa0;°C&#x202f;; rien n’est corrigé ici.</translation>
+    </message>
+    <message>
+        <source>Made here for F and D; temperatures are means of start and end.</source>
+        <translation>Faite ici pour F et D&#x202f;; températures moyennes du début et de la fin.</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>longueur non étalonnée</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <comment>length</comment>
+        <translation>longueur étalonnée</translation>
+    </message>
+    <message>
+        <source>U = %1 (k = %2)</source>
+        <translation>U = %1 (k = %2)</translation>
+    </message>
+    <message>
+        <source>Reference length</source>
+        <translation>Étalon</translation>
+    </message>
+    <message>
+        <source>Plane, axes</source>
+        <translation>Plan, axes</translation>
+    </message>
+    <message>
+        <source>Measured with</source>
+        <translation>Mesuré par</translation>
+    </message>
+    <message>
+        <source>feedback signal of the axes</source>
+        <translation>signal de retour des axes</translation>
+    </message>
+    <message>
+        <source>Date of the test</source>
+        <translation>Date de l’essai</translation>
+    </message>
+    <message>
+        <source>The day the readings were taken: 12.03.2026, 2026-03-12 or in words. The day stands first.</source>
+        <translation>Le jour où les relevés ont été pris&#xa0;: 12.03.2026, 2026-03-12 ou en toutes lettres. Le jour vient en premier.</translation>
+    </message>
+    <message>
+        <source>What the report calls the machine, or the letter of the axis under test.</source>
+        <translation>Le nom de la machine dans le rapport, ou la lettre de l’axe soumis à l’essai.</translation>
+    </message>
+    <message>
+        <source>Manufacturer</source>
+        <translation>Constructeur</translation>
+    </message>
+    <message>
+        <source>The maker of the machine, as on its plate.</source>
+        <translation>Le constructeur de la machine, selon sa plaque.</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>The type of the machine, as on its plate.</source>
+        <translation>Le type de la machine, selon sa plaque.</translation>
+    </message>
+    <message>
+        <source>Tells this machine or this instrument from all others of its type.</source>
+        <translation>Distingue cette machine ou cet instrument de tous les autres du même type.</translation>
+    </message>
+    <message>
+        <source>Numerical control</source>
+        <translation>Commande numérique</translation>
+    </message>
+    <message>
+        <source>Maker and type of the numerical control, with its version where compensation depends on it.</source>
+        <translation>Constructeur et type de la commande numérique, avec sa version si la compensation en dépend.</translation>
+    </message>
+    <message>
+        <source>The measuring instrument. Each test names those it was measured with; the first one is taken for all tests.</source>
+        <translation>L’instrument de mesure. Chaque essai nomme ceux avec lesquels il a été mesuré&#x202f;; le premier est pris pour tous les essais.</translation>
+    </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>Certificat d’étalonnage</translation>
+    </message>
+    <message>
+        <source>Number of the certificate that makes the readings traceable.</source>
+        <translation>Numéro du certificat qui rend les relevés traçables.</translation>
+    </message>
+    <message>
+        <source>Calibrated on</source>
+        <translation>Étalonné le</translation>
+    </message>
+    <message>
+        <source>The day of the calibration, not of its end of validity.</source>
+        <translation>Le jour de l’étalonnage, non celui de sa fin de validité.</translation>
+    </message>
+    <message>
+        <source>Axis travel</source>
+        <translation>Longueur d’axe</translation>
+    </message>
+    <message>
+        <source>The whole travel of the axis, not that between the first and the last target: the number of targets and the kind of test follow from it.</source>
+        <translation>La longueur entière de l’axe, non la course entre le premier et le dernier point visé&#xa0;: le nombre de points et le genre d’essai en découlent.</translation>
+    </message>
+    <message>
+        <source>Ends of the axis</source>
+        <translation>Extrémités de l’axe</translation>
+    </message>
+    <message>
+        <source>Both ends of the travel in coordinates of the axis, as “0 … 1800”: shows whether the first and the last target can be approached from both sides.</source>
+        <translation>Les deux extrémités en coordonnées de l’axe, comme «&#xa0;0 … 1800&#xa0;»&#xa0;: montre si le premier et le dernier point visé peuvent être approchés des deux côtés.</translation>
+    </message>
+    <message>
+        <source>Agreed working zone</source>
+        <translation>Zone de travail convenue</translation>
+    </message>
+    <message>
+        <source>The 2 000 mm (360°) of a long axis that were agreed for the full test. A test whose targets lie inside is judged as that of a short axis.</source>
+        <translation>Les 2 000&#xa0;mm (360°) d’un axe long convenus pour le contrôle complet. Un essai dont les points s’y trouvent est jugé comme celui d’un axe court.</translation>
+    </message>
+    <message>
+        <source>Measuring system of the axis</source>
+        <translation>Système de mesure de l’axe</translation>
+    </message>
+    <message>
+        <source>How the axis knows its position: linear scale, rotary encoder at the screw, …</source>
+        <translation>Comment l’axe connaît sa position&#xa0;: règle linéaire, codeur rotatif sur la vis, …</translation>
+    </message>
+    <message>
+        <source>Freely chosen targets have a random part, so that periodic errors do not stay hidden; the plan proposes them.</source>
+        <translation>Les points choisis librement ont une part aléatoire, pour que les écarts périodiques ne restent pas cachés&#x202f;; le plan les propose.</translation>
+    </message>
+    <message>
+        <source>Test cycle</source>
+        <translation>Cycle d’essai</translation>
+    </message>
+    <message>
+        <source>Standard: all targets up, all down, again. Step: all approaches at one target, then the next; only by written agreement.</source>
+        <translation>Normal&#xa0;: tous les points en montant, tous en descendant, et ainsi de suite. En pas&#xa0;: toutes les approches d’un point, puis le suivant&#x202f;; seulement par accord écrit.</translation>
+    </message>
+    <message>
+        <source>Feed rate</source>
+        <translation>Vitesse d’avance</translation>
+    </message>
+    <message>
+        <source>The feed between the targets, as programmed; or rapid.</source>
+        <translation>L’avance entre les points, telle que programmée&#x202f;; ou rapide.</translation>
+    </message>
+    <message>
+        <source>Dwell at the target</source>
+        <translation>Temps d’arrêt au point</translation>
+    </message>
+    <message>
+        <source>How long the axis rests before the reading is taken.</source>
+        <translation>Combien de temps l’axe s’arrête avant que le relevé soit pris.</translation>
+    </message>
+    <message>
+        <source>Temperatures</source>
+        <translation>Températures</translation>
+    </message>
+    <message>
+        <source>Start and end of the test for each sensor, and where it was. The mean of machine and instrument is what the correction to 20 °C uses.</source>
+        <translation>Début et fin de l’essai pour chaque capteur, et son emplacement. La moyenne de la machine et celle de l’instrument servent à la correction à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>Expansion coefficient α</source>
+        <translation>Coefficient de dilatation α</translation>
+    </message>
+    <message>
+        <source>Of the measuring system of the machine and of the instrument, in µm/(m·°C): steel about 11.5, glass scales about 8. Needed to correct to 20 °C. An instrument that compensates the air only: 0.</source>
+        <translation>Du système de mesure de la machine et de l’instrument, en µm/(m·°C)&#xa0;: acier environ 11,5, règles en verre environ 8. Nécessaire pour corriger à 20&#xa0;°C. Un instrument qui ne compense que l’air&#xa0;: 0.</translation>
+    </message>
+    <message>
+        <source>By the instrument: its material compensation was on, nothing is added. Applied here: Palmer adds the nominal differential expansion. Never both: that costs 35 µm/m at 3 °C.</source>
+        <translation>Par l’instrument&#xa0;: sa compensation de matériau était active, rien n’est ajouté. Appliquée ici&#xa0;: Palmer ajoute la dilatation différentielle nominale. Jamais les deux&#xa0;: cela coûte 35&#xa0;µm/m pour 3&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>At the place of the test and not reduced to sea level: the wavelength of a laser depends on it.</source>
+        <translation>Au lieu de l’essai et non ramenée au niveau de la mer&#xa0;: la longueur d’onde d’un laser en dépend.</translation>
+    </message>
+    <message>
+        <source>Air humidity</source>
+        <translation>Humidité de l’air</translation>
+    </message>
+    <message>
+        <source>Relative humidity at the machine.</source>
+        <translation>Humidité relative près de la machine.</translation>
+    </message>
+    <message>
+        <source>Largest change of the air temperature in one hour, in the 12 hours before the test and during it.</source>
+        <translation>Plus grande variation de la température de l’air en une heure, dans les 12 heures avant l’essai et pendant celui-ci.</translation>
+    </message>
+    <message>
+        <source>Agreed, the maker&apos;s, a dry run, or the movements needed to set up the instrument alone.</source>
+        <translation>Convenue, celle du constructeur, un essai à blanc préalable, ou les seuls mouvements de mise en place de l’instrument.</translation>
+    </message>
+    <message>
+        <source>Which compensation of the control was on: pitch error, reversal, temperature; or none.</source>
+        <translation>Quelle compensation de la commande était active&#xa0;: pas de vis, réversibilité, température&#x202f;; ou aucune.</translation>
+    </message>
+    <message>
+        <source>Axes not under test</source>
+        <translation>Axes non soumis à l’essai</translation>
+    </message>
+    <message>
+        <source>Where the other axes stood: squareness and pitch of the axis move the readings with them.</source>
+        <translation>Où se trouvaient les autres axes&#xa0;: la perpendicularité et le tangage de l’axe déplacent les relevés avec eux.</translation>
+    </message>
+    <message>
+        <source>Offset to the tool reference</source>
+        <translation>Décalage par rapport à la référence de l’outil</translation>
+    </message>
+    <message>
+        <source>X, Y, Z from the tool reference to the measuring line. 0 is a statement, empty is none.</source>
+        <translation>X, Y, Z de la référence de l’outil à la ligne de mesure. 0 est une indication, vide n’en est pas une.</translation>
+    </message>
+    <message>
+        <source>Offset to the workpiece reference</source>
+        <translation>Décalage par rapport à la référence de la pièce</translation>
+    </message>
+    <message>
+        <source>X, Y, Z from the workpiece reference to the measuring line. 0 is a statement, empty is none.</source>
+        <translation>X, Y, Z de la référence de la pièce à la ligne de mesure. 0 est une indication, vide n’en est pas une.</translation>
+    </message>
+    <message>
+        <source>Complete, in working order</source>
+        <translation>Complète, en état de marche</translation>
+    </message>
+    <message>
+        <source>The machine was completely assembled and in working order; guards may be absent.</source>
+        <translation>La machine était complètement assemblée et en état de marche&#x202f;; les protecteurs peuvent manquer.</translation>
+    </message>
+    <message>
+        <source>Levelled and aligned</source>
+        <translation>Mise à niveau et alignée</translation>
+    </message>
+    <message>
+        <source>Levelling and geometric alignment were done before the test.</source>
+        <translation>La mise à niveau et l’alignement géométrique ont été faits avant l’essai.</translation>
+    </message>
+    <message>
+        <source>Unloaded</source>
+        <translation>À vide</translation>
+    </message>
+    <message>
+        <source>The test was made without workpiece.</source>
+        <translation>L’essai a été fait sans pièce.</translation>
+    </message>
+    <message>
+        <source>The two axes that were moved. Sense and angle run from the first towards the second.</source>
+        <translation>Les deux axes déplacés. Le sens et l’angle vont du premier vers le second.</translation>
+    </message>
+    <message>
+        <source>Centre of the circle</source>
+        <translation>Centre du cercle</translation>
+    </message>
+    <message>
+        <source>X, Y, Z of the centre in coordinates of the machine.</source>
+        <translation>X, Y, Z du centre en coordonnées de la machine.</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>Point de départ</translation>
+    </message>
+    <message>
+        <source>Where the path began, as an angle or an axis.</source>
+        <translation>Où la trajectoire a commencé, par un angle ou un axe.</translation>
+    </message>
+    <message>
+        <source>Stop point</source>
+        <translation>Point d’arrêt</translation>
+    </message>
+    <message>
+        <source>Where the path ended.</source>
+        <translation>Où la trajectoire s’est terminée.</translation>
+    </message>
+    <message>
+        <source>Data smoothing</source>
+        <translation>Lissage des données</translation>
+    </message>
+    <message>
+        <source>Filters of the instrument or its program that the data went through; or none.</source>
+        <translation>Filtres de l’instrument ou de son logiciel appliqués aux données&#x202f;; ou aucun.</translation>
+    </message>
+    <message>
+        <source>Re-centred between the runs</source>
+        <translation>Recentré entre les passes</translation>
+    </message>
+    <message>
+        <source>Bi-directional results need both paths measured one after the other without re-centring.</source>
+        <translation>Les résultats bidirectionnels demandent les deux trajectoires mesurées l’une après l’autre sans recentrage.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>What was agreed, with the edition it was agreed for and where it stands. Under another edition there is no verdict.</source>
+        <translation>Ce qui a été convenu, avec l’édition concernée et l’endroit où c’est écrit. Selon une autre édition, il n’y a pas de verdict.</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>Règle de décision</translation>
+    </message>
+    <message>
+        <source>How a value near its limit is judged, whose risk the uncertainty is: ISO 14253-1 asks the maker to prove conformity, the other rule asks the user to prove the contrary.</source>
+        <translation>Comment une valeur proche de sa limite est jugée, à qui revient le risque de l’incertitude&#xa0;: l’ISO 14253-1 demande au constructeur de prouver la conformité, l’autre règle demande à l’utilisateur de prouver le contraire.</translation>
+    </message>
+    <message>
+        <source>Guard band</source>
+        <translation>Bande de garde</translation>
+    </message>
+    <message>
+        <source>How many times the expanded uncertainty U the value has to stay away from the limit; 1 as a rule.</source>
+        <translation>À combien de fois l’incertitude élargie U la valeur doit rester de la limite&#x202f;; 1 en règle générale.</translation>
+    </message>
+    <message>
+        <source>What the edition leaves to supplier and user. “Not agreed” is printed as it is, “not applicable” asks for nothing.</source>
+        <translation>Ce que l’édition laisse au fournisseur et à l’utilisateur. «&#xa0;Non convenu&#xa0;» est imprimé tel quel, «&#xa0;sans objet&#xa0;» ne demande rien.</translation>
+    </message>
+    <message>
+        <source>r from the centre of the minimum zone circles of one path, or of its least squares circle where that was chosen; the report says which</source>
+        <translation>r depuis le centre des cercles de zone minimale d’une trajectoire, ou de son cercle des moindres carrés s’il a été choisi&#x202f;; le rapport dit lequel</translation>
+    </message>
+    <message>
+        <source>the same for the points of both paths about one common centre; not the larger of two G</source>
+        <translation>de même pour les points des deux trajectoires autour d’un centre commun&#x202f;; non le plus grand des deux G</translation>
+    </message>
+    <message>
+        <source>r from the chosen centre: least squares circle (full circles) or set-up; C corrects to 20 °C</source>
+        <translation>r depuis le centre choisi&#xa0;: cercle des moindres carrés (cercles complets) ou réglage&#x202f;; C corrige à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>likewise</source>
+        <translation>de même</translation>
+    </message>
+    <message>
+        <source>R_LSC of the least squares circle of both full paths, each of equal weight</source>
+        <translation>R_LSC du cercle des moindres carrés des deux trajectoires complètes, à poids égal</translation>
+    </message>
+    <message>
+        <source>over all angles about the common centre</source>
+        <translation>sur tous les angles autour du centre commun</translation>
+    </message>
+    <message>
+        <source>of the feedback signal of the axes</source>
+        <translation>du signal de retour des axes</translation>
+    </message>
+    <message>
+        <source>of the feedback signal of the axes, both paths</source>
+        <translation>du signal de retour des axes, les deux trajectoires</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formule</translation>
+    </message>
+    <message>
+        <source>Clause</source>
+        <translation>Article</translation>
+    </message>
+    <message>
+        <source>Parameters of the axis</source>
+        <translation>Paramètres de l’axe</translation>
+    </message>
+    <message>
+        <source>Quantities at a target</source>
+        <translation>Grandeurs en un point visé</translation>
+    </message>
+    <message>
+        <source>x_ij is actual position minus target position; i counts targets, j runs; ↑ and ↓ are approaches in the positive and the negative direction. A clause that is not known is not printed.</source>
+        <translation>x_ij est la position réelle moins le point visé&#x202f;; i compte les points, j les passes&#x202f;; ↑ et ↓ sont les approches dans le sens positif et négatif. Un article inconnu n’est pas imprimé.</translation>
+    </message>
+    <message>
+        <source>The indices name the axes in the order in which the path crosses their positive ends: counterclockwise XY, clockwise YX. Figure 6 of the standard contradicts its clause 3.8; Palmer follows the clause.</source>
+        <translation>Les indices nomment les axes dans l’ordre où la trajectoire croise leurs extrémités positives&#xa0;: antihoraire XY, horaire YX. La figure 6 de la norme contredit son article 3.8&#x202f;; Palmer suit l’article.</translation>
+    </message>
+    <message>
+        <source>Workflow</source>
+        <translation>Déroulement</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <comment>the first step of the work</comment>
+        <translation>Commencer</translation>
+    </message>
+    <message>
+        <source>A new test, an import, a file, an example. A file holds one report: a machine, its instruments and any number of tests.</source>
+        <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planifier</translation>
+    </message>
+    <message>
+        <source>“Plan…” proposes targets from travel, period and seed, prints them with an empty table and writes the part program.</source>
+        <translation>«&#xa0;Plan…&#xa0;» propose des points d’après la course, la période et la graine, les imprime avec un tableau vide et écrit le programme pièce.</translation>
+    </message>
+    <message>
+        <source>Enter or import</source>
+        <translation>Saisir ou importer</translation>
+    </message>
+    <message>
+        <source>Type, paste from a spreadsheet with comma or point, or import. Enter walks the measuring cycle as the machine does.</source>
+        <translation>Saisir, coller depuis un tableur avec virgule ou point, ou importer. Entrée suit le cycle de mesure comme la machine.</translation>
+    </message>
+    <message>
+        <source>See at once</source>
+        <translation>Voir aussitôt</translation>
+    </message>
+    <message>
+        <source>Figure, results and findings follow every key. A click on a result explains it with the numbers put in and the clause.</source>
+        <translation>La figure, les résultats et les constats suivent chaque touche. Un clic sur un résultat l’explique avec les nombres et l’article.</translation>
+    </message>
+    <message>
+        <source>Describe</source>
+        <translation>Décrire</translation>
+    </message>
+    <message>
+        <source>Machine, instruments, conditions, agreed points. What the edition requires is marked and counted; F8 walks what is missing. Nothing of it blocks the printing. Templates keep what is always the same.</source>
+        <translation>Machine, instruments, conditions, points convenus. Ce que l’édition exige est marqué et compté&#x202f;; F8 parcourt ce qui manque. Rien n’empêche d’imprimer. Les modèles gardent ce qui est toujours pareil.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>“Compare…” sets editions side by side with the reason of each difference, and tests over one another: as found and as left.</source>
+        <translation>«&#xa0;Comparer…&#xa0;» met les éditions côte à côte avec la raison de chaque différence, et superpose des essais&#xa0;: état initial et après réglage.</translation>
+    </message>
+    <message>
+        <source>Decide</source>
+        <translation>Décider</translation>
+    </message>
+    <message>
+        <source>Limits with their edition, the uncertainty, the decision rule: then there is a verdict. It is taken from unrounded numbers.</source>
+        <translation>Les limites avec leur édition, l’incertitude, la règle de décision&#xa0;: alors il y a un verdict. Il est pris sur les nombres non arrondis.</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimer</translation>
+    </message>
+    <message>
+        <source>“Report…” shows the pages as they are printed, in French, in English or both.</source>
+        <translation>«&#xa0;Rapport…&#xa0;» montre les pages telles qu’elles s’impriment, en français, en anglais ou les deux.</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Champs</translation>
+    </message>
+    <message>
+        <source>An empty field means “not stated”; 0 is a statement. Numbers are read with a point or a comma. What cannot be read stays in red, and the value before it is kept.</source>
+        <translation>Un champ vide signifie «&#xa0;non indiqué&#xa0;»&#x202f;; 0 est une indication. Les nombres se lisent avec point ou virgule. Ce qui ne peut pas être lu reste en rouge, et la valeur précédente est gardée.</translation>
+    </message>
+    <message>
+        <source>Validation</source>
+        <translation>Validation</translation>
+    </message>
+    <message>
+        <source>Nominal interval</source>
+        <translation>Intervalle nominal</translation>
+    </message>
+    <message>
+        <source>Random part</source>
+        <translation>Part aléatoire</translation>
+    </message>
+    <message>
+        <source>P = (N + r)·p, p = %1</source>
+        <translation>P = (N + r)·p, p = %1</translation>
+    </message>
+    <message>
+        <source>± %1, new for every target</source>
+        <translation>± %1, nouvelle pour chaque point</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Runs each way</source>
+        <translation>Passes par sens</translation>
+    </message>
+    <message>
+        <source>Dwell at each target</source>
+        <translation>Temps d’arrêt à chaque point</translation>
+    </message>
+    <message>
+        <source>Plan of measurement, axis %1</source>
+        <translation>Plan de mesure, axe %1</translation>
+    </message>
+    <message>
+        <source>The axis moves from %1 to %2.</source>
+        <translation>L’axe se déplace de %1 à %2.</translation>
+    </message>
+    <message>
+        <source>Readings, in the order they are taken</source>
+        <translation>Relevés, dans l’ordre où ils sont pris</translation>
+    </message>
+    <message>
+        <source>at 20 °C</source>
+        <translation>à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>Results in the %1 plane</source>
+        <translation>Résultats dans le plan %1</translation>
+    </message>
+    <message>
+        <source>Without a value nothing is proven for %1.</source>
+        <translation>Sans valeur, rien n’est prouvé pour %1.</translation>
+    </message>
+    <message>
+        <source>bi-directional</source>
+        <comment>circular deviation</comment>
+        <translation>bidirectionnel</translation>
+    </message>
+    <message>
+        <source>mean radial</source>
+        <comment>deviation</comment>
+        <translation>radial moyen</translation>
+    </message>
+    <message>
+        <source>bi-directional, feed back</source>
+        <translation>bidirectionnel, signal de retour</translation>
+    </message>
+    <message>
+        <source>bi-directional</source>
+        <comment>circular error</comment>
+        <translation>bidirectionnelle</translation>
+    </message>
+    <message>
+        <source>mean radial</source>
+        <comment>error</comment>
+        <translation>radiale moyenne</translation>
+    </message>
+    <message>
+        <source>GUM, after the model of ISO 230-2:2006 Annex A</source>
+        <translation>GUM, d’après le modèle de l’ISO 230-2:2006, annexe A</translation>
+    </message>
+    <message>
+        <source>GUM, contributors of ISO 230-4:2005, 4.6</source>
+        <translation>GUM, composantes de l’ISO 230-4:2005, 4.6</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <comment>of a budget</comment>
+        <translation>Composante</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Données</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <comment>of a budget</comment>
+        <translation>Part</translation>
+    </message>
+    <message>
+        <source>0 to %1</source>
+        <translation>de 0 à %1</translation>
+    </message>
+    <message>
+        <source>U in %1, k = 2</source>
+        <translation>U en %1, k = 2</translation>
+    </message>
+    <message>
+        <source>Model of Annex A</source>
+        <translation>Modèle de l’annexe A</translation>
+    </message>
+    <message>
+        <source>Simplified budget</source>
+        <translation>Budget simplifié</translation>
+    </message>
+    <message>
+        <source>Monte Carlo (GUM-S1)</source>
+        <translation>Monte-Carlo (GUM-S1)</translation>
+    </message>
+    <message>
+        <source>Shift of the mean</source>
+        <translation>Décalage de la moyenne</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: %1 trials of the whole evaluation, seed %2; U is half of the shortest interval that holds 95.45 % of the results, the shift their mean less the evaluated value.</source>
+        <translation>Monte-Carlo&#xa0;: %1 tirages de l’évaluation complète, germe %2&#x202f;; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</translation>
+    </message>
+    <message>
+        <source>The methods differ by more than 20 % for %1; reason: see the findings.</source>
+        <translation>Les méthodes diffèrent de plus de 20&#xa0;% pour %1&#x202f;; raison&#xa0;: voir les constats.</translation>
+    </message>
+    <message>
+        <source>The U of the Monte Carlo simulation decides.</source>
+        <translation>L’U de la simulation de Monte-Carlo décide.</translation>
+    </message>
+    <message>
+        <source>The U of the Monte Carlo simulation decides; for %1, which it shifts by more than a third of its U, that of the budget.</source>
+        <translation>L’U de la simulation de Monte-Carlo décide&#x202f;; pour %1, qu’elle décale de plus d’un tiers de son U, celle du budget.</translation>
+    </message>
+    <message>
+        <source>The U of the budget decides.</source>
+        <translation>L’U du budget décide.</translation>
+    </message>
+    <message>
+        <source>To improve first: %1 (%2 % of the budget).</source>
+        <translation>À améliorer d’abord&#xa0;: %1 (%2&#xa0;% du budget).</translation>
+    </message>
+    <message>
+        <source>Uncertainty budget</source>
+        <translation>Budget d’incertitude</translation>
+    </message>
+    <message>
+        <source>Annex %1</source>
+        <translation>Annexe %1</translation>
+    </message>
+    <message>
+        <source>palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2), circular tests (ISO 230-4).</source>
+        <translation>palmer-cli évalue des essais de machines-outils&#xa0;: positionnement d’axes (ISO 230-2), essais de circularité (ISO 230-4).</translation>
+    </message>
+    <message>
+        <source>FILE is a test file (.palmer) or a measurement file that can be imported; - is standard input.</source>
+        <translation>FILE est un fichier d’essai (.palmer) ou un fichier de mesure importable&#x202f;; - est l’entrée standard.</translation>
+    </message>
+    <message>
+        <source>what to write: readings and results, or a compensation table</source>
+        <translation>ce qu’il faut écrire&#xa0;: relevés et résultats, ou table de compensation</translation>
+    </message>
+    <message>
+        <source>the file to write</source>
+        <translation>le fichier à écrire</translation>
+    </message>
+    <message>
+        <source>of CSV; without it the point</source>
+        <translation>du CSV&#x202f;; sans elle, le point</translation>
+    </message>
+    <message>
+        <source>first position of the compensation; without it the first target</source>
+        <translation>première position de la compensation&#x202f;; sans elle, le premier point visé</translation>
+    </message>
+    <message>
+        <source>last position of the compensation; without it the last target</source>
+        <translation>dernière position de la compensation&#x202f;; sans elle, le dernier point visé</translation>
+    </message>
+    <message>
+        <source>interval of the compensation; without it the targets</source>
+        <translation>pas de la compensation&#x202f;; sans lui, les points visés</translation>
+    </message>
+    <message>
+        <source>compensation of each direction; without it of their mean</source>
+        <translation>compensation de chaque sens&#x202f;; sans elle, de leur moyenne</translation>
+    </message>
+    <message>
+        <source>compensation-csv: each value is the step from the one before</source>
+        <translation>compensation-csv&#xa0;: chaque valeur est l’incrément par rapport à la précédente</translation>
+    </message>
+    <message>
+        <source>compensation-csv: values with the sign of the deviations; without it corrections, added to the command</source>
+        <translation>compensation-csv&#xa0;: valeurs du signe des écarts&#x202f;; sans elle, corrections à ajouter à la consigne</translation>
+    </message>
+    <message>
+        <source>siemens: index of the measuring system; without it 0, the first</source>
+        <translation>siemens&#xa0;: indice du système de mesure&#x202f;; sans lui 0, le premier</translation>
+    </message>
+    <message>
+        <source>predicted with the compensation applied:</source>
+        <translation>prévu après application de la compensation&#xa0;:</translation>
+    </message>
+    <message>
+        <source>readings and results, or a compensation table with what it would bring</source>
+        <translation>relevés et résultats, ou table de compensation avec ce qu’elle apporterait</translation>
+    </message>
+    <message>
+        <source>diameter the feed was specified for</source>
+        <translation>diamètre pour lequel l’avance est spécifiée</translation>
+    </message>
+    <message>
+        <source>contouring feed specified for it</source>
+        <translation>vitesse d’avance de contournage spécifiée pour ce diamètre</translation>
+    </message>
+    <message>
+        <source>diameter of the test</source>
+        <translation>diamètre de l’essai</translation>
+    </message>
+    <message>
+        <source>the command %1 needs the option --%2 %3</source>
+        <translation>la commande %1 demande l’option --%2 %3</translation>
+    </message>
+    <message>
+        <source>--%1 has to be a number above 0, not %2</source>
+        <translation>--%1 doit être un nombre supérieur à 0, et non %2</translation>
+    </message>
+    <message>
+        <source>there is no feed for numbers this large or small</source>
+        <translation>il n’y a pas d’avance pour des nombres aussi grands ou petits</translation>
+    </message>
+    <message>
+        <source>contouring feed for a circle of another diameter (ISO 230-4, annex C)</source>
+        <translation>vitesse d’avance de contournage pour un cercle d’un autre diamètre (ISO 230-4, annexe C)</translation>
+    </message>
+    <message>
+        <source>the test file to write</source>
+        <translation>le fichier d’essai à écrire</translation>
+    </message>
+    <message>
+        <source>the choices kept under this name</source>
+        <translation>les choix conservés sous ce nom</translation>
+    </message>
+    <message>
+        <source>a choice of the import (unit=um, decimalMark=comma, axis=X, …); may stand several times</source>
+        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, …)&#x202f;; peut être répété</translation>
+    </message>
+    <message>
+        <source>keep the bytes of the files in the test file</source>
+        <translation>garder les fichiers d’origine dans le fichier d’essai</translation>
+    </message>
+    <message>
+        <source>unknown profile %1; known: %2</source>
+        <translation>profil inconnu&#xa0;: %1&#x202f;; connus&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>“%1” is no choice; expected key=value</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un choix&#x202f;; clé=valeur est attendu</translation>
+    </message>
+    <message>
+        <source>files of instruments and tables into a test file; remarks on stderr</source>
+        <translation>fichiers d’instruments et tableaux vers un fichier d’essai&#x202f;; remarques sur stderr</translation>
+    </message>
+    <message>
+        <source>--%1 takes a whole number from %2 on, not %3</source>
+        <translation>--%1 demande un nombre entier à partir de %2, pas %3</translation>
+    </message>
+    <message>
+        <source>unknown method %1; known: budget, monteCarlo</source>
+        <translation>méthode inconnue %1&#x202f;; connues&#xa0;: budget, monteCarlo</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: %1 of %2 trials</source>
+        <translation>Monte-Carlo&#xa0;: %1 tirages sur %2</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: %1 trials</source>
+        <translation>Monte-Carlo&#xa0;: %1 tirages</translation>
+    </message>
+    <message>
+        <source>how the uncertainty is found that decides, whatever the file says</source>
+        <translation>méthode qui donne l’incertitude, quoi que dise le fichier</translation>
+    </message>
+    <message>
+        <source>seed of the Monte Carlo simulation</source>
+        <translation>germe de la simulation de Monte-Carlo</translation>
+    </message>
+    <message>
+        <source>trials of the simulation; without it until two places are stable</source>
+        <translation>tirages de la simulation&#x202f;; sans cette option, jusqu’à deux chiffres stables</translation>
+    </message>
+    <message>
+        <source>threads of the simulation; the figures are the same</source>
+        <translation>fils d’exécution de la simulation&#x202f;; les chiffres restent les mêmes</translation>
+    </message>
+    <message>
+        <source>measurement travel, mm; of rotary axes degrees</source>
+        <translation>course de mesurage, mm&#x202f;; degrés pour un axe rotatif</translation>
+    </message>
+    <message>
+        <source>a rotary axis</source>
+        <translation>un axe rotatif</translation>
+    </message>
+    <message>
+        <source>where the measurement travel begins</source>
+        <translation>où commence la course de mesurage</translation>
+    </message>
+    <message>
+        <source>targets per metre</source>
+        <translation>points visés par mètre</translation>
+    </message>
+    <message>
+        <source>period of the cyclic errors (pitch), where it is known</source>
+        <translation>période des écarts cycliques (pas), si elle est connue</translation>
+    </message>
+    <message>
+        <source>decimals of the positions</source>
+        <translation>décimales des positions</translation>
+    </message>
+    <message>
+        <source>start of the random numbers: the same gives the same targets</source>
+        <translation>début des nombres aléatoires&#xa0;: le même donne les mêmes points</translation>
+    </message>
+    <message>
+        <source>whose rule chooses the targets; without it ISO 230-2:2014</source>
+        <translation>dont la règle choisit les points&#x202f;; sans elle ISO 230-2:2014</translation>
+    </message>
+    <message>
+        <source>the measuring cycle</source>
+        <translation>le cycle de mesure</translation>
+    </message>
+    <message>
+        <source>runs each way; without it as the standard asks</source>
+        <translation>passes par sens&#x202f;; sans elle, selon la norme</translation>
+    </message>
+    <message>
+        <source>feed rate, mm/min or °/min; without it rapid feed</source>
+        <translation>vitesse d’avance, mm/min ou °/min&#x202f;; sans elle, vitesse rapide</translation>
+    </message>
+    <message>
+        <source>rest at each target, s; without it 5</source>
+        <translation>arrêt à chaque point, s&#x202f;; sans elle 5</translation>
+    </message>
+    <message>
+        <source>distance beyond the ends, mm or degrees; without it 1</source>
+        <translation>distance au-delà des extrémités, mm ou degrés&#x202f;; sans elle 1</translation>
+    </message>
+    <message>
+        <source>writes the part program in this dialect instead of the plan</source>
+        <translation>écrit le programme pièce dans ce dialecte au lieu du plan</translation>
+    </message>
+    <message>
+        <source>the file to write: the plan as text, as .pdf or as .palmer to fill in; or the part program</source>
+        <translation>le fichier à écrire&#xa0;: le plan en texte, en .pdf ou en .palmer à remplir&#x202f;; ou le programme pièce</translation>
+    </message>
+    <message>
+        <source>--%1 cannot be %2</source>
+        <translation>--%1 ne peut pas être %2</translation>
+    </message>
+    <message>
+        <source>the command %1 needs --%2</source>
+        <translation>la commande %1 a besoin de --%2</translation>
+    </message>
+    <message>
+        <source>these numbers give no plan: too many targets, or too few decimals to tell them apart</source>
+        <translation>ces nombres ne donnent aucun plan&#xa0;: trop de points, ou trop peu de décimales pour les distinguer</translation>
+    </message>
+    <message>
+        <source>plans the targets of a positioning test, writes the part program</source>
+        <translation>planifie les points visés d’un essai de positionnement, écrit le programme pièce</translation>
     </message>
 </context>
 </TS>

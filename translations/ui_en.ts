@@ -2,6 +2,44 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>edits</name>
+    <message numerus="yes">
+        <source>clear %n reading(s)</source>
+        <translation>
+            <numerusform>clear %n reading</numerusform><numerusform>clear %n readings</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>set %n reading(s) aside</source>
+        <translation>
+            <numerusform>set %n reading aside</numerusform><numerusform>set %n readings aside</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>take %n reading(s) back</source>
+        <translation>
+            <numerusform>take %n reading back</numerusform><numerusform>take %n readings back</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>fill %n reading(s)</source>
+        <translation>
+            <numerusform>fill %n reading</numerusform><numerusform>fill %n readings</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>paste of %n reading(s)</source>
+        <translation>
+            <numerusform>paste of %n reading</numerusform><numerusform>paste of %n readings</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>delete %n target(s)</source>
+        <translation>
+            <numerusform>delete %n target</numerusform><numerusform>delete %n targets</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>delete %n run(s)</source>
+        <translation>
+            <numerusform>delete %n run</numerusform><numerusform>delete %n runs</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::FindingsModel</name>
     <message numerus="yes">
         <source>%n point(s) not agreed</source>
@@ -51,6 +89,28 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::PasteBar</name>
+    <message numerus="yes">
+        <source>%n reading(s) pasted</source>
+        <translation>
+            <numerusform>%n reading pasted</numerusform><numerusform>%n readings pasted</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n target(s)</source>
+        <comment>readings pasted</comment>
+        <translation>
+            <numerusform>%1 and %n target</numerusform><numerusform>%1 and %n targets</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::PlanDialog</name>
+    <message numerus="yes">
+        <source>%n target(s)</source>
+        <translation>
+            <numerusform>%n target</numerusform><numerusform>%n targets</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ReportDialog</name>
     <message numerus="yes">
         <source>%n required statement(s) missing; printed as “–”</source>
@@ -74,6 +134,11 @@
         <source>%n run(s)</source>
         <translation>
             <numerusform>%n run</numerusform><numerusform>%n runs</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n arc(s)</source>
+        <translation>
+            <numerusform>%n arc</numerusform><numerusform>%n arcs</numerusform></translation>
     </message>
 </context>
 </TS>

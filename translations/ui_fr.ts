@@ -11,6 +11,177 @@
         <source>choose what the report has</source>
         <translation>choisir ce que contient le rapport</translation>
     </message>
+    <message>
+        <source>change the nominal radius</source>
+        <translation>changer le rayon nominal</translation>
+    </message>
+    <message>
+        <source>change the contouring feed</source>
+        <translation>changer l’avance en contournage</translation>
+    </message>
+    <message>
+        <source>change the source of the signal</source>
+        <translation>changer la source du signal</translation>
+    </message>
+    <message>
+        <source>change the reference circle</source>
+        <translation>changer le cercle de référence</translation>
+    </message>
+    <message>
+        <source>change the centring</source>
+        <translation>changer le centrage</translation>
+    </message>
+    <message>
+        <source>change what the angles are</source>
+        <translation>changer la nature des angles</translation>
+    </message>
+    <message>
+        <source>change the sense of an arc</source>
+        <translation>changer le sens d’un arc</translation>
+    </message>
+    <message>
+        <source>change the order of the arcs</source>
+        <translation>changer l’ordre des arcs</translation>
+    </message>
+    <message>
+        <source>change the evaluated range of an arc</source>
+        <translation>changer l’étendue évaluée d’un arc</translation>
+    </message>
+    <message>
+        <source>change the plane</source>
+        <translation>changer le plan</translation>
+    </message>
+    <message>
+        <source>plan the targets</source>
+        <translation>planifier les points visés</translation>
+    </message>
+    <message>
+        <source>add a planned test</source>
+        <translation>ajouter un essai planifié</translation>
+    </message>
+    <message>
+        <source>change a point to agree</source>
+        <translation>modifier un point à convenir</translation>
+    </message>
+    <message>
+        <source>take an agreement from the conditions</source>
+        <translation>reprendre un accord des conditions</translation>
+    </message>
+    <message>
+        <source>remove a sensor</source>
+        <translation>supprimer un capteur</translation>
+    </message>
+    <message>
+        <source>add a sensor</source>
+        <translation>ajouter un capteur</translation>
+    </message>
+    <message>
+        <source>change the instruments of the test</source>
+        <translation>modifier les instruments de l’essai</translation>
+    </message>
+    <message>
+        <source>remove the picture</source>
+        <translation>supprimer l’image</translation>
+    </message>
+    <message>
+        <source>choose a picture</source>
+        <translation>choisir une image</translation>
+    </message>
+    <message>
+        <source>change who signs</source>
+        <translation>modifier les signataires</translation>
+    </message>
+    <message>
+        <source>add an instrument</source>
+        <translation>ajouter un instrument</translation>
+    </message>
+    <message>
+        <source>remove an instrument</source>
+        <translation>supprimer un instrument</translation>
+    </message>
+    <message>
+        <source>fill from a template</source>
+        <translation>remplir depuis un modèle</translation>
+    </message>
+    <message>
+        <source>change “%1”</source>
+        <translation>modifier « %1 »</translation>
+    </message>
+    <message>
+        <source>type a reading</source>
+        <translation>saisie d’un relevé</translation>
+    </message>
+    <message>
+        <source>move a target</source>
+        <translation>déplacement d’un point visé</translation>
+    </message>
+    <message numerus="yes">
+        <source>clear %n reading(s)</source>
+        <translation>
+            <numerusform>effacement de %n relevé</numerusform><numerusform>effacement de %n relevés</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>set %n reading(s) aside</source>
+        <translation>
+            <numerusform>mise à l’écart de %n relevé</numerusform><numerusform>mise à l’écart de %n relevés</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>take %n reading(s) back</source>
+        <translation>
+            <numerusform>reprise de %n relevé</numerusform><numerusform>reprise de %n relevés</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>fill %n reading(s)</source>
+        <translation>
+            <numerusform>recopie de %n relevé</numerusform><numerusform>recopie de %n relevés</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>paste of %n reading(s)</source>
+        <translation>
+            <numerusform>collage de %n relevé</numerusform><numerusform>collage de %n relevés</numerusform></translation>
+    </message>
+    <message>
+        <source>insert a target</source>
+        <translation>insertion d’un point visé</translation>
+    </message>
+    <message numerus="yes">
+        <source>delete %n target(s)</source>
+        <translation>
+            <numerusform>suppression de %n point visé</numerusform><numerusform>suppression de %n points visés</numerusform></translation>
+    </message>
+    <message>
+        <source>add a run</source>
+        <translation>ajout d’une passe</translation>
+    </message>
+    <message>
+        <source>insert a run</source>
+        <translation>insertion d’une passe</translation>
+    </message>
+    <message numerus="yes">
+        <source>delete %n run(s)</source>
+        <translation>
+            <numerusform>suppression de %n passe</numerusform><numerusform>suppression de %n passes</numerusform></translation>
+    </message>
+    <message>
+        <source>add a test</source>
+        <translation>ajout d’un essai</translation>
+    </message>
+    <message>
+        <source>rename the test</source>
+        <translation>changement du nom de l’essai</translation>
+    </message>
+    <message>
+        <source>duplicate the test</source>
+        <translation>copie de l’essai</translation>
+    </message>
+    <message>
+        <source>repeat the test</source>
+        <translation>nouvel essai semblable</translation>
+    </message>
+    <message>
+        <source>delete the test</source>
+        <translation>suppression de l’essai</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -33,6 +204,18 @@
     <message>
         <source>%1 · %2 targets, %3 runs</source>
         <translation>%1 · %2 points, %3 passes</translation>
+    </message>
+    <message>
+        <source>YZ plane, feedback signal</source>
+        <translation>Plan YZ, signal de retour</translation>
+    </message>
+    <message>
+        <source>XY plane, full circles</source>
+        <translation>Plan XY, cercles complets</translation>
+    </message>
+    <message>
+        <source>ZX plane, partial arc</source>
+        <translation>Plan ZX, arc partiel</translation>
     </message>
 </context>
 <context>
@@ -69,17 +252,364 @@
         <source>%1, clause %2</source>
         <translation>%1, article %2</translation>
     </message>
+    <message>
+        <source>Text of an agreement</source>
+        <translation>Texte d’un accord</translation>
+    </message>
+    <message>
+        <source>take from the conditions</source>
+        <translation>reprendre des conditions</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ArcCurvesView</name>
+    <message>
+        <source>Δr µm, least squares centre</source>
+        <translation>Δr µm, centre des moindres carrés</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ArcsModel</name>
+    <message>
+        <source>repetition</source>
+        <translation>répétition</translation>
+    </message>
+    <message>
+        <source>evaluated</source>
+        <translation>évalué</translation>
+    </message>
+    <message>
+        <source>Measured but not evaluated: feed-in, feed-out, angular overshoot</source>
+        <translation>Mesuré mais non évalué : approche, dégagement, dépassement angulaire</translation>
+    </message>
+    <message>
+        <source>Radius of the least squares circle − nominal radius</source>
+        <translation>Rayon du cercle des moindres carrés − rayon nominal</translation>
+    </message>
+    <message>
+        <source>Of each sense the first arc is evaluated; further ones are repetitions</source>
+        <translation>De chaque sens, le premier arc est évalué ; les suivants sont des répétitions</translation>
+    </message>
+    <message>
+        <source>Sense</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>points</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>coupé</translation>
+    </message>
+    <message>
+        <source>R LSC − R µm</source>
+        <translation>R LSC − R µm</translation>
+    </message>
+    <message>
+        <source>use</source>
+        <translation>emploi</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::CircleFigureView</name>
+    <message>
+        <source>Combined</source>
+        <translation>Combinée</translation>
+    </message>
+    <message>
+        <source>G(b) and G side by side</source>
+        <translation>G(b) et G côte à côte</translation>
+    </message>
+    <message>
+        <source>Which figure</source>
+        <translation>Choix de la figure</translation>
+    </message>
+    <message>
+        <source>All paths in one figure, or the figures of the standard about their own centres</source>
+        <translation>Toutes les trajectoires en une figure, ou les figures de la norme, chacune autour de son centre</translation>
+    </message>
+    <message>
+        <source>anticlockwise</source>
+        <translation>sens antihoraire</translation>
+    </message>
+    <message>
+        <source>Show the path anticlockwise</source>
+        <translation>Afficher la trajectoire en sens antihoraire</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>sens horaire</translation>
+    </message>
+    <message>
+        <source>Show the path clockwise</source>
+        <translation>Afficher la trajectoire en sens horaire</translation>
+    </message>
+    <message>
+        <source>repetitions</source>
+        <translation>répétitions</translation>
+    </message>
+    <message>
+        <source>Show repeated paths</source>
+        <translation>Afficher les trajectoires répétées</translation>
+    </message>
+    <message>
+        <source>Circle figure</source>
+        <translation>Figure de circularité</translation>
+    </message>
+    <message>
+        <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click</source>
+        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout ; la molette agrandit avec Ctrl ou après un clic</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::CirclesPage</name>
+    <message>
+        <source>anticlockwise</source>
+        <translation>sens antihoraire</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>sens horaire</translation>
+    </message>
+    <message>
+        <source>%1, point %2: %3 · %4</source>
+        <translation>%1, point %2 : %3 · %4</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Nominal radius</source>
+        <translation>Rayon nominal</translation>
+    </message>
+    <message>
+        <source>Contouring feed</source>
+        <translation>Avance en contournage</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Reference circle of G</source>
+        <translation>Cercle de référence de G</translation>
+    </message>
+    <message>
+        <source>Centring for F</source>
+        <translation>Centrage pour F</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>external</source>
+        <translation>externe</translation>
+    </message>
+    <message>
+        <source>feedback signal</source>
+        <translation>signal de retour</translation>
+    </message>
+    <message>
+        <source>minimum zone (MZC)</source>
+        <translation>zone minimale (MZC)</translation>
+    </message>
+    <message>
+        <source>least squares (LSC)</source>
+        <translation>moindres carrés (LSC)</translation>
+    </message>
+    <message>
+        <source>set-up of the instrument</source>
+        <translation>réglage de l’instrument</translation>
+    </message>
+    <message>
+        <source>of the point (polar)</source>
+        <translation>du point (polaire)</translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation>commandé</translation>
+    </message>
+    <message>
+        <source>The circles the width of which is G</source>
+        <translation>Les cercles dont l’écartement est G</translation>
+    </message>
+    <message>
+        <source>About which centre F is measured</source>
+        <translation>Centre par rapport auquel F est mesuré</translation>
+    </message>
+    <message>
+        <source>Whether the angles are those of the measured points or of the programmed path</source>
+        <translation>Les angles sont ceux des points mesurés ou ceux de la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiquée</translation>
+    </message>
+    <message>
+        <source>Evaluated</source>
+        <translation>Évalué</translation>
+    </message>
+    <message>
+        <source>Evaluated range, from</source>
+        <translation>Étendue évaluée, de</translation>
+    </message>
+    <message>
+        <source>Evaluated range, to</source>
+        <translation>Étendue évaluée, à</translation>
+    </message>
+    <message>
+        <source>Whole arc</source>
+        <translation>Arc entier</translation>
+    </message>
+    <message>
+        <source>Evaluate all of the arc, of more than 360° the middle 360°</source>
+        <translation>Évaluer tout l’arc ; au-delà de 360°, les 360° du milieu</translation>
+    </message>
+    <message>
+        <source>Reverse sense</source>
+        <translation>Inverser le sens</translation>
+    </message>
+    <message>
+        <source>The arc was contoured in the other sense; the points stay as they are</source>
+        <translation>L’arc a été parcouru dans l’autre sens ; les points restent tels quels</translation>
+    </message>
+    <message>
+        <source>Move the arc up: it was measured earlier</source>
+        <translation>Monter l’arc : il a été mesuré plus tôt</translation>
+    </message>
+    <message>
+        <source>Move the arc down: it was measured later</source>
+        <translation>Descendre l’arc : il a été mesuré plus tard</translation>
+    </message>
+    <message>
+        <source>Coordinates mm</source>
+        <translation>Coordonnées mm</translation>
+    </message>
+    <message>
+        <source>Lengths mm</source>
+        <translation>Longueurs mm</translation>
+    </message>
+    <message>
+        <source>Show radial deviations</source>
+        <translation>Afficher les écarts radiaux</translation>
+    </message>
+    <message>
+        <source>Show the points in the coordinates of the plane; the data stay as they are</source>
+        <translation>Afficher les points en coordonnées du plan ; les données restent telles quelles</translation>
+    </message>
+    <message>
+        <source>Show distances from the centre; the data stay as they are</source>
+        <translation>Afficher les distances au centre ; les données restent telles quelles</translation>
+    </message>
+    <message>
+        <source>Arcs</source>
+        <translation>Arcs</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Radial deviation over the angle</source>
+        <translation>Écart radial en fonction de l’angle</translation>
+    </message>
+    <message>
+        <source>The handles set the evaluated range of the current arc; the fields above set it by number</source>
+        <translation>Les poignées règlent l’étendue évaluée de l’arc courant ; les champs au-dessus la règlent par nombre</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::CompareDialog</name>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <source>This file has no other test of this kind: add a file.</source>
+        <translation>Ce fichier n’a pas d’autre essai de ce genre : ajoutez un fichier.</translation>
+    </message>
+    <message>
+        <source>%1 has no test of this kind.</source>
+        <translation>%1 n’a pas d’essai de ce genre.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened</source>
+        <translation>%1 ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>Compare with the tests of a file</source>
+        <translation>Comparer aux essais d’un fichier</translation>
+    </message>
+    <message>
+        <source>Test files (*.palmer)</source>
+        <translation>Fichiers d’essai (*.palmer)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>&amp;Editions</source>
+        <translation>&amp;Éditions</translation>
+    </message>
+    <message>
+        <source>&amp;Tests</source>
+        <translation>E&amp;ssais</translation>
+    </message>
+    <message>
+        <source>&amp;Add a file…</source>
+        <translation>&amp;Ajouter un fichier…</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>Cop&amp;ier</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Copier le tableau pour un tableur</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Editions</source>
+        <translation>Éditions</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Results by edition</source>
+        <translation>Résultats par édition</translation>
+    </message>
+    <message>
+        <source>Results by test</source>
+        <translation>Résultats par essai</translation>
+    </message>
+    <message>
+        <source>Mean deviations</source>
+        <translation>Écarts moyens</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ConditionsPage</name>
-    <message>
-        <source>yes</source>
-        <translation>oui</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>non</translation>
-    </message>
     <message>
         <source>chosen freely</source>
         <translation>choisis librement</translation>
@@ -268,6 +798,186 @@
         <source>Choice of targets</source>
         <translation>Choix des points visés</translation>
     </message>
+    <message>
+        <source>Air %1, start</source>
+        <translation>Air %1, début</translation>
+    </message>
+    <message>
+        <source>Air %1, end</source>
+        <translation>Air %1, fin</translation>
+    </message>
+    <message>
+        <source>Machine %1, start</source>
+        <translation>Machine %1, début</translation>
+    </message>
+    <message>
+        <source>Machine %1, end</source>
+        <translation>Machine %1, fin</translation>
+    </message>
+    <message>
+        <source>Instrument %1, start</source>
+        <translation>Instrument %1, début</translation>
+    </message>
+    <message>
+        <source>Instrument %1, end</source>
+        <translation>Instrument %1, fin</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Remarks on the test</source>
+        <translation>Remarques sur l’essai</translation>
+    </message>
+    <message>
+        <source>Remove the sensor</source>
+        <translation>Supprimer le capteur</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>Another air sensor</source>
+        <translation>Autre capteur d’air</translation>
+    </message>
+    <message>
+        <source>Another machine sensor</source>
+        <translation>Autre capteur de machine</translation>
+    </message>
+    <message>
+        <source>Another instrument sensor</source>
+        <translation>Autre capteur d’instrument</translation>
+    </message>
+    <message>
+        <source>Kind of feed</source>
+        <translation>Type d’avance</translation>
+    </message>
+    <message>
+        <source>programmed</source>
+        <translation>programmée</translation>
+    </message>
+    <message>
+        <source>Approach distance</source>
+        <translation>Distance d’approche</translation>
+    </message>
+    <message>
+        <source>Contouring feed</source>
+        <translation>Vitesse d’avance de contournage</translation>
+    </message>
+    <message>
+        <source>Data smoothing</source>
+        <translation>Lissage des données</translation>
+    </message>
+    <message>
+        <source>Re-centred between the runs</source>
+        <translation>Recentré entre les passes</translation>
+    </message>
+    <message>
+        <source>Warm-up, details</source>
+        <translation>Mise en température, détails</translation>
+    </message>
+    <message>
+        <source>Soaking time</source>
+        <translation>Durée de stabilisation</translation>
+    </message>
+    <message>
+        <source>Shielded from draughts and radiation</source>
+        <translation>À l’abri des courants d’air et du rayonnement</translation>
+    </message>
+    <message>
+        <source>Thermal guidelines of the maker</source>
+        <translation>Directives thermiques du constructeur</translation>
+    </message>
+    <message>
+        <source>Centre of the circle, X</source>
+        <translation>Centre du cercle, X</translation>
+    </message>
+    <message>
+        <source>Centre of the circle, Y</source>
+        <translation>Centre du cercle, Y</translation>
+    </message>
+    <message>
+        <source>Centre of the circle, Z</source>
+        <translation>Centre du cercle, Z</translation>
+    </message>
+    <message>
+        <source>Start point</source>
+        <translation>Point de départ</translation>
+    </message>
+    <message>
+        <source>Stop point</source>
+        <translation>Point d’arrêt</translation>
+    </message>
+    <message>
+        <source>Title of the test</source>
+        <translation>Titre de l’essai</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>rotary</source>
+        <translation>rotatif</translation>
+    </message>
+    <message>
+        <source>Ends of the axis</source>
+        <translation>Extrémités de l’axe</translation>
+    </message>
+    <message>
+        <source>Agreed working zone</source>
+        <translation>Zone de travail convenue</translation>
+    </message>
+    <message>
+        <source>Zero of the displacement</source>
+        <translation>Zéro du déplacement</translation>
+    </message>
+    <message>
+        <source>Nominal interval</source>
+        <translation>Intervalle nominal</translation>
+    </message>
+    <message>
+        <source>Period of the error</source>
+        <translation>Période de l’écart</translation>
+    </message>
+    <message>
+        <source>Test cycle</source>
+        <translation>Cycle d’essai</translation>
+    </message>
+    <message>
+        <source>standard test cycle</source>
+        <translation>cycle d’essai normal</translation>
+    </message>
+    <message>
+        <source>step cycle</source>
+        <translation>cycle en pas</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Écart-type</translation>
+    </message>
+    <message>
+        <source>by calculation</source>
+        <translation>par calcul</translation>
+    </message>
+    <message>
+        <source>by the range method</source>
+        <translation>par l’étendue</translation>
+    </message>
+    <message>
+        <source>Measured with: %1</source>
+        <translation>Mesuré avec : %1</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ExplanationCard</name>
@@ -297,6 +1007,37 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::FeedDialog</name>
+    <message>
+        <source>Contouring feed</source>
+        <translation>Vitesse d’avance de contournage</translation>
+    </message>
+    <message>
+        <source>Specified &amp;diameter d₂</source>
+        <translation>&amp;Diamètre spécifié d₂</translation>
+    </message>
+    <message>
+        <source>Specified &amp;feed V₂</source>
+        <translation>&amp;Avance spécifiée V₂</translation>
+    </message>
+    <message>
+        <source>Diameter of the &amp;test d₁</source>
+        <translation>Diamètre de l’&amp;essai d₁</translation>
+    </message>
+    <message>
+        <source>Feed of the test V₁</source>
+        <translation>Avance de l’essai V₁</translation>
+    </message>
+    <message>
+        <source>ISO 230-4, annex C</source>
+        <translation>ISO 230-4, annexe C</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::Field</name>
     <message>
         <source>required</source>
@@ -309,6 +1050,14 @@
     <message>
         <source>required, not stated</source>
         <translation>requis, non indiqué</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1; %2 kept.</source>
+        <translation>%1 ; %2 gardé.</translation>
     </message>
 </context>
 <context>
@@ -364,6 +1113,10 @@
     <message>
         <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click</source>
         <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout ; la molette agrandit avec Ctrl ou après un clic</translation>
+    </message>
+    <message>
+        <source>Show the points that rule the result</source>
+        <translation>Afficher les points qui déterminent le résultat</translation>
     </message>
 </context>
 <context>
@@ -474,6 +1227,57 @@
         <translation>
             <numerusform>%n information requise manque</numerusform><numerusform>%n informations requises manquent</numerusform></translation>
     </message>
+    <message>
+        <source>not greater than 0</source>
+        <translation>pas supérieur à 0</translation>
+    </message>
+    <message>
+        <source>a negative number</source>
+        <translation>un nombre négatif</translation>
+    </message>
+    <message>
+        <source>not a whole number</source>
+        <translation>pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Next  F8</source>
+        <translation>Suivante  F8</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Pages of the help</source>
+        <translation>Pages de l’aide</translation>
+    </message>
+    <message>
+        <source>Text of the help</source>
+        <translation>Texte de l’aide</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Validation</source>
+        <translation>Validation</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::IdentificationPage</name>
@@ -577,6 +1381,62 @@
         <source>Adjustments made</source>
         <translation>Réglages effectués</translation>
     </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Choose the logo…</source>
+        <translation>Choisir le logo…</translation>
+    </message>
+    <message>
+        <source>Remove the logo</source>
+        <translation>Supprimer le logo</translation>
+    </message>
+    <message>
+        <source>Mark of the accreditation body</source>
+        <translation>Marque de l’organisme d’accréditation</translation>
+    </message>
+    <message>
+        <source>Choose the mark…</source>
+        <translation>Choisir la marque…</translation>
+    </message>
+    <message>
+        <source>Remove the mark</source>
+        <translation>Supprimer la marque</translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation>Signatures</translation>
+    </message>
+    <message>
+        <source>Choose a picture</source>
+        <translation>Choisir une image</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg)</source>
+        <translation>Images (*.png *.svg)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>Le fichier ne peut pas être lu.</translation>
+    </message>
+    <message>
+        <source>The picture is larger than 4 MB: it stands in every report. Choose a smaller one.</source>
+        <translation>L’image dépasse 4 Mo : elle figure dans chaque rapport. Choisissez-en une plus petite.</translation>
+    </message>
+    <message>
+        <source>This is no picture that a report can show. Choose a PNG or an SVG.</source>
+        <translation>Ce n’est pas une image qu’un rapport peut montrer. Choisissez un fichier PNG ou SVG.</translation>
+    </message>
+    <message>
+        <source>%1: none</source>
+        <translation>%1 : aucun</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::InstrumentsPage</name>
@@ -623,6 +1483,71 @@
     <message>
         <source>Resolution</source>
         <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Add an instrument</source>
+        <translation>Ajouter un instrument</translation>
+    </message>
+    <message>
+        <source>Instrument %1</source>
+        <translation>Instrument %1</translation>
+    </message>
+    <message>
+        <source>Remove the instrument</source>
+        <translation>Supprimer l’instrument</translation>
+    </message>
+    <message>
+        <source>another instrument is called so</source>
+        <translation>un autre instrument porte ce nom</translation>
+    </message>
+    <message>
+        <source>the tests name the instrument so: it cannot be empty</source>
+        <translation>les essais nomment ainsi l’instrument : il ne peut pas être vide</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::KeyHints</name>
+    <message>
+        <source>Drift D %1</source>
+        <translation>Dérive D %1</translation>
+    </message>
+    <message>
+        <source>Steady progression from the first to the last run (t = %1): the thermal conditions may be unstable</source>
+        <translation>Progression régulière de la première à la dernière passe (t = %1) : les conditions thermiques sont peut-être instables</translation>
+    </message>
+    <message>
+        <source>From the first to the last run; no more than chance (t = %1)</source>
+        <translation>De la première à la dernière passe ; pas plus que le hasard (t = %1)</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <comment>key</comment>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>follows the cycle</source>
+        <translation>suit le cycle</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <comment>key</comment>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>à droite</translation>
+    </message>
+    <message>
+        <source>edits</source>
+        <translation>modifier</translation>
+    </message>
+    <message>
+        <source>pastes</source>
+        <translation>coller</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
     </message>
 </context>
 <context>
@@ -673,6 +1598,10 @@
     <message>
         <source>Source</source>
         <translation>Source</translation>
+    </message>
+    <message>
+        <source>that of the test</source>
+        <translation>celle de l’essai</translation>
     </message>
 </context>
 <context>
@@ -861,10 +1790,6 @@
         <translation>Enregistrer &amp;sous…</translation>
     </message>
     <message>
-        <source>&amp;New window</source>
-        <translation>&amp;Nouvelle fenêtre</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>&amp;Fermer</translation>
     </message>
@@ -944,6 +1869,130 @@
         <source>Report…</source>
         <translation>Rapport…</translation>
     </message>
+    <message>
+        <source>Changes cannot be kept safe automatically: %1.</source>
+        <translation>Les modifications ne peuvent pas être enregistrées automatiquement : %1.</translation>
+    </message>
+    <message>
+        <source>Rename the test</source>
+        <translation>Renommer l’essai</translation>
+    </message>
+    <message>
+        <source>Name of the test</source>
+        <translation>Nom de l’essai</translation>
+    </message>
+    <message>
+        <source>%1 is no longer where it was. Save to write it anew.</source>
+        <translation>%1 n’est plus à sa place. Enregistrer pour l’écrire à nouveau.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Loading it gives up the changes made here.</source>
+        <translation>Un autre programme a modifié %1. Le charger abandonne les modifications faites ici.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Un autre programme a modifié %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it</source>
+        <translation>&amp;Charger</translation>
+    </message>
+    <message>
+        <source>&amp;Keep what is here</source>
+        <translation>&amp;Garder ce qui est ici</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was opened here.</source>
+        <translation>Un autre programme a modifié %1 depuis son ouverture ici.</translation>
+    </message>
+    <message>
+        <source>Saving puts what is here in its place.</source>
+        <translation>L’enregistrement met à sa place ce qui est ici.</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Remplacer</translation>
+    </message>
+    <message>
+        <source>Kept automatically at %1</source>
+        <translation>Enregistré automatiquement à %1</translation>
+    </message>
+    <message>
+        <source>&amp;New…</source>
+        <translation>&amp;Nouveau…</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>&amp;Add a positioning test…</source>
+        <translation>&amp;Ajouter un essai de positionnement…</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me the test…</source>
+        <translation>Reno&amp;mmer l’essai…</translation>
+    </message>
+    <message>
+        <source>Dupli&amp;cate the test</source>
+        <translation>&amp;Copier l’essai</translation>
+    </message>
+    <message>
+        <source>Repeat the test, &amp;without readings</source>
+        <translation>Re&amp;faire l’essai, sans relevés</translation>
+    </message>
+    <message>
+        <source>Delete the t&amp;est</source>
+        <translation>Supprimer l’&amp;essai</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Nou&amp;velle fenêtre</translation>
+    </message>
+    <message>
+        <source>P&amp;lan…</source>
+        <translation>P&amp;lan…</translation>
+    </message>
+    <message>
+        <source>Plan…</source>
+        <translation>Plan…</translation>
+    </message>
+    <message>
+        <source>C&amp;ompare…</source>
+        <translation>C&amp;omparer…</translation>
+    </message>
+    <message>
+        <source>Contouring &amp;feed…</source>
+        <translation>&amp;Avance de contournage…</translation>
+    </message>
+    <message>
+        <source>&amp;Units</source>
+        <translation>&amp;Unités</translation>
+    </message>
+    <message>
+        <source>Lengths: µm and mm</source>
+        <translation>Longueurs : µm et mm</translation>
+    </message>
+    <message>
+        <source>Lengths: mm only</source>
+        <translation>Longueurs : mm seulement</translation>
+    </message>
+    <message>
+        <source>Lengths: µin and inches</source>
+        <translation>Longueurs : µin et pouces</translation>
+    </message>
+    <message>
+        <source>Angles: arc seconds and degrees</source>
+        <translation>Angles : secondes d’arc et degrés</translation>
+    </message>
+    <message>
+        <source>Angles: degrees only</source>
+        <translation>Angles : degrés seulement</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NavigationList</name>
@@ -984,6 +2033,320 @@
             <numerusform>%n information requise manque</numerusform>
             <numerusform>%n informations requises manquent</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::NewTestDialog</name>
+    <message>
+        <source>New positioning test</source>
+        <translation>Nouvel essai de positionnement</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>rotary</source>
+        <translation>rotatif</translation>
+    </message>
+    <message>
+        <source>standard cycle</source>
+        <translation>cycle normal</translation>
+    </message>
+    <message>
+        <source>step cycle</source>
+        <translation>cycle en pas</translation>
+    </message>
+    <message>
+        <source>from &amp;both sides</source>
+        <translation>dans les &amp;deux sens</translation>
+    </message>
+    <message>
+        <source>&amp;Axis</source>
+        <translation>A&amp;xe</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>&amp;Mouvement</translation>
+    </message>
+    <message>
+        <source>&amp;Travel</source>
+        <translation>&amp;Course</translation>
+    </message>
+    <message>
+        <source>&amp;Edition</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>C&amp;ycle</source>
+        <translation>C&amp;ycle</translation>
+    </message>
+    <message>
+        <source>&amp;Runs</source>
+        <translation>&amp;Passes</translation>
+    </message>
+    <message>
+        <source>&amp;First target</source>
+        <translation>Pr&amp;emier point visé</translation>
+    </message>
+    <message>
+        <source>&amp;Last target</source>
+        <translation>De&amp;rnier point visé</translation>
+    </message>
+    <message>
+        <source>&amp;Number of targets</source>
+        <translation>&amp;Nombre de points visés</translation>
+    </message>
+    <message>
+        <source>Target &amp;positions</source>
+        <translation>Positions &amp;visées</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>&amp;Créer</translation>
+    </message>
+    <message>
+        <source>The axis needs a name.</source>
+        <translation>L’axe doit avoir un nom.</translation>
+    </message>
+    <message>
+        <source>The target positions are numbers, parted by semicolons, blanks or lines.</source>
+        <translation>Les positions visées sont des nombres, séparés par des points-virgules, des espaces ou des lignes.</translation>
+    </message>
+    <message>
+        <source>A test has two targets at least.</source>
+        <translation>Un essai a au moins deux points visés.</translation>
+    </message>
+    <message>
+        <source>The target positions have to ascend.</source>
+        <translation>Les positions visées doivent être croissantes.</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::PasteBar</name>
+    <message numerus="yes">
+        <source>%n reading(s) pasted</source>
+        <translation>
+            <numerusform>%n relevé collé</numerusform><numerusform>%n relevés collés</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n target(s)</source>
+        <comment>readings pasted</comment>
+        <translation>
+            <numerusform>%1 et %n point visé</numerusform><numerusform>%1 et %n points visés</numerusform></translation>
+    </message>
+    <message>
+        <source>Deviations %1</source>
+        <comment>unit</comment>
+        <translation>Écarts %1</translation>
+    </message>
+    <message>
+        <source>Positions %1</source>
+        <comment>unit</comment>
+        <translation>Positions %1</translation>
+    </message>
+    <message>
+        <source>What was pasted</source>
+        <translation>Ce qui a été collé</translation>
+    </message>
+    <message>
+        <source>guessed:</source>
+        <translation>supposé :</translation>
+    </message>
+    <message>
+        <source>Comma</source>
+        <translation>Virgule</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>The decimal mark of the block is the comma: 5,4</source>
+        <translation>Le séparateur décimal du tableau est la virgule : 5,4</translation>
+    </message>
+    <message>
+        <source>The decimal mark of the block is the point: 5.4</source>
+        <translation>Le séparateur décimal du tableau est le point : 5.4</translation>
+    </message>
+    <message>
+        <source>What the numbers are</source>
+        <translation>Ce que sont les nombres</translation>
+    </message>
+    <message>
+        <source>What the numbers are, and in which unit</source>
+        <translation>Ce que sont les nombres, et dans quelle unité</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::PlanDialog</name>
+    <message>
+        <source>Travel begins at</source>
+        <translation>Début de la course</translation>
+    </message>
+    <message>
+        <source>Measurement travel</source>
+        <translation>Course de mesurage</translation>
+    </message>
+    <message>
+        <source>Targets per metre</source>
+        <translation>Points par mètre</translation>
+    </message>
+    <message>
+        <source>Period of the error</source>
+        <translation>Période de l’écart</translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation>Décimales</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Runs each way</source>
+        <translation>Passes par sens</translation>
+    </message>
+    <message>
+        <source>Feed rate (empty: rapid)</source>
+        <translation>Vitesse d’avance (vide : rapide)</translation>
+    </message>
+    <message>
+        <source>Dwell at the target</source>
+        <translation>Temps d’arrêt au point</translation>
+    </message>
+    <message>
+        <source>Approach distance</source>
+        <translation>Distance d’approche</translation>
+    </message>
+    <message>
+        <source>cannot be so</source>
+        <translation>valeur impossible</translation>
+    </message>
+    <message>
+        <source>These numbers give no plan: too many targets, or too few decimals to tell them apart.</source>
+        <translation>Ces nombres ne donnent aucun plan : trop de points, ou trop peu de décimales pour les distinguer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s)</source>
+        <translation>
+            <numerusform>%n point visé</numerusform><numerusform>%n points visés</numerusform></translation>
+    </message>
+    <message>
+        <source>every %1, random part %2. The axis moves from %3 to %4.</source>
+        <translation>tous les %1, part aléatoire %2. L’axe se déplace de %3 à %4.</translation>
+    </message>
+    <message>
+        <source>A long axis: once each way over the whole travel, and a full test of an agreed zone of %1 besides.</source>
+        <translation>Un axe long : une fois par sens sur toute la course, et un contrôle complet d’une zone convenue de %1 en plus.</translation>
+    </message>
+    <message>
+        <source>That is beyond the ends of the axis.</source>
+        <translation>C’est au-delà des extrémités de l’axe.</translation>
+    </message>
+    <message>
+        <source>The step cycle needs a written agreement.</source>
+        <translation>Le cycle en pas demande un accord écrit.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be saved</source>
+        <translation>%1 ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>Save the part program</source>
+        <translation>Enregistrer le programme pièce</translation>
+    </message>
+    <message>
+        <source>Save the plan</source>
+        <translation>Enregistrer le plan</translation>
+    </message>
+    <message>
+        <source>Plan of measurement</source>
+        <translation>Plan de mesure</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>rotary</source>
+        <translation>rotatif</translation>
+    </message>
+    <message>
+        <source>Choice of targets</source>
+        <translation>Choix des points visés</translation>
+    </message>
+    <message>
+        <source>Test cycle</source>
+        <translation>Cycle d’essai</translation>
+    </message>
+    <message>
+        <source>standard test cycle</source>
+        <translation>cycle d’essai normal</translation>
+    </message>
+    <message>
+        <source>step cycle</source>
+        <translation>cycle en pas</translation>
+    </message>
+    <message>
+        <source>&amp;Other targets</source>
+        <translation>&amp;Autres points</translation>
+    </message>
+    <message>
+        <source>&amp;Put into the test</source>
+        <translation>&amp;Placer dans l’essai</translation>
+    </message>
+    <message>
+        <source>For a positioning test without readings</source>
+        <translation>Pour un essai de positionnement sans relevés</translation>
+    </message>
+    <message>
+        <source>&amp;New test</source>
+        <translation>&amp;Nouvel essai</translation>
+    </message>
+    <message>
+        <source>P&amp;rint…</source>
+        <translation>&amp;Imprimer…</translation>
+    </message>
+    <message>
+        <source>Save P&amp;DF…</source>
+        <translation>Enregistrer P&amp;DF…</translation>
+    </message>
+    <message>
+        <source>Part pro&amp;gram…</source>
+        <translation>Pro&amp;gramme pièce…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Commande numérique</translation>
+    </message>
+    <message>
+        <source>Measuring cycle</source>
+        <translation>Cycle de mesure</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::PointsModel</name>
+    <message>
+        <source>angle °</source>
+        <translation>angle °</translation>
     </message>
 </context>
 <context>
@@ -1028,25 +2391,21 @@
         <source>no reading</source>
         <translation>pas de relevé</translation>
     </message>
+    <message>
+        <source>other decimal mark</source>
+        <translation>autre séparateur décimal</translation>
+    </message>
+    <message>
+        <source>%1: not taken, the reading is missing</source>
+        <translation>%1 : non repris, le relevé manque</translation>
+    </message>
+    <message>
+        <source>Far from the other readings here: a typing error?</source>
+        <translation>Loin des autres relevés de ce point : une erreur de saisie ?</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ReadingsPage</name>
-    <message>
-        <source>Deviations ″</source>
-        <translation>Écarts ″</translation>
-    </message>
-    <message>
-        <source>Deviations µm</source>
-        <translation>Écarts µm</translation>
-    </message>
-    <message>
-        <source>Positions °</source>
-        <translation>Positions °</translation>
-    </message>
-    <message>
-        <source>Positions mm</source>
-        <translation>Positions mm</translation>
-    </message>
     <message>
         <source>By run</source>
         <translation>Par passe</translation>
@@ -1074,6 +2433,132 @@
     <message>
         <source>Readings</source>
         <translation>Relevés</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translation>Mettre à l’écart</translation>
+    </message>
+    <message>
+        <source>Why? The reading stays visible, struck through, and is printed with the reason.</source>
+        <translation>Pour quel motif ? Le relevé reste visible, barré, et il est imprimé avec le motif.</translation>
+    </message>
+    <message>
+        <source>Deviations %1</source>
+        <comment>unit</comment>
+        <translation>Écarts %1</translation>
+    </message>
+    <message>
+        <source>Positions %1</source>
+        <comment>unit</comment>
+        <translation>Positions %1</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>C&amp;oller</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ear</source>
+        <translation>&amp;Effacer</translation>
+    </message>
+    <message>
+        <source>Fill do&amp;wn</source>
+        <translation>Recopier vers le &amp;bas</translation>
+    </message>
+    <message>
+        <source>Fill ri&amp;ght</source>
+        <translation>Recopier à &amp;droite</translation>
+    </message>
+    <message>
+        <source>&amp;Set aside…</source>
+        <translation>&amp;Mettre à l’écart…</translation>
+    </message>
+    <message>
+        <source>&amp;Take back</source>
+        <translation>Re&amp;prendre</translation>
+    </message>
+    <message>
+        <source>Insert target abo&amp;ve</source>
+        <translation>Insérer un point &amp;visé au-dessus</translation>
+    </message>
+    <message>
+        <source>Insert target be&amp;low</source>
+        <translation>Insérer un point visé au-dess&amp;ous</translation>
+    </message>
+    <message>
+        <source>&amp;Delete targets</source>
+        <translation>Supprimer les poi&amp;nts visés</translation>
+    </message>
+    <message>
+        <source>Add a &amp;run each way</source>
+        <translation>Ajo&amp;uter une passe par sens</translation>
+    </message>
+    <message>
+        <source>&amp;Insert a run before</source>
+        <translation>&amp;Insérer une passe avant</translation>
+    </message>
+    <message>
+        <source>Delete r&amp;uns</source>
+        <translation>Supprimer &amp;les passes</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Passe</translation>
+    </message>
+    <message>
+        <source>Add a run each way</source>
+        <translation>Ajouter une passe par sens</translation>
+    </message>
+    <message>
+        <source>Paste a block (%1)</source>
+        <translation>Coller un tableau (%1)</translation>
+    </message>
+    <message>
+        <source>Paste a block</source>
+        <translation>Coller un tableau</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::RecoveryDialog</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>Documents with unsaved changes</source>
+        <translation>Documents avec des modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>Never saved: %1</source>
+        <translation>Jamais enregistré : %1</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>%1 — changes up to %2</source>
+        <comment>file, time</comment>
+        <translation>%1 — modifications jusqu’au %2</translation>
+    </message>
+    <message>
+        <source>Palmer ended without saving these documents. Open them with their changes? The files themselves are as they were saved last.</source>
+        <translation>Palmer s’est arrêté sans enregistrer ces documents. Les ouvrir avec leurs modifications ? Les fichiers eux-mêmes sont tels qu’au dernier enregistrement.</translation>
+    </message>
+    <message>
+        <source>&amp;Open with changes</source>
+        <translation>&amp;Ouvrir avec les modifications</translation>
+    </message>
+    <message>
+        <source>&amp;Discard the changes</source>
+        <translation>&amp;Abandonner les modifications</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Plus tard</translation>
     </message>
 </context>
 <context>
@@ -1228,6 +2713,18 @@
         <source>&amp;Close</source>
         <translation>&amp;Fermer</translation>
     </message>
+    <message>
+        <source>Monte Carlo: %1 trials</source>
+        <translation>Monte-Carlo : %1 tirages</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>encore %1 s</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ResultsModel</name>
@@ -1312,6 +2809,85 @@
     <message>
         <source>Next target</source>
         <translation>Point visé suivant</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::TemplateButton</name>
+    <message>
+        <source>No template yet</source>
+        <translation>Aucun modèle pour l’instant</translation>
+    </message>
+    <message>
+        <source>Cannot be read: %1</source>
+        <translation>Illisible : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as template…</source>
+        <translation>&amp;Garder comme modèle…</translation>
+    </message>
+    <message>
+        <source>&amp;Take from a file…</source>
+        <translation>&amp;Reprendre d’un fichier…</translation>
+    </message>
+    <message>
+        <source>&amp;Save to a file…</source>
+        <translation>&amp;Enregistrer dans un fichier…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete a template</source>
+        <translation>&amp;Supprimer un modèle</translation>
+    </message>
+    <message>
+        <source>Keep as template</source>
+        <translation>Garder comme modèle</translation>
+    </message>
+    <message>
+        <source>Name of the template</source>
+        <translation>Nom du modèle</translation>
+    </message>
+    <message>
+        <source>The template cannot be kept</source>
+        <translation>Le modèle ne peut pas être gardé</translation>
+    </message>
+    <message>
+        <source>Take a template from a file</source>
+        <translation>Reprendre un modèle d’un fichier</translation>
+    </message>
+    <message>
+        <source>Templates (*.palmer-template)</source>
+        <translation>Modèles (*.palmer-template)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>This template is for another page: open it there.</source>
+        <translation>Ce modèle est destiné à une autre page : ouvrez-le là.</translation>
+    </message>
+    <message>
+        <source>The template cannot be read</source>
+        <translation>Le modèle ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>Save a template to a file</source>
+        <translation>Enregistrer un modèle dans un fichier</translation>
+    </message>
+    <message>
+        <source>The template cannot be saved</source>
+        <translation>Le modèle ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>Place: %1</source>
+        <translation>Emplacement : %1</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>Modèles</translation>
+    </message>
+    <message>
+        <source>Fill this page from a template, or keep it as one</source>
+        <translation>Remplir cette page depuis un modèle, ou la garder comme modèle</translation>
     </message>
 </context>
 <context>
@@ -1411,6 +2987,14 @@
         <source>verified results</source>
         <translation>résultats vérifiés</translation>
     </message>
+    <message>
+        <source>&amp;New positioning test…</source>
+        <translation>&amp;Nouvel essai de positionnement…</translation>
+    </message>
+    <message>
+        <source>type or paste the readings</source>
+        <translation>saisir ou coller les relevés</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::Workplace</name>
@@ -1459,6 +3043,27 @@
     <message>
         <source>&amp;Limits</source>
         <translation>&amp;Limites</translation>
+    </message>
+    <message>
+        <source>next: target %1</source>
+        <translation>suivant : point %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n arc(s)</source>
+        <translation>
+            <numerusform>%n arc</numerusform><numerusform>%n arcs</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 points</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Add a test</source>
+        <translation>Ajouter un essai</translation>
     </message>
 </context>
 <context>
