@@ -334,7 +334,8 @@ bool Form::isMissingHere(const char *key) const {
         return false;
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     return std::ranges::any_of(evaluation.findings, [&](const Finding &finding) {
-        return finding.id == key && finding.grade == Grade::requirement &&
+        return finding.id == key &&
+               (finding.grade == Grade::requirement || m_page == Page::uncertainty) &&
                pageOf(finding, evaluation.edition) == m_page;
     });
 }

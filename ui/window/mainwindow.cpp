@@ -72,7 +72,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_notice(new NoticeBar(this))
     , m_stack(new QStackedWidget(this))
     , m_welcome(new WelcomePage(m_stack))
-    , m_workplace(new Workplace(m_model, m_stack)) {
+    , m_workplace(new Workplace(m_model, m_evaluator, m_stack)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);

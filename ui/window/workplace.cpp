@@ -16,6 +16,7 @@
 #include "ui/results/findingspanel.h"
 #include "ui/results/resultspanel.h"
 #include "ui/theme.h"
+#include "ui/uncertainty/uncertaintypage.h"
 #include "ui/window/pagetabs.h"
 #include "ui/window/rightside.h"
 #include "ui/window/testhead.h"
@@ -45,7 +46,8 @@ constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
 constexpr int noKeysBelow = 740 - 99;
 
-constexpr std::array testPages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
+constexpr std::array testPages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits,
+                               Page::uncertainty};
 
 int tabOf(Page page) {
     const auto found = std::ranges::find(testPages, page);
@@ -54,9 +56,10 @@ int tabOf(Page page) {
 
 } // namespace
 
-Workplace::Workplace(DocumentModel &model, QWidget *parent)
+Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent)
     : QWidget(parent)
     , m_model(model)
+    , m_evaluator(evaluator)
     , m_outer(new ThinSplitter(Qt::Horizontal, this))
     , m_inner(new ThinSplitter(Qt::Horizontal, m_outer))
     , m_side(new QWidget(m_outer))
@@ -112,9 +115,10 @@ QWidget *Workplace::makeCentre() {
     m_conditions = new ConditionsPage(m_model, m_selection, m_pages);
     m_agreedPoints = new AgreedPointsPage(m_model, m_selection, m_pages);
     m_limits = new LimitsPage(m_model, m_selection, m_pages);
+    m_uncertainty = new UncertaintyPage(m_model, m_evaluator, m_selection, m_pages);
     m_reportPages = new ReportPages(m_model, m_selection, m_pages);
     for (QWidget *page : std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints,
-                                                          m_limits, m_reportPages})
+                                                          m_limits, m_uncertainty, m_reportPages})
         m_pages->addWidget(page);
     auto *card = new QFrame(centre);
     m_card = card;
@@ -184,7 +188,7 @@ void Workplace::connectParts() {
         showPage(page);
         m_selection.setField(id);
     });
-    for (Form *form : std::initializer_list<Form *>{m_conditions, m_limits})
+    for (Form *form : std::initializer_list<Form *>{m_conditions, m_limits, m_uncertainty})
         connect(form, &Form::nextWanted, this, [this] { showNextMissing(true); });
     connect(m_reportPages, &ReportPages::nextWanted, this, [this] { showNextMissing(true); });
     connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
@@ -250,6 +254,7 @@ void Workplace::presentTest() {
     m_conditions->show(m_evaluated, test);
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
+    m_uncertainty->show(m_evaluated, test);
     m_target->show(m_evaluated, test);
     m_keys->show(m_evaluated, test);
     m_explanation->show(m_evaluated, test);
@@ -489,12 +494,14 @@ void Workplace::retranslate() {
     m_tabs->setTabText(1, tr("&Conditions"));
     m_tabs->setTabText(2, tr("&Agreed points"));
     m_tabs->setTabText(3, tr("&Limits"));
+    m_tabs->setTabText(4, tr("&Uncertainty"));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
     m_circles->setLanguage(language);
     m_conditions->setLanguage(language);
     m_agreedPoints->setLanguage(language);
     m_limits->setLanguage(language);
+    m_uncertainty->setLanguage(language);
     m_target->setLanguage(language);
     m_keys->setLanguage(language);
     m_explanation->setLanguage(language);
