@@ -4183,18 +4183,6 @@
         <translation>toutes les trajectoires dans l’ordre de mesure&#x202f;; les suivantes d’un même sens n’entrent pas dans les résultats</translation>
     </message>
     <message>
-        <source>%1 takes s from the range, %2 from the squares.</source>
-        <translation>%1 tire s de l’étendue, %2 des carrés.</translation>
-    </message>
-    <message>
-        <source>%1 takes %2 s, %3 takes %4 s.</source>
-        <translation>%1 prend %2 s, %3 prend %4 s.</translation>
-    </message>
-    <message>
-        <source>%1 computes it otherwise than %2.</source>
-        <translation>%1 le calcule autrement que %2.</translation>
-    </message>
-    <message>
         <source>No parameter of %1.</source>
         <translation>Pas un paramètre de %1.</translation>
     </message>
@@ -5081,6 +5069,18 @@
     <message>
         <source>plans the targets of a positioning test, writes the part program</source>
         <translation>planifie les points visés d’un essai de positionnement, écrit le programme pièce</translation>
+    </message>
+    <message>
+        <source>s from the range in %1, from the squares in %2.</source>
+        <translation>s tiré de l’étendue dans %1, des carrés dans %2.</translation>
+    </message>
+    <message>
+        <source>Factor of s: %1 in %2, %3 in %4.</source>
+        <translation>Facteur de s&#xa0;: %1 dans %2, %3 dans %4.</translation>
+    </message>
+    <message>
+        <source>Computed otherwise in %1 than in %2.</source>
+        <translation>Calculé autrement dans %1 que dans %2.</translation>
     </message>
 </context>
 </TS>

@@ -280,7 +280,7 @@
     </message>
     <message>
         <source>Measured but not evaluated: feed-in, feed-out, angular overshoot</source>
-        <translation>Mesuré mais non évalué : approche, dégagement, dépassement angulaire</translation>
+        <translation>Mesuré mais non évalué : approche, dégagement, dépassement angulaire</translation>
     </message>
     <message>
         <source>Radius of the least squares circle − nominal radius</source>
@@ -288,7 +288,7 @@
     </message>
     <message>
         <source>Of each sense the first arc is evaluated; further ones are repetitions</source>
-        <translation>De chaque sens, le premier arc est évalué ; les suivants sont des répétitions</translation>
+        <translation>De chaque sens, le premier arc est évalué ; les suivants sont des répétitions</translation>
     </message>
     <message>
         <source>Sense</source>
@@ -367,7 +367,7 @@
     </message>
     <message>
         <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click</source>
-        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout ; la molette agrandit avec Ctrl ou après un clic</translation>
+        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout ; la molette agrandit avec Ctrl ou après un clic</translation>
     </message>
 </context>
 <context>
@@ -382,7 +382,7 @@
     </message>
     <message>
         <source>%1, point %2: %3 · %4</source>
-        <translation>%1, point %2 : %3 · %4</translation>
+        <translation>%1, point %2 : %3 · %4</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -474,7 +474,7 @@
     </message>
     <message>
         <source>Evaluate all of the arc, of more than 360° the middle 360°</source>
-        <translation>Évaluer tout l’arc ; au-delà de 360°, les 360° du milieu</translation>
+        <translation>Évaluer tout l’arc ; au-delà de 360°, les 360° du milieu</translation>
     </message>
     <message>
         <source>Reverse sense</source>
@@ -482,15 +482,15 @@
     </message>
     <message>
         <source>The arc was contoured in the other sense; the points stay as they are</source>
-        <translation>L’arc a été parcouru dans l’autre sens ; les points restent tels quels</translation>
+        <translation>L’arc a été parcouru dans l’autre sens ; les points restent tels quels</translation>
     </message>
     <message>
         <source>Move the arc up: it was measured earlier</source>
-        <translation>Monter l’arc : il a été mesuré plus tôt</translation>
+        <translation>Monter l’arc : il a été mesuré plus tôt</translation>
     </message>
     <message>
         <source>Move the arc down: it was measured later</source>
-        <translation>Descendre l’arc : il a été mesuré plus tard</translation>
+        <translation>Descendre l’arc : il a été mesuré plus tard</translation>
     </message>
     <message>
         <source>Coordinates mm</source>
@@ -506,11 +506,11 @@
     </message>
     <message>
         <source>Show the points in the coordinates of the plane; the data stay as they are</source>
-        <translation>Afficher les points en coordonnées du plan ; les données restent telles quelles</translation>
+        <translation>Afficher les points en coordonnées du plan ; les données restent telles quelles</translation>
     </message>
     <message>
         <source>Show distances from the centre; the data stay as they are</source>
-        <translation>Afficher les distances au centre ; les données restent telles quelles</translation>
+        <translation>Afficher les distances au centre ; les données restent telles quelles</translation>
     </message>
     <message>
         <source>Arcs</source>
@@ -526,7 +526,7 @@
     </message>
     <message>
         <source>The handles set the evaluated range of the current arc; the fields above set it by number</source>
-        <translation>Les poignées règlent l’étendue évaluée de l’arc courant ; les champs au-dessus la règlent par nombre</translation>
+        <translation>Les poignées règlent l’étendue évaluée de l’arc courant ; les champs au-dessus la règlent par nombre</translation>
     </message>
 </context>
 <context>
@@ -1252,8 +1252,8 @@
         <translation>non</translation>
     </message>
     <message>
-        <source>Next  F8</source>
-        <translation>Suivante  F8</translation>
+        <source>Next (F8)</source>
+        <translation>Suivante (F8)</translation>
     </message>
 </context>
 <context>
@@ -1962,10 +1962,6 @@
         <translation>Plan…</translation>
     </message>
     <message>
-        <source>C&amp;ompare…</source>
-        <translation>C&amp;omparer…</translation>
-    </message>
-    <message>
         <source>Contouring &amp;feed…</source>
         <translation>&amp;Avance de contournage…</translation>
     </message>
@@ -1992,6 +1988,14 @@
     <message>
         <source>Angles: degrees only</source>
         <translation>Angles : degrés seulement</translation>
+    </message>
+    <message>
+        <source>&amp;Utilities</source>
+        <translation>O&amp;utils</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare…</source>
+        <translation>C&amp;omparer…</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 
 namespace palmer {
@@ -104,6 +105,9 @@ QString reason(const std::vector<const TestEvaluation *> &columns, const std::st
                const Language &language) {
     QStringList sentences;
     QStringList absent;
+    QStringList byMethod;
+    QStringList otherwise;
+    std::map<double, QStringList> byFactor;
     const TestEvaluation &first = *columns.front();
     const Parameter *own = parameterOf(first, id);
     bool same = own && own->value;
@@ -121,32 +125,39 @@ QString reason(const std::vector<const TestEvaluation *> &columns, const std::st
         same = false;
         const Row *row = rowOfEdition(edition, id);
         const bool scatter = row && (row->needs & palmer::scatter) != 0;
-        const auto numeral = [](double c) { return Number{c, Quantity::number, -1}; };
-        if (scatter && methodOf(*column) != methodOf(first))
-            sentences << language.sentence(
-                {REPORT_TEXT("report", "%1 takes s from the range, %2 from the squares."),
-                 {std::string(methodOf(*column) == DeviationMethod::range ? edition.word
-                                                                          : first.edition->word),
-                  std::string(methodOf(*column) == DeviationMethod::range ? first.edition->word
-                                                                          : edition.word)},
-                 {}});
-        if (scatter && edition.c != first.edition->c)
-            sentences << language.sentence({REPORT_TEXT("report", "%1 takes %2 s, %3 takes %4 s."),
-                                            {std::string(first.edition->word), numeral(first.edition->c),
-                                             std::string(edition.word), numeral(edition.c)},
-                                            {}});
-        if (sentences.isEmpty())
-            sentences << language.sentence({REPORT_TEXT("report", "%1 computes it otherwise than %2."),
-                                            {std::string(edition.word), std::string(first.edition->word)},
-                                            {}});
+        const QString word = QString::fromUtf8(edition.word);
+        const bool otherMethod = scatter && methodOf(*column) != methodOf(first);
+        const bool otherFactor = scatter && edition.c != first.edition->c;
+        if (otherMethod)
+            byMethod << word;
+        if (otherFactor)
+            byFactor[edition.c] << word;
+        if (!otherMethod && !otherFactor)
+            otherwise << word;
     }
+    const auto list = [](const QStringList &words) { return words.join(QStringLiteral(", ")).toStdString(); };
+    const std::string firstWord = first.edition->word;
+    const bool firstByRange = methodOf(first) == DeviationMethod::range;
+    if (!byMethod.isEmpty())
+        sentences << language.sentence(
+            {REPORT_TEXT("report", "s from the range in %1, from the squares in %2."),
+             {firstByRange ? firstWord : list(byMethod), firstByRange ? list(byMethod) : firstWord},
+             {}});
+    for (const auto &[c, words] : byFactor)
+        sentences << language.sentence({REPORT_TEXT("report", "Factor of s: %1 in %2, %3 in %4."),
+                                        {Number{first.edition->c, Quantity::number, -1}, firstWord,
+                                         Number{c, Quantity::number, -1}, list(words)},
+                                        {}});
+    if (!otherwise.isEmpty())
+        sentences << language.sentence({REPORT_TEXT("report", "Computed otherwise in %1 than in %2."),
+                                        {list(otherwise), firstWord},
+                                        {}});
     if (!absent.isEmpty())
         sentences << language.sentence({REPORT_TEXT("report", "No parameter of %1."),
                                         {absent.join(QStringLiteral(", ")).toStdString()},
                                         {}});
     if (same && absent.size() + 1 < static_cast<qsizetype>(columns.size()))
         sentences.prepend(language.text(REPORT_TEXT("report", "The same arithmetic.")));
-    sentences.removeDuplicates();
     return sentences.join(u' ');
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -51,12 +53,20 @@ void panCircle(benchmark::State &state, QSize size, double zoom) {
     canvas.show(document, 0, {}, language());
     QImage surface(size, QImage::Format_RGB32);
     canvas.render(&surface);
+    // Where the first path crosses 40°.
+    const CircleFigure figure = circleFigure(*document.document->tests[0], *document.tests[0], language(),
+                                             {.size = QSizeF(size) * 25.4 / 96});
+    const auto &points = figure.traces[0].points;
+    const auto at = std::ranges::lower_bound(points, 40.0, {}, &TracePoint::angle);
+    const double radius = figure.radius(at->deviation);
+    const QPointF place(radius * std::cos(40 * std::numbers::pi / 180),
+                        radius * std::sin(40 * std::numbers::pi / 180));
     double longest = 0;
     double x = 0;
     for (auto _ : state) {
         const auto from = std::chrono::steady_clock::now();
-        x = x > 2 ? 0 : x + 0.05;
-        canvas.setView({30 / zoom + x, 20 / zoom, zoom});
+        x = x > 1 ? 0 : x + 0.01; // another view each time, with both paths in it
+        canvas.setView(zoom < 2 ? CircleView{x, 0, zoom} : CircleView{place.x() + x / zoom, place.y(), zoom});
         canvas.render(&surface);
         longest = std::max(
             longest,

@@ -71,7 +71,7 @@ const QSet<QString> sameInBoth{
     "Position",     "minimum", "maximum",   "note",         "Air",     "Cycle",      "Point",
     "page %1 / %2", "Centre",  "Centre, F", "Compensation", "Points",  "Angles",     "Correction C",
     "positions",    "rad",     "mrad",      "µrad",         "µin",     "min",        "Format",
-    "Arc (°)",      "air",     "machine",   "point ."};
+    "Arc (°)",      "air",     "machine",   "point .",      "Type",    "Validation"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {

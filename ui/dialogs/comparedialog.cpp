@@ -25,7 +25,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int listWidth = 220;
+constexpr int listWidth = 190;
 constexpr int rowHeight = 26;
 
 QTableWidgetItem *cell(const QString &text, bool number) {
@@ -38,6 +38,7 @@ QTableWidgetItem *cell(const QString &text, bool number) {
 void fill(QTableWidget &table, const ResultComparison &comparison, const QStringList &heads,
           bool differences) {
     table.clear();
+    table.horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
     table.setColumnCount(static_cast<int>(heads.size()));
     table.setHorizontalHeaderLabels(heads);
     table.setRowCount(static_cast<int>(comparison.rows.size()));
@@ -62,7 +63,12 @@ void fill(QTableWidget &table, const ResultComparison &comparison, const QString
         }
     }
     table.resizeColumnsToContents();
-    table.horizontalHeader()->setStretchLastSection(!differences);
+    if (differences || table.columnCount() == 0)
+        return;
+    // The reason takes what is left over, in as many lines as it needs.
+    table.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table.horizontalHeader()->setSectionResizeMode(table.columnCount() - 1, QHeaderView::Stretch);
+    table.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
 QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
@@ -96,7 +102,7 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     , m_copy(new QPushButton(this))
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("compareDialog"));
-    resize(1040, 700);
+    resize(1200, 720);
     m_tabs->setObjectName(QStringLiteral("compareTabs"));
     m_editionList->setObjectName(QStringLiteral("editionList"));
     m_testList->setObjectName(QStringLiteral("testList"));

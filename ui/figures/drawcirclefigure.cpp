@@ -57,6 +57,9 @@ constexpr double screenSampleGap = 5;
 
 /// Points of a path from which on most lie on one another in a picture.
 constexpr std::size_t denseTrace = 2500;
+constexpr std::size_t denseTraceInView = 300;
+constexpr double densePixels = 2; ///< between points
+constexpr qsizetype longChain = 4;
 /// Flatness of a circle drawn as a chain of chords, points.
 constexpr double flatness = 0.02;
 
@@ -181,8 +184,26 @@ private:
     }
     void flush(QPolygonF &piece) {
         if (piece.size() > 1)
-            p.drawPolyline(piece);
+            stroke(piece);
         piece.clear();
+    }
+
+    [[nodiscard]] bool isPicture() const {
+        return p.paintEngine() && p.paintEngine()->type() == QPaintEngine::Raster;
+    }
+
+    /// In a raster picture lines with round ends one by one: the same look as a line with round joins, which
+    /// takes many times as long where it crosses itself.
+    void stroke(const QPolygonF &chain) {
+        if (!isPicture() || chain.size() < longChain || p.pen().capStyle() != Qt::RoundCap) {
+            p.drawPolyline(chain);
+            return;
+        }
+        QList<QLineF> lines;
+        lines.reserve(chain.size() - 1);
+        for (qsizetype i = 1; i < chain.size(); ++i)
+            lines.append({chain[i - 1], chain[i]});
+        p.drawLines(lines);
     }
 
     void drawCircle(double deviation, FigureRole role) {
@@ -306,11 +327,10 @@ private:
     /// A raster picture takes a second for the joins of thousands of points that lie on one another: a dense
     /// path is drawn there as lines of a pixel beside each other, which looks the same.
     void drawTrace(const std::vector<TracePoint> &points, QPen line) {
-        const bool picture = p.paintEngine() && p.paintEngine()->type() == QPaintEngine::Raster;
         const double pixel = 1 / std::sqrt(std::abs(p.deviceTransform().determinant()));
         const double width = line.widthF();
         int lines = 1;
-        if (picture && points.size() >= denseTrace && width > pixel) {
+        if (isPicture() && isDense(points, pixel) && width > pixel) {
             lines = static_cast<int>(std::ceil(width / pixel));
             line.setWidthF(0.99 * pixel); // what the painter draws quickly
         }
@@ -325,10 +345,22 @@ private:
             if (chain.size() == 1)
                 p.drawPoint(chain.front());
             else if (whole())
-                p.drawPolyline(chain);
+                stroke(chain);
             else
                 drawChain(chain);
         }
+    }
+
+    /// Whether the points of a path lie on one another where pixels are that wide: as many as a whole turn
+    /// has only then, or seen near by several in a pixel.
+    [[nodiscard]] bool isDense(const std::vector<TracePoint> &points, double pixel) const {
+        if (points.size() >= denseTrace)
+            return true;
+        if (whole() || points.size() < denseTraceInView)
+            return false;
+        const double angle = radians(std::abs(points.back().angle - points.front().angle));
+        const double length = angle * m_figure.plotRadius * m_scale / pixel;
+        return static_cast<double>(points.size()) * densePixels > length;
     }
 
     // ---- Marks -------------------------------------------------------------------------------------------

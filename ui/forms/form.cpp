@@ -363,7 +363,7 @@ void Form::clear() {
 }
 
 void Form::refreshTexts() {
-    m_next->setText(tr("Next  F8"));
+    m_next->setText(tr("Next (F8)"));
     for (const Title &title : m_titles) {
         const QString text = word(title.source);
         title.shown->setText(title.argument.isEmpty() ? text : text.arg(title.argument));

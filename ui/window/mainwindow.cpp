@@ -126,6 +126,7 @@ void MainWindow::makeActions() {
     m_editMenu = menuBar()->addMenu(QString());
     m_testMenu = menuBar()->addMenu(QString());
     m_viewMenu = menuBar()->addMenu(QString());
+    m_toolsMenu = menuBar()->addMenu(QString());
     m_helpMenu = menuBar()->addMenu(QString());
 
     m_newAction = addAction(m_fileMenu, QStringLiteral("new"), QStringLiteral("new"));
@@ -173,15 +174,13 @@ void MainWindow::makeActions() {
     m_nextTestAction = addAction(m_testMenu, QStringLiteral("nextTest"));
     m_nextTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
     m_testMenu->addSeparator();
-    m_planAction = addAction(m_testMenu, QStringLiteral("plan"), QStringLiteral("plan"));
+    m_planAction = addAction(m_toolsMenu, QStringLiteral("plan"), QStringLiteral("plan"));
     m_planAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
-    m_compareAction = addAction(m_testMenu, QStringLiteral("compare"), QStringLiteral("bars"));
+    m_compareAction = addAction(m_toolsMenu, QStringLiteral("compare"), QStringLiteral("bars"));
     m_compareAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
-    m_testMenu->addSeparator();
     m_setEditionAction = addAction(m_testMenu, QStringLiteral("setEditionAction"));
     m_ownEditionAction = addAction(m_testMenu, QStringLiteral("ownEdition"));
-    m_testMenu->addSeparator();
-    m_feedAction = addAction(m_testMenu, QStringLiteral("contouringFeed"));
+    m_feedAction = addAction(m_toolsMenu, QStringLiteral("contouringFeed"));
 
     for (std::size_t i = 0; i < m_pageActions.size(); ++i) {
         m_pageActions[i] = addAction(m_viewMenu, QStringLiteral("page%1").arg(i + 1));
@@ -862,6 +861,7 @@ void MainWindow::retranslate() {
     m_editMenu->setTitle(tr("&Edit"));
     m_testMenu->setTitle(tr("&Test"));
     m_viewMenu->setTitle(tr("&View"));
+    m_toolsMenu->setTitle(tr("&Utilities"));
     m_helpMenu->setTitle(tr("&Help"));
     m_newAction->setText(tr("&New…"));
     m_newAction->setIconText(tr("New"));
@@ -883,7 +883,7 @@ void MainWindow::retranslate() {
     m_quitAction->setText(tr("&Quit"));
     m_planAction->setText(tr("P&lan…"));
     m_planAction->setIconText(tr("Plan…"));
-    m_compareAction->setText(tr("C&ompare…"));
+    m_compareAction->setText(tr("Co&mpare…"));
     m_helpAction->setText(tr("&Help"));
     m_previousTestAction->setText(tr("&Previous test"));
     m_nextTestAction->setText(tr("&Next test"));

@@ -117,6 +117,7 @@ private:
     QMenu *m_editMenu;
     QMenu *m_testMenu;
     QMenu *m_viewMenu;
+    QMenu *m_toolsMenu;
     QMenu *m_unitsMenu;
     QMenu *m_helpMenu;
     QLabel *m_content;

@@ -100,7 +100,7 @@ void TableTest::readsTables_data() {
     QTest::newRow("line ends of three systems") << QByteArray("1;2\r\n3;4\r5;6\n7;8") << "1|2\n3|4\n5|6\n7|8";
     QTest::newRow("empty cells stay") << QByteArray("1;;3\n;5;6\n7;8;\n") << "1||3\n|5|6\n7|8|";
     QTest::newRow("rows of nothing go") << QByteArray("1;2\n\n;;\n  \n3;4\n") << "1|2\n3|4";
-    QTest::newRow("missing readings") << QByteArray("1.5;nan;-\n2.5;n/a;#N/A\n") << "1.5|?|?\n2.5|?|?";
+    QTest::newRow("missing readings") << QByteArray("1.5;na;-\n2.5;n/a;#N/A\n") << "1.5|?|?\n2.5|?|?";
     QTest::newRow("comments") << QByteArray("# by me ; X\n% two\n// three\n1.5;2.5\n#N/A;4.5\n")
                               << "#\"by me ; X\"\n#\"two\"\n#\"three\"\n1.5|2.5\n?|4.5";
     QTest::newRow("head") << QByteArray("Point;1A;1R\n0,5;1,5;2,5\n")

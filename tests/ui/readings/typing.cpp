@@ -467,6 +467,7 @@ private slots:
         for (const Run &run : half.runs)
             measurement(test).runs.push_back(run);
         const TypingWindow typing(test);
+        QTRY_VERIFY(!typing.window->evaluator().isBusy()); // shown
         int busy = 0;
         for (std::size_t i = 0; i < 40; ++i) {
             typing.setCurrent(0, i);

@@ -3,8 +3,8 @@
 #include "core/kernel/uncertainty/uncertaintydata.h"
 #include "kernel/simulation/circulartrials.h"
 
-#include <QElapsedTimer>
 #include <QTest>
+#include <ctime>
 
 #include <cmath>
 #include <numbers>
@@ -147,7 +147,7 @@ void SimulateCircular::noiseAlone() {
     QVERIFY(of(result, "G(b)_XY").mean > of(result, "G_XY").mean); // more points, more width
     QVERIFY(of(result, "G_XY").largeShift());
     COMPARE_RELATIVE(of(result, "D_XY").u, 0.0001 / std::sqrt(1200.0), 0.08); // of 1 000 trials
-    QVERIFY(std::abs(of(result, "D_XY").shift()) < 4e-7); // four deviations of the mean
+    QVERIFY(std::abs(of(result, "D_XY").shift()) < 4e-7);                     // four deviations of the mean
 }
 
 void SimulateCircular::nothingGivesNothing() {
@@ -216,20 +216,19 @@ void SimulateCircular::cancelWithManyPoints() {
     circle(test).uncertainty.pointNoise = 0.3;
     SimulationOptions options;
     options.trials = 1000000;
-    qint64 shortest = std::numeric_limits<qint64>::max();
-    for (int attempt = 0; attempt < 3; ++attempt) { // others may keep the processor busy
+    for (int attempt = 0; attempt < 3; ++attempt) {
         std::stop_source source;
-        QElapsedTimer timer;
+        std::clock_t stopped = 0; // processor time: what others do with the machine does not count
         std::jthread stopper([&] {
             std::this_thread::sleep_for(std::chrono::milliseconds(200));
-            timer.start();
+            stopped = std::clock();
             source.request_stop();
         });
         QVERIFY(!simulate(test, noSurroundings(), *findEdition(test.edition), options, source.get_token()));
         stopper.join();
-        shortest = std::min(shortest, timer.elapsed());
+        const double seconds = static_cast<double>(std::clock() - stopped) / CLOCKS_PER_SEC;
+        QVERIFY2(seconds <= 0.1, qPrintable(QString::number(seconds)));
     }
-    QVERIFY2(shortest <= 100, qPrintable(QString::number(shortest)));
 }
 
 void SimulateCircular::partOfTheResults() {
