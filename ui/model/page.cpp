@@ -74,9 +74,15 @@ constexpr std::array<std::string_view, 30> ofConditions{
     "unloaded",    "feed",    "dwell",           "temperature",          "centre",       "startPoint",
     "stopPoint",   "cycle",   "smoothing",       "recentredBetweenRuns", "zone",         "ends"};
 
-/// An input of a budget that is not stated.
-bool isBudgetInput(const Finding &finding, const Edition *edition) {
+/// Of an input of a budget, and no statement that the edition asks for.
+bool isOfBudget(const Finding &finding, const Edition *edition) {
     return isOneOf(ofBudget, finding.id) && !missingStatement(finding, edition);
+}
+
+/// An input without which there is no uncertainty: named by the finding, which no clause asks for.
+bool isMissingInput(const Finding &finding, const Edition *edition) {
+    return isOfBudget(finding, edition) && finding.clause.empty() && !finding.message.arguments.empty() &&
+           std::holds_alternative<Text>(finding.message.arguments.back());
 }
 
 } // namespace
@@ -92,7 +98,7 @@ Page pageOf(const Finding &finding, const Edition *edition) {
         return Page::machine;
     if (isOneOf(ofInstruments, finding.id))
         return Page::instruments;
-    if (isBudgetInput(finding, edition) || isOneOf(ofSimulation, finding.id))
+    if (isOfBudget(finding, edition) || isOneOf(ofSimulation, finding.id))
         return Page::uncertainty;
     if (isOneOf(ofLimits, finding.id))
         return Page::limits;
@@ -102,7 +108,7 @@ Page pageOf(const Finding &finding, const Edition *edition) {
 }
 
 bool isMissing(const Finding &finding, const Edition *edition) {
-    return isAgreedPoint(finding) || isBudgetInput(finding, edition) ||
+    return isAgreedPoint(finding) || isMissingInput(finding, edition) ||
            missingStatement(finding, edition).has_value();
 }
 

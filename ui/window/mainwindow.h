@@ -73,6 +73,7 @@ private:
     MainWindow *take(Document document, const QString &path, bool modified = false);
     void newFile();
     void addTest();
+    void addDriftTest();
     void renameTest();
     void duplicateTest(bool withReadings);
     void deleteTest();
@@ -137,6 +138,7 @@ private:
     QAction *m_undoAction;
     QAction *m_redoAction;
     QAction *m_addTestAction;
+    QAction *m_addDriftAction;
     QAction *m_renameTestAction;
     QAction *m_duplicateTestAction;
     QAction *m_repeatTestAction;
@@ -146,7 +148,7 @@ private:
     QAction *m_setEditionAction;
     QAction *m_ownEditionAction;
     QAction *m_feedAction;
-    std::array<QAction *, 4> m_pageActions{};
+    std::array<QAction *, 5> m_pageActions{};
     QAction *m_nextMissingAction;
     QAction *m_previousMissingAction;
     QAction *m_maximiseAction;

@@ -19,6 +19,7 @@ class AgreedPointsPage;
 class CirclesPage;
 class ConditionsPage;
 class DocumentModel;
+class DriftPage;
 class Evaluator;
 class ExplanationCard;
 class FigureView;
@@ -92,6 +93,8 @@ private:
     void keepSizes() const;
     void retranslate();
     [[nodiscard]] bool isCircular() const; ///< the test in view
+    [[nodiscard]] bool isDrift() const;
+    [[nodiscard]] bool isPositioning() const;
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] bool isReportPage() const;
 
@@ -116,6 +119,7 @@ private:
     AgreedPointsPage *m_agreedPoints;
     LimitsPage *m_limits;
     UncertaintyPage *m_uncertainty;
+    DriftPage *m_drift;
     ReportPages *m_reportPages;
     QWidget *m_card;
     TargetCard *m_target;
