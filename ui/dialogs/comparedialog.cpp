@@ -5,6 +5,7 @@
 #include "ui/circles/quiettable.h"
 #include "ui/dialogs/comparisonview.h"
 #include "ui/formulatext.h"
+#include "ui/sizeonscreen.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -183,7 +184,7 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     , m_copy(new QPushButton(this))
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("compareDialog"));
-    resize(1200, 720);
+    resize(sizeOnScreen(*this, {1200, 720}));
     m_tabs->setObjectName(QStringLiteral("compareTabs"));
     m_editionList->setObjectName(QStringLiteral("editionList"));
     m_testList->setObjectName(QStringLiteral("testList"));

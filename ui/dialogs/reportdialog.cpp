@@ -5,6 +5,7 @@
 #include "ui/dialogs/pagecolumn.h"
 #include "ui/model/page.h"
 #include "ui/pdf/writepdf.h"
+#include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -24,7 +25,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -38,7 +38,6 @@ namespace palmer::ui {
 namespace {
 
 constexpr int headHeight = 44;
-constexpr int frameHeight = 40; ///< that the system may put around the window
 constexpr int sideWidth = 304;
 constexpr int smallWidth = 132;
 constexpr double smallestScale = 0.25;
@@ -84,7 +83,7 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
     , m_simulator(evaluator) {
     setObjectName(QStringLiteral("reportDialog"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
-    resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frameHeight)));
+    resize(sizeOnScreen(*this, {1280, 800}));
     m_small = new PageColumn(this);
     m_small->setNumbered(true);
     m_small->setScale(96 / 595.0);

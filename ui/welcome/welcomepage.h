@@ -24,6 +24,7 @@ signals:
     void newAsked();
     void newCircleAsked();
     void openAsked();
+    void importAsked();
     void fileChosen(const QString &path);
 
 protected:
@@ -44,6 +45,7 @@ private:
     StartButton *m_new;
     StartButton *m_newCircle;
     StartButton *m_open;
+    StartButton *m_import;
     StartList *m_recentList;
     StartList *m_examplesList;
 };

@@ -1,4 +1,5 @@
 #include "ui/window/mainwindow.h"
+#include "ui/sizeonscreen.h"
 
 #include "document/savedocument.h"
 #include "editing/newtest.h"
@@ -11,6 +12,7 @@
 #include "ui/dialogs/recoverydialog.h"
 #include "ui/dialogs/reportdialog.h"
 #include "ui/help/helpwindow.h"
+#include "ui/import/importassistant.h"
 #include "ui/model/editname.h"
 #include "ui/readings/readingspage.h"
 #include "ui/testname.h"
@@ -26,6 +28,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -58,6 +61,14 @@ constexpr int statusHeight = 27;
 constexpr qint64 readAtOnce = 256 * 1024; ///< bytes; larger files are read on a thread
 constexpr int iconsOnlyBelow = 1180;
 
+/// Whether a file is no test file, by its content unless its name says that it is one.
+bool isMeasurement(const QString &path) {
+    if (isExample(path) || path.endsWith(QStringLiteral(".palmer"), Qt::CaseInsensitive))
+        return false;
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && !isTestFile(file.peek(4096));
+}
+
 /// The tooltip of an action: its name and its shortcut.
 QString hint(const QAction &action) {
     QString text = action.text();
@@ -75,7 +86,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_notice(new NoticeBar(this))
     , m_stack(new QStackedWidget(this))
     , m_welcome(new WelcomePage(m_stack))
-    , m_workplace(new Workplace(m_model, m_stack)) {
+    , m_workplace(new Workplace(m_model, m_evaluator, m_stack)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
@@ -94,7 +105,7 @@ MainWindow::MainWindow(QWidget *parent)
     makeToolBar();
     makeStatusBar();
     connectParts();
-    resize(1280, 800);
+    resize(sizeOnScreen(*this, {1280, 800}));
     const QByteArray geometry = QSettings().value(QStringLiteral("window/geometry")).toByteArray();
     if (!geometry.isEmpty())
         restoreGeometry(geometry);
@@ -138,6 +149,10 @@ void MainWindow::makeActions() {
     m_newCircleAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     m_openAction = addAction(m_fileMenu, QStringLiteral("open"), QStringLiteral("open"));
     m_openAction->setShortcut(QKeySequence::Open);
+    m_importAction = addAction(m_fileMenu, QStringLiteral("import"), QStringLiteral("imp"));
+    m_importAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
+    m_importClipboardAction = addAction(m_fileMenu, QStringLiteral("importClipboard"));
+    m_importClipboardAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     m_recentMenu = m_fileMenu->addMenu(QString());
     m_examplesMenu = m_fileMenu->addMenu(QString());
     m_fileMenu->addSeparator();
@@ -169,6 +184,7 @@ void MainWindow::makeActions() {
     m_addTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
     m_addCircleAction = addAction(m_testMenu, QStringLiteral("addCircle"));
     m_addCircleAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
+    m_addDriftAction = addAction(m_testMenu, QStringLiteral("addDrift"));
     m_renameTestAction = addAction(m_testMenu, QStringLiteral("renameTest"));
     m_duplicateTestAction = addAction(m_testMenu, QStringLiteral("duplicateTest"));
     m_repeatTestAction = addAction(m_testMenu, QStringLiteral("repeatTest"));
@@ -294,12 +310,13 @@ void MainWindow::connectParts() {
     connect(m_newCircleAction, &QAction::triggered, this, [this] { newFile(Kind::circular); });
     connect(m_addTestAction, &QAction::triggered, this, [this] { addTest(Kind::positioning); });
     connect(m_addCircleAction, &QAction::triggered, this, [this] { addTest(Kind::circular); });
+    connect(m_addDriftAction, &QAction::triggered, this, &MainWindow::addDriftTest);
     connect(m_renameTestAction, &QAction::triggered, this, &MainWindow::renameTest);
     connect(m_duplicateTestAction, &QAction::triggered, this, [this] { duplicateTest(true); });
     connect(m_repeatTestAction, &QAction::triggered, this, [this] { duplicateTest(false); });
     connect(m_deleteTestAction, &QAction::triggered, this, &MainWindow::deleteTest);
     m_workplace->setTestActions(
-        {m_addTestAction, m_addCircleAction},
+        {m_addTestAction, m_addCircleAction, m_addDriftAction},
         {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction});
     connect(&m_autosave, &Autosave::saved, this, [this] {
         m_autosavedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
@@ -340,7 +357,8 @@ void MainWindow::connectParts() {
     connect(m_ownEditionAction, &QAction::triggered, this,
             [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
     connect(m_feedAction, &QAction::triggered, this, &MainWindow::showFeed);
-    constexpr std::array pages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
+    constexpr std::array pages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits,
+                               Page::uncertainty};
     for (std::size_t i = 0; i < pages.size(); ++i)
         connect(m_pageActions[i], &QAction::triggered, this,
                 [this, page = pages[i]] { m_workplace->showPage(page); });
@@ -365,6 +383,9 @@ void MainWindow::connectParts() {
     connect(m_welcome, &WelcomePage::newAsked, m_newAction, &QAction::trigger);
     connect(m_welcome, &WelcomePage::newCircleAsked, m_newCircleAction, &QAction::trigger);
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
+    connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
+    connect(m_importAction, &QAction::triggered, this, &MainWindow::chooseMeasurements);
+    connect(m_importClipboardAction, &QAction::triggered, this, &MainWindow::importClipboard);
     connect(m_welcome, &WelcomePage::fileChosen, this, &MainWindow::openFile);
     connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
     connect(&m_model, &DocumentModel::fileChanged, this, &MainWindow::showState);
@@ -399,7 +420,86 @@ void MainWindow::chooseFile() {
         openFile(path);
 }
 
+void MainWindow::chooseMeasurements() {
+    QFileDialog dialog(this, tr("Import measurement files"),
+                       QSettings().value(QStringLiteral("window/importFolder")).toString());
+    dialog.setObjectName(QStringLiteral("importDialog"));
+    dialog.setFileMode(QFileDialog::ExistingFiles);
+    dialog.setNameFilters(
+        {tr("Measurements (*.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.rtx *.ren)"), tr("All files (*)")});
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    QSettings().setValue(QStringLiteral("window/importFolder"), dialog.directory().absolutePath());
+    importFiles(dialog.selectedFiles());
+}
+
+void MainWindow::importFiles(const QStringList &paths) {
+    m_toImport << paths;
+    importNext();
+}
+
+/// The assistant is asked for one file after the other, however they came.
+void MainWindow::importNext() {
+    while (!m_assistant && !m_toImport.isEmpty()) {
+        const QString path = m_toImport.takeFirst();
+        try {
+            QFile file(path);
+            if (!file.open(QIODevice::ReadOnly))
+                throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
+                                                      {file.errorString().toStdString()}});
+            demandImportable(file.size());
+            showAssistant(file.readAll(), path);
+        } catch (const Error &error) {
+            showError(tr("%1 cannot be imported").arg(QFileInfo(path).fileName()), path, error);
+        }
+    }
+}
+
+void MainWindow::importClipboard() {
+    const QString name = tr("clipboard");
+    try {
+        if (!m_assistant)
+            showAssistant(QGuiApplication::clipboard()->text().toUtf8(), name);
+    } catch (const Error &error) {
+        showError(tr("%1 cannot be imported").arg(name), name, error);
+    }
+}
+
+void MainWindow::showAssistant(const QByteArray &bytes, const QString &fileName) {
+    m_assistant = new ImportAssistant(bytes, fileName, m_open ? m_model.document().get() : nullptr, this);
+    m_assistant->setAttribute(Qt::WA_DeleteOnClose);
+    connect(m_assistant, &QDialog::finished, this, [this](int result) {
+        const ImportAssistant *assistant = m_assistant;
+        m_assistant.clear();
+        if (result == QDialog::Accepted)
+            takeImport(*assistant);
+        importNext();
+    });
+    m_assistant->open();
+}
+
+void MainWindow::takeImport(const ImportAssistant &assistant) {
+    if (!assistant.wantsNewDocument()) {
+        const std::size_t before = m_model.document()->tests.size();
+        m_model.edit(QT_TRANSLATE_NOOP("edits", "import a measurement file"),
+                     [&](Document &document) { assistant.addTo(document); });
+        if (m_model.document()->tests.size() > before)
+            m_workplace->showTest(before);
+        return;
+    }
+    Document document;
+    document.writtenBy = "Palmer " PALMER_VERSION;
+    document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
+                                                                               : ReportLanguage::en};
+    assistant.addTo(document);
+    take(std::move(document), {}, true);
+}
+
 void MainWindow::openFile(const QString &path) {
+    if (isMeasurement(path)) {
+        importFiles({path});
+        return;
+    }
     const QString whole = isExample(path) ? path : QFileInfo(path).absoluteFilePath();
     for (QWidget *widget : QApplication::topLevelWidgets()) {
         auto *other = qobject_cast<MainWindow *>(widget);
@@ -501,6 +601,21 @@ void MainWindow::addTest(Kind kind) {
                  [&](Document &document) { insertTest(document, place, *test); });
     m_workplace->showTest(place);
     m_workplace->beginTyping();
+}
+
+/// A drift test of the axis in view: what it gives is for the tests of that axis.
+void MainWindow::addDriftTest() {
+    const Test *like = currentTest();
+    Axis axis;
+    if (const auto *positioning = like ? std::get_if<PositioningMeasurement>(&like->measurement) : nullptr)
+        axis = positioning->axis;
+    else if (const auto *drift = like ? std::get_if<DriftMeasurement>(&like->measurement) : nullptr)
+        axis = drift->axis;
+    const std::size_t place = m_model.document()->tests.size();
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "add a drift test"),
+                 [&](Document &document) { insertTest(document, place, newDriftTest(axis)); });
+    m_workplace->showTest(place);
+    m_workplace->showPage(Page::readings);
 }
 
 void MainWindow::renameTest() {
@@ -732,6 +847,7 @@ void MainWindow::showState() {
     m_nextTestAction->setEnabled(test + 1 < tests);
     m_addTestAction->setEnabled(m_open);
     m_addCircleAction->setEnabled(m_open);
+    m_addDriftAction->setEnabled(m_open);
     for (QAction *action :
          {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction})
         action->setEnabled(test < tests);
@@ -898,12 +1014,15 @@ void MainWindow::retranslate() {
     m_newAction->setIconText(tr("New"));
     m_addTestAction->setText(tr("&Add a positioning test…"));
     m_addCircleAction->setText(tr("Add a circular &test…"));
+    m_addDriftAction->setText(tr("Add a dri&ft test"));
     m_renameTestAction->setText(tr("Rena&me the test…"));
     m_duplicateTestAction->setText(tr("Dupli&cate the test"));
     m_repeatTestAction->setText(tr("Repeat the test, &without readings"));
     m_deleteTestAction->setText(tr("Delete the t&est"));
     m_openAction->setText(tr("&Open…"));
     m_openAction->setIconText(tr("Open"));
+    m_importAction->setText(tr("&Import…"));
+    m_importClipboardAction->setText(tr("Import from the clip&board…"));
     m_recentMenu->setTitle(tr("Open &recent"));
     m_examplesMenu->setTitle(tr("E&xamples"));
     m_saveAction->setText(tr("&Save"));
@@ -926,6 +1045,7 @@ void MainWindow::retranslate() {
     m_pageActions[1]->setText(tr("&Conditions"));
     m_pageActions[2]->setText(tr("&Agreed points"));
     m_pageActions[3]->setText(tr("&Limits"));
+    m_pageActions[4]->setText(tr("Uncertaint&y"));
     m_nextMissingAction->setText(tr("&Next missing statement"));
     m_previousMissingAction->setText(tr("&Previous missing statement"));
     m_maximiseAction->setText(tr("&Maximise the figure"));

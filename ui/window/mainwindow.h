@@ -21,6 +21,7 @@ class QToolBar;
 namespace palmer::ui {
 
 class HelpWindow;
+class ImportAssistant;
 class NoticeBar;
 class WelcomePage;
 class Workplace;
@@ -35,7 +36,16 @@ public:
 
     /// Opens a test file: here when nothing is open, else in another window; a file that is open already is
     /// brought to the front. What cannot be opened is said in one sentence, and nothing changes.
+    /// A file that is no test file is a measurement: it goes to the import assistant, several one after the
+    /// other.
     void openFile(const QString &path);
+
+    /// Shows measurement files in the import assistant, one after the other; what is accepted goes into the
+    /// open document as one step to undo, or makes a new one. A file that cannot be read is refused with one
+    /// sentence.
+    void importFiles(const QStringList &paths);
+    /// The same for the text on the clipboard, as a spreadsheet puts it there.
+    void importClipboard();
 
     /// Saves under that path; false, and a message, when that fails.
     bool saveTo(const QString &path);
@@ -68,6 +78,10 @@ private:
     void connectParts();
 
     void chooseFile();
+    void chooseMeasurements();
+    void importNext();
+    void showAssistant(const QByteArray &bytes, const QString &fileName);
+    void takeImport(const ImportAssistant &assistant);
     bool save();
     bool saveAs();
     bool mayClose();
@@ -76,6 +90,7 @@ private:
     [[nodiscard]] std::optional<Test> askForTest(Kind kind);
     void newFile(Kind kind);
     void addTest(Kind kind);
+    void addDriftTest();
     void renameTest();
     void duplicateTest(bool withReadings);
     void deleteTest();
@@ -104,6 +119,8 @@ private:
     int m_reading = 0; ///< number of the latest file being read
     bool m_open = false;
     bool m_rememberNext = false;
+    QStringList m_toImport; ///< measurement files that wait for the assistant
+    QPointer<ImportAssistant> m_assistant;
     QString m_savedAt;
     QPointer<HelpWindow> m_help;
     QString m_autosavedAt;
@@ -130,6 +147,8 @@ private:
     QAction *m_newAction;
     QAction *m_newCircleAction;
     QAction *m_openAction;
+    QAction *m_importAction;
+    QAction *m_importClipboardAction;
     QAction *m_saveAction;
     QAction *m_saveAsAction;
     QAction *m_reportAction;
@@ -142,6 +161,7 @@ private:
     QAction *m_redoAction;
     QAction *m_addTestAction;
     QAction *m_addCircleAction;
+    QAction *m_addDriftAction;
     QAction *m_renameTestAction;
     QAction *m_duplicateTestAction;
     QAction *m_repeatTestAction;
@@ -151,7 +171,7 @@ private:
     QAction *m_setEditionAction;
     QAction *m_ownEditionAction;
     QAction *m_feedAction;
-    std::array<QAction *, 4> m_pageActions{};
+    std::array<QAction *, 5> m_pageActions{};
     QAction *m_nextMissingAction;
     QAction *m_previousMissingAction;
     QAction *m_maximiseAction;

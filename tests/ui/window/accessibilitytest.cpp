@@ -127,7 +127,7 @@ void checkDialog(const QDialog &dialog) {
 }
 
 constexpr Page pages[] = {Page::identification, Page::machine,      Page::instruments, Page::readings,
-                          Page::conditions,     Page::agreedPoints, Page::limits};
+                          Page::conditions,     Page::agreedPoints, Page::limits,      Page::uncertainty};
 
 } // namespace
 

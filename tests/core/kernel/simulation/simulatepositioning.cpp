@@ -2,6 +2,7 @@
 
 #include "core/kernel/uncertainty/uncertaintydata.h"
 #include "kernel/simulation/positioningtrials.h"
+#include "kernel/simulation/randomdraws.h"
 #include "kernel/simulation/runtrials.h"
 
 #include <QTest>
@@ -21,6 +22,7 @@ class SimulatePositioning : public QObject {
 
 private slots:
     void everyRowHasLanes();
+    void numbersDoNotDependOnTheRegisters();
     void trialsAreTheRealEvaluation_data();
     void trialsAreTheRealEvaluation();
     void nothingGivesNothing();
@@ -35,6 +37,8 @@ private slots:
     void workedExampleIsShifted();
     void sameFiguresOnAnyNumberOfThreads_data();
     void sameFiguresOnAnyNumberOfThreads();
+    void fewSumsForAnyNumberOfTrials();
+    void sumsOfManyChunksAreTheSameOnAnyThreads();
     void seedsDiffer();
     void adaptiveIsStable();
     void fixedNumber();
@@ -99,6 +103,27 @@ void SimulatePositioning::everyRowHasLanes() {
         for (const Row &row : one->rows)
             QVERIFY2(iso230_2::inLanes(row.value), row.term.id);
     }
+}
+
+void SimulatePositioning::numbersDoNotDependOnTheRegisters() {
+    const RandomDraws draws(-42);
+    constexpr long long first = (1LL << 32U) - 4; // the high word changes after these trials
+    constexpr std::uint32_t place = 7;
+    std::vector<double> numbers(3 * RandomDraws::blockSize);
+    std::vector<double> narrow(numbers.size());
+    draws.symmetric(first, place, numbers);
+    draws.symmetricNarrow(first, place, narrow);
+    QCOMPARE(numbers, narrow);
+    std::size_t k = 0;
+    for (std::uint32_t next = place; k < numbers.size(); ++next) {
+        for (const RandomDraws::WordLanes &words : draws.lanes(first, next)) {
+            for (const double number : RandomDraws::symmetric(words).values())
+                QCOMPARE(numbers[k++], number);
+        }
+    }
+    for (int trial = 0; trial < Lanes::count; ++trial)
+        QCOMPARE(numbers[static_cast<std::size_t>(trial)],
+                 RandomDraws::symmetric(draws.words(first + trial, place)[0]));
 }
 
 void SimulatePositioning::trialsAreTheRealEvaluation_data() {
@@ -330,6 +355,31 @@ void SimulatePositioning::sameFiguresOnAnyNumberOfThreads() {
     const Simulation one = simulated(test, trials, 1);
     QCOMPARE(simulated(test, trials, 2), one);
     QCOMPARE(simulated(test, trials, 8), one);
+}
+
+void SimulatePositioning::fewSumsForAnyNumberOfTrials() {
+    constexpr long long most = 4096;
+    for (const long long chunks :
+         {1LL, 2LL, most, most + 1, 2 * most, 2 * most + 1, 123'457LL, 2'000'000LL, 1'000'000'000'000LL}) {
+        const long long together = chunksInGroup(chunks);
+        const long long groups = (chunks + together - 1) / together;
+        QVERIFY(groups >= 1 && groups <= most);
+        QCOMPARE(together == 1, chunks <= most); // small numbers of trials are summed chunk by chunk
+        QVERIFY((groups - 1) * together < chunks);
+    }
+}
+
+void SimulatePositioning::sumsOfManyChunksAreTheSameOnAnyThreads() {
+    Test test = twoTargets(1);
+    measurement(test).uncertainty.device.perMetre = 3;
+    measurement(test).uncertainty.environmentalVariation = 1;
+    const long long trials = 4096LL * PositioningTrials::chunk() + 12345; // groups of two chunks
+    const Simulation one = simulated(test, trials, 1);
+    QCOMPARE(one.trials, trials);
+    QCOMPARE(simulated(test, trials, 3), one);
+    QCOMPARE(simulated(test, trials, 8), one);
+    // As few trials say, but for chance: 2 million against 10⁵.
+    COMPARE_RELATIVE(of(one, "E+").u, of(simulated(test), "E+").u, statistical);
 }
 
 void SimulatePositioning::seedsDiffer() {
