@@ -160,6 +160,7 @@ QFrame[card="true"] { background: @base; border: 1px solid @line; border-radius:
 .QWidget[ground="base"], palmer--ui--RightSide { background: @base; }
 QFrame[rule="true"] { background: @line; border: none; }
 QLabel[reason="true"] { background: @badGround; color: @bad; border: 1px solid @bad; border-radius: 3px; padding: 0 8px; }
+QLabel[mark="true"] { background: @unsureGround; color: @unsure; border: 1px solid @unsure; border-radius: 3px; padding: 1px 8px; }
 QLabel[keycap="true"] { background: @window; border: 1px solid @field; border-radius: 3px; padding: 0 5px; }
 QFrame[notice="true"] { background: @unsureGround; border: none; border-bottom: 1px solid @line; }
 QFrame[bar="true"] { background: @selected; border: 1px solid @accent; border-radius: 4px; }

@@ -414,7 +414,14 @@ void CirclesPage::refresh() {
     fillParameters(*shown);
     m_arcsModel.show(m_evaluated, m_test, m_language);
     m_pointsModel.show(m_evaluated, m_test, m_language);
-    m_curves->show(m_evaluated, m_test, m_language);
+    const std::string &id = m_evaluated.document->tests[m_test]->id;
+    if (!m_evaluated.isPending(m_test)) {
+        m_curves->show(m_evaluated, m_test, m_language);
+        m_curvesOf = id;
+    } else if (id != m_curvesOf) { // those of before stay until the new ones are there
+        m_curves->clear();
+        m_curvesOf.clear();
+    }
     const int arcs = m_arcsModel.rowCount();
     m_arcs->setFixedHeight(headHeight + std::clamp(arcs, 1, mostArcs) * rowHeight + 2);
     m_arcs->setCurrentIndex(m_arcsModel.index(static_cast<int>(m_arc), 0));

@@ -81,7 +81,8 @@ private:
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
-    std::size_t m_arc = 0; ///< the current one
+    std::size_t m_arc = 0;  ///< the current one
+    std::string m_curvesOf; ///< id of the test the curves show
     bool m_filling = false;
     ArcsModel m_arcsModel;
     PointsModel m_pointsModel;

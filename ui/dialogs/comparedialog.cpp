@@ -2,6 +2,7 @@
 
 #include "document/savedocument.h"
 #include "ui/dialogs/comparisonview.h"
+#include "ui/sizeonscreen.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -102,7 +103,7 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     , m_copy(new QPushButton(this))
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("compareDialog"));
-    resize(1200, 720);
+    resize(sizeOnScreen(*this, {1200, 720}));
     m_tabs->setObjectName(QStringLiteral("compareTabs"));
     m_editionList->setObjectName(QStringLiteral("editionList"));
     m_testList->setObjectName(QStringLiteral("testList"));

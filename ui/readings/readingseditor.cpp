@@ -9,6 +9,15 @@
 
 namespace palmer::ui {
 
+namespace {
+
+void makeMissing(PositioningMeasurement &measurement, const std::vector<ReadingPlace> &places) {
+    for (const ReadingPlace &place : places)
+        setReading(measurement, place, std::nullopt);
+}
+
+} // namespace
+
 ReadingsEditor::ReadingsEditor(DocumentModel &model, QObject *parent)
     : QObject(parent)
     , m_model(model) {}
@@ -70,10 +79,12 @@ std::optional<Message> ReadingsEditor::typeTarget(std::size_t target, const QStr
 
 void ReadingsEditor::clear(const std::vector<ReadingPlace> &places) {
     edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "clear %n reading(s)"), static_cast<int>(places.size())),
-         [&](PositioningMeasurement &m) {
-             for (const ReadingPlace &place : places)
-                 setReading(m, place, std::nullopt);
-         });
+         [&](PositioningMeasurement &m) { makeMissing(m, places); });
+}
+
+void ReadingsEditor::cut(const std::vector<ReadingPlace> &places) {
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "cut %n reading(s)"), static_cast<int>(places.size())),
+         [&](PositioningMeasurement &m) { makeMissing(m, places); });
 }
 
 void ReadingsEditor::setAside(const std::vector<ReadingPlace> &places, const QString &reason) {

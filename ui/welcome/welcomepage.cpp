@@ -82,11 +82,13 @@ WelcomePage::WelcomePage(QWidget *parent)
     , m_examplesNote(new QLabel(this))
     , m_new(new StartButton(QStringLiteral("new"), this))
     , m_open(new StartButton(QStringLiteral("open"), this))
+    , m_import(new StartButton(QStringLiteral("imp"), this))
     , m_recentList(new StartList(m_recent, 6, this))
     , m_examplesList(new StartList(m_examples, 6, this)) {
     setObjectName(QStringLiteral("welcome"));
     m_new->setObjectName(QStringLiteral("welcomeNew"));
     m_open->setObjectName(QStringLiteral("welcomeOpen"));
+    m_import->setObjectName(QStringLiteral("welcomeImport"));
     m_recentList->setObjectName(QStringLiteral("recentList"));
     m_examplesList->setObjectName(QStringLiteral("examplesList"));
 
@@ -112,6 +114,7 @@ WelcomePage::WelcomePage(QWidget *parent)
     starts->setSpacing(16);
     starts->addWidget(m_new);
     starts->addWidget(m_open);
+    starts->addWidget(m_import);
     starts->addWidget(m_dropHint);
     starts->addStretch();
 
@@ -145,10 +148,12 @@ WelcomePage::WelcomePage(QWidget *parent)
     row->addStretch(1);
 
     setTabOrder(m_new, m_open);
-    setTabOrder(m_open, m_recentList);
+    setTabOrder(m_open, m_import);
+    setTabOrder(m_import, m_recentList);
     setTabOrder(m_recentList, m_examplesList);
     connect(m_new, &QAbstractButton::clicked, this, &WelcomePage::newAsked);
     connect(m_open, &QAbstractButton::clicked, this, &WelcomePage::openAsked);
+    connect(m_import, &QAbstractButton::clicked, this, &WelcomePage::importAsked);
     connect(m_recentList, &StartList::chosen, this, &WelcomePage::fileChosen);
     connect(m_examplesList, &StartList::chosen, this, &WelcomePage::fileChosen);
     retranslate();
@@ -194,7 +199,9 @@ void WelcomePage::retranslate() {
                     QKeySequence(QKeySequence::New).toString(QKeySequence::NativeText));
     m_open->setTexts(tr("&Open…"), tr("a test file, .palmer"),
                      QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText));
-    m_dropHint->setText(tr("or drop a file into the window — .palmer"));
+    m_import->setTexts(tr("&Import…"), tr("tables and files of instruments"),
+                       QKeySequence(Qt::CTRL | Qt::Key_I).toString(QKeySequence::NativeText));
+    m_dropHint->setText(tr("or drop files into the window — .palmer, .csv, .xlsx, .rtl, .b5r …"));
     m_recentTitle->setText(tr("Recent files"));
     m_noRecent->setText(tr("No file yet. Begin with an example below."));
     m_examplesTitle->setText(tr("Examples"));

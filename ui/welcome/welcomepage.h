@@ -23,6 +23,7 @@ public:
 signals:
     void newAsked();
     void openAsked();
+    void importAsked();
     void fileChosen(const QString &path);
 
 protected:
@@ -42,6 +43,7 @@ private:
     QLabel *m_examplesNote;
     StartButton *m_new;
     StartButton *m_open;
+    StartButton *m_import;
     StartList *m_recentList;
     StartList *m_examplesList;
 };

@@ -1,4 +1,5 @@
 #include "ui/window/mainwindow.h"
+#include "ui/sizeonscreen.h"
 
 #include "document/savedocument.h"
 #include "editing/newtest.h"
@@ -9,6 +10,7 @@
 #include "ui/dialogs/recoverydialog.h"
 #include "ui/dialogs/reportdialog.h"
 #include "ui/help/helpwindow.h"
+#include "ui/import/importassistant.h"
 #include "ui/model/editname.h"
 #include "ui/readings/readingspage.h"
 #include "ui/testname.h"
@@ -24,6 +26,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -54,6 +57,14 @@ constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
 constexpr qint64 readAtOnce = 256 * 1024; ///< bytes; larger files are read on a thread
 constexpr int iconsOnlyBelow = 1180;
+
+/// Whether a file is no test file, by its content unless its name says that it is one.
+bool isMeasurement(const QString &path) {
+    if (isExample(path) || path.endsWith(QStringLiteral(".palmer"), Qt::CaseInsensitive))
+        return false;
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && !isTestFile(file.peek(4096));
+}
 
 /// The tooltip of an action: its name and its shortcut.
 QString hint(const QAction &action) {
@@ -91,7 +102,7 @@ MainWindow::MainWindow(QWidget *parent)
     makeToolBar();
     makeStatusBar();
     connectParts();
-    resize(1280, 800);
+    resize(sizeOnScreen(*this, {1280, 800}));
     const QByteArray geometry = QSettings().value(QStringLiteral("window/geometry")).toByteArray();
     if (!geometry.isEmpty())
         restoreGeometry(geometry);
@@ -133,6 +144,10 @@ void MainWindow::makeActions() {
     m_newAction->setShortcut(QKeySequence::New);
     m_openAction = addAction(m_fileMenu, QStringLiteral("open"), QStringLiteral("open"));
     m_openAction->setShortcut(QKeySequence::Open);
+    m_importAction = addAction(m_fileMenu, QStringLiteral("import"), QStringLiteral("imp"));
+    m_importAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
+    m_importClipboardAction = addAction(m_fileMenu, QStringLiteral("importClipboard"));
+    m_importClipboardAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     m_recentMenu = m_fileMenu->addMenu(QString());
     m_examplesMenu = m_fileMenu->addMenu(QString());
     m_fileMenu->addSeparator();
@@ -321,7 +336,7 @@ void MainWindow::connectParts() {
             [this] { m_workplace->showTest(m_workplace->selection().test() + 1); });
     connect(m_setEditionAction, &QAction::triggered, this, [this] {
         const std::size_t test = m_workplace->selection().test();
-        setEdition(test, QString::fromUtf8(m_evaluator.current().tests[test]->edition->word));
+        setEdition(test, QString::fromUtf8(m_evaluator.latest().tests[test]->edition->word));
     });
     connect(m_ownEditionAction, &QAction::triggered, this,
             [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
@@ -351,6 +366,9 @@ void MainWindow::connectParts() {
 
     connect(m_welcome, &WelcomePage::newAsked, this, &MainWindow::newFile);
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
+    connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
+    connect(m_importAction, &QAction::triggered, this, &MainWindow::chooseMeasurements);
+    connect(m_importClipboardAction, &QAction::triggered, this, &MainWindow::importClipboard);
     connect(m_welcome, &WelcomePage::fileChosen, this, &MainWindow::openFile);
     connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
     connect(&m_model, &DocumentModel::fileChanged, this, &MainWindow::showState);
@@ -360,6 +378,8 @@ void MainWindow::connectParts() {
             remember();
         showState();
     });
+    connect(&m_evaluator, &Evaluator::awaiting, this,
+            [this](const EvaluatedDocument &awaiting) { m_workplace->show(awaiting); });
     connect(&m_evaluator, &Evaluator::busyChanged, this, &MainWindow::showState);
     connect(m_workplace, &Workplace::viewChosen, this, [this](std::size_t test, const QString &edition) {
         m_evaluator.setView(test, edition.toStdString());
@@ -383,7 +403,86 @@ void MainWindow::chooseFile() {
         openFile(path);
 }
 
+void MainWindow::chooseMeasurements() {
+    QFileDialog dialog(this, tr("Import measurement files"),
+                       QSettings().value(QStringLiteral("window/importFolder")).toString());
+    dialog.setObjectName(QStringLiteral("importDialog"));
+    dialog.setFileMode(QFileDialog::ExistingFiles);
+    dialog.setNameFilters(
+        {tr("Measurements (*.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.rtx *.ren)"), tr("All files (*)")});
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    QSettings().setValue(QStringLiteral("window/importFolder"), dialog.directory().absolutePath());
+    importFiles(dialog.selectedFiles());
+}
+
+void MainWindow::importFiles(const QStringList &paths) {
+    m_toImport << paths;
+    importNext();
+}
+
+/// The assistant is asked for one file after the other, however they came.
+void MainWindow::importNext() {
+    while (!m_assistant && !m_toImport.isEmpty()) {
+        const QString path = m_toImport.takeFirst();
+        try {
+            QFile file(path);
+            if (!file.open(QIODevice::ReadOnly))
+                throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
+                                                      {file.errorString().toStdString()}});
+            demandImportable(file.size());
+            showAssistant(file.readAll(), path);
+        } catch (const Error &error) {
+            showError(tr("%1 cannot be imported").arg(QFileInfo(path).fileName()), path, error);
+        }
+    }
+}
+
+void MainWindow::importClipboard() {
+    const QString name = tr("clipboard");
+    try {
+        if (!m_assistant)
+            showAssistant(QGuiApplication::clipboard()->text().toUtf8(), name);
+    } catch (const Error &error) {
+        showError(tr("%1 cannot be imported").arg(name), name, error);
+    }
+}
+
+void MainWindow::showAssistant(const QByteArray &bytes, const QString &fileName) {
+    m_assistant = new ImportAssistant(bytes, fileName, m_open ? m_model.document().get() : nullptr, this);
+    m_assistant->setAttribute(Qt::WA_DeleteOnClose);
+    connect(m_assistant, &QDialog::finished, this, [this](int result) {
+        const ImportAssistant *assistant = m_assistant;
+        m_assistant.clear();
+        if (result == QDialog::Accepted)
+            takeImport(*assistant);
+        importNext();
+    });
+    m_assistant->open();
+}
+
+void MainWindow::takeImport(const ImportAssistant &assistant) {
+    if (!assistant.wantsNewDocument()) {
+        const std::size_t before = m_model.document()->tests.size();
+        m_model.edit(QT_TRANSLATE_NOOP("edits", "import a measurement file"),
+                     [&](Document &document) { assistant.addTo(document); });
+        if (m_model.document()->tests.size() > before)
+            m_workplace->showTest(before);
+        return;
+    }
+    Document document;
+    document.writtenBy = "Palmer " PALMER_VERSION;
+    document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
+                                                                               : ReportLanguage::en};
+    assistant.addTo(document);
+    take(std::move(document), {}, true);
+}
+
 void MainWindow::openFile(const QString &path) {
+    if (isMeasurement(path)) {
+        importFiles({path});
+        return;
+    }
     const QString whole = isExample(path) ? path : QFileInfo(path).absoluteFilePath();
     for (QWidget *widget : QApplication::topLevelWidgets()) {
         auto *other = qobject_cast<MainWindow *>(widget);
@@ -711,13 +810,13 @@ void MainWindow::showState() {
 
     const std::size_t tests = m_open ? m_model.document()->tests.size() : 0;
     const std::size_t test = m_workplace->selection().test();
-    const auto &evaluated = m_evaluator.current().tests;
+    const auto &evaluated = m_evaluator.latest().tests;
     const bool view = m_open && test < evaluated.size() && evaluated[test]->view;
     m_saveAction->setEnabled(m_open);
     m_saveAsAction->setEnabled(m_open);
     m_reportAction->setEnabled(m_open);
     m_planAction->setEnabled(m_open);
-    m_compareAction->setEnabled(test < evaluated.size() && evaluated[test]->edition);
+    m_compareAction->setEnabled(test < evaluated.size() && evaluated[test]->edition && !m_evaluator.isBusy());
     m_previousTestAction->setEnabled(test > 0 && test < tests);
     m_nextTestAction->setEnabled(test + 1 < tests);
     m_addTestAction->setEnabled(m_open);
@@ -783,7 +882,7 @@ void MainWindow::showHelp() {
     const QWidget *focused = QApplication::focusWidget();
     const QString topic = focused ? focused->property("helpTopic").toString() : QString();
     const std::size_t test = m_workplace->selection().test();
-    const auto &evaluated = m_evaluator.current().tests;
+    const auto &evaluated = m_evaluator.latest().tests;
     if (!topic.isEmpty())
         m_help->showPage(QStringLiteral("fields"), topic);
     else if (!m_workplace->selection().parameter().isEmpty() && test < evaluated.size() &&
@@ -893,6 +992,8 @@ void MainWindow::retranslate() {
     m_deleteTestAction->setText(tr("Delete the t&est"));
     m_openAction->setText(tr("&Open…"));
     m_openAction->setIconText(tr("Open"));
+    m_importAction->setText(tr("&Import…"));
+    m_importClipboardAction->setText(tr("Import from the clip&board…"));
     m_recentMenu->setTitle(tr("Open &recent"));
     m_examplesMenu->setTitle(tr("E&xamples"));
     m_saveAction->setText(tr("&Save"));

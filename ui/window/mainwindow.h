@@ -19,6 +19,7 @@ class QToolBar;
 namespace palmer::ui {
 
 class HelpWindow;
+class ImportAssistant;
 class NoticeBar;
 class WelcomePage;
 class Workplace;
@@ -33,7 +34,16 @@ public:
 
     /// Opens a test file: here when nothing is open, else in another window; a file that is open already is
     /// brought to the front. What cannot be opened is said in one sentence, and nothing changes.
+    /// A file that is no test file is a measurement: it goes to the import assistant, several one after the
+    /// other.
     void openFile(const QString &path);
+
+    /// Shows measurement files in the import assistant, one after the other; what is accepted goes into the
+    /// open document as one step to undo, or makes a new one. A file that cannot be read is refused with one
+    /// sentence.
+    void importFiles(const QStringList &paths);
+    /// The same for the text on the clipboard, as a spreadsheet puts it there.
+    void importClipboard();
 
     /// Saves under that path; false, and a message, when that fails.
     bool saveTo(const QString &path);
@@ -66,6 +76,10 @@ private:
     void connectParts();
 
     void chooseFile();
+    void chooseMeasurements();
+    void importNext();
+    void showAssistant(const QByteArray &bytes, const QString &fileName);
+    void takeImport(const ImportAssistant &assistant);
     bool save();
     bool saveAs();
     bool mayClose();
@@ -102,6 +116,8 @@ private:
     int m_reading = 0; ///< number of the latest file being read
     bool m_open = false;
     bool m_rememberNext = false;
+    QStringList m_toImport; ///< measurement files that wait for the assistant
+    QPointer<ImportAssistant> m_assistant;
     QString m_savedAt;
     QPointer<HelpWindow> m_help;
     QString m_autosavedAt;
@@ -127,6 +143,8 @@ private:
 
     QAction *m_newAction;
     QAction *m_openAction;
+    QAction *m_importAction;
+    QAction *m_importClipboardAction;
     QAction *m_saveAction;
     QAction *m_saveAsAction;
     QAction *m_reportAction;

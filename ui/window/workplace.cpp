@@ -268,6 +268,24 @@ void Workplace::presentTest() {
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
     m_uncertainty->show(m_evaluated, test);
+    presentResults();
+    for (std::size_t i = 0; i < testPages.size(); ++i)
+        m_tabs->setCount(static_cast<int>(i), countMissing(*m_evaluated.tests[test], testPages.at(i)));
+    restoreSizes();
+    presentStatus();
+}
+
+/// Results stay together with the data they were computed from, until there are newer ones.
+void Workplace::presentResults() {
+    std::size_t test = m_selection.test();
+    const std::string &id = m_evaluated.document->tests[test]->id;
+    const bool pending = m_evaluated.isPending(test);
+    m_right->setComputing(pending);
+    if (pending && id == m_resultsOf)
+        return;
+    m_resultsOf = id;
+    if (pending)
+        test = m_evaluated.tests.size(); // nothing to show yet
     m_target->show(m_evaluated, test);
     m_keys->show(m_evaluated, test);
     m_explanation->show(m_evaluated, test);
@@ -276,10 +294,6 @@ void Workplace::presentTest() {
         m_detachedFigure->show(m_evaluated, test);
     m_results->show(m_evaluated, test);
     m_findings->show(m_evaluated, test);
-    for (std::size_t i = 0; i < testPages.size(); ++i)
-        m_tabs->setCount(static_cast<int>(i), countMissing(*m_evaluated.tests[test], testPages.at(i)));
-    restoreSizes();
-    presentStatus();
 }
 
 bool Workplace::isReportPage() const {

@@ -47,7 +47,8 @@ public:
     [[nodiscard]] Selection &selection() { return m_selection; }
     [[nodiscard]] ReadingsPage &readings() { return *m_readings; }
 
-    /// Shows the document, keeping what is chosen where it still exists.
+    /// Shows the document, keeping what is chosen where it still exists. Of a test that is pending the pages
+    /// show what is edited; figure and results stay those of before, marked as being computed.
     void show(const EvaluatedDocument &evaluated);
 
     /// Brings a page of the report, or of the current test, into view.
@@ -83,6 +84,7 @@ private:
     void connectParts();
     void present();
     void presentTest();
+    void presentResults();
     void detachFigure();
     void presentPage();
     void presentCard();
@@ -131,8 +133,9 @@ private:
     QPointer<FigureView> m_detachedFigure; ///< in a window of its own, while it is open
     ResultsPanel *m_results;
     FindingsPanel *m_findings;
-    QString m_field;   ///< the missing statement walked to last, by the id of its finding
-    QString m_sizesOf; ///< the kind of test whose sizes are shown
+    std::string m_resultsOf; ///< id of the test the results of which are shown
+    QString m_field;         ///< the missing statement walked to last, by the id of its finding
+    QString m_sizesOf;       ///< the kind of test whose sizes are shown
     bool m_maximised = false;
 };
 

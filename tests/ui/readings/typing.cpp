@@ -9,6 +9,7 @@
 #include "editing/newtest.h"
 #include "ui/examples.h"
 #include "ui/readings/readingspage.h"
+#include "ui/window/rightside.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -353,6 +354,16 @@ private slots:
             other.view->setCurrentIndex(other.view->model()->index(0, 1));
             other.paste(copied);
             QVERIFY(other.measurement() == published());
+            // Cutting leaves the same on the clipboard and takes it back in one step.
+            other.view->selectionModel()->select(
+                QItemSelection(other.view->model()->index(0, 2), other.view->model()->index(1, 3)),
+                QItemSelectionModel::ClearAndSelect);
+            other.press(Qt::Key_X, Qt::ControlModifier);
+            QCOMPARE(QGuiApplication::clipboard()->text().count('\n'), 2);
+            QVERIFY(!readingAt(other.measurement(), {0, 0}) && !readingAt(other.measurement(), {1, 1}));
+            QCOMPARE(readingAt(other.measurement(), {0, 2}), readingAt(published(), {0, 2}));
+            other.window->model().undoStack()->undo();
+            QVERIFY(other.measurement() == published());
         }
     }
 
@@ -481,6 +492,55 @@ private slots:
         QTRY_VERIFY(!typing.window->evaluator().isBusy());
         QVERIFY(typing.window->evaluator().current().document == typing.window->model().document());
         QCOMPARE(typing.window->model().undoStack()->count(), 40);
+    }
+
+    /// The table shows the document that edits go to: of a large test only the results lag.
+    void theTableIsNeverBehindTheDocument() {
+        Test test = largeTest();
+        const PositioningMeasurement half = measurement(test);
+        for (const Run &run : half.runs)
+            measurement(test).runs.push_back(run);
+        const TypingWindow typing(test);
+        QTRY_VERIFY(!typing.window->evaluator().isBusy());
+        const QAbstractItemModel &table = *typing.view->model();
+        const auto results = [&] { return typing.find<QTableView>("results")->model()->index(0, 2).data(); };
+        const QVariant before = results();
+        typing.setCurrent(0, 0);
+        typing.find<QAction>("removeTargets")->trigger();
+        QVERIFY(typing.window->evaluator().isBusy());
+        QCOMPARE(table.rowCount(), 399);
+        QCOMPARE(table.index(0, 1).data().toString(), QString("5")); // the second target is the first now
+        QCOMPARE(results(), before);
+        QVERIFY(typing.find<RightSide>("rightSide")->isComputing());
+        typing.setCurrent(0, 0);
+        typing.type("77.7");
+        typing.press(Qt::Key_Return);
+        QVERIFY(typing.window->evaluator().isBusy());
+        QCOMPARE(table.index(0, 2).data().toString(), QString("77.7"));
+        QCOMPARE(readingAt(typing.measurement(), {0, 0}), std::optional(0.0777));
+        QCOMPARE(typing.measurement().targets.front(), 5.0);
+        typing.window->model().undoStack()->undo();
+        typing.window->model().undoStack()->undo();
+        QCOMPARE(table.rowCount(), 400);
+        QTRY_VERIFY(!typing.window->evaluator().isBusy());
+        QVERIFY(!typing.find<RightSide>("rightSide")->isComputing());
+        QCOMPARE(results(), before);
+        // Between two tests the results of one never stand beside the readings of the other.
+        Test small = publishedTest();
+        small.id = "small";
+        typing.window->model().edit("add", [&](Document &document) { insertTest(document, 1, small); });
+        QTRY_VERIFY(!typing.window->evaluator().isBusy());
+        typing.window->workplace().showTest(1);
+        typing.window->model().edit("change", [](Document &document) {
+            auto changed = std::make_shared<Test>(*document.tests[0]);
+            std::get<PositioningMeasurement>(changed->measurement).runs[0].deviations[0] = 0.5;
+            document.tests[0] = std::move(changed);
+        });
+        QVERIFY(typing.window->evaluator().isBusy());
+        typing.window->workplace().showTest(0);
+        QCOMPARE(typing.find<QTableView>("results")->model()->rowCount(), 0);
+        QTRY_VERIFY(!typing.window->evaluator().isBusy());
+        QVERIFY(typing.find<QTableView>("results")->model()->rowCount() > 0);
     }
 
     void aNewTestFromTheWindow() {

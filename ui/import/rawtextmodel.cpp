@@ -1,0 +1,191 @@
+#include "ui/import/rawtextmodel.h"
+
+#include "ui/theme.h"
+
+#include <QPainter>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int numberWidth = 44;
+constexpr int lineHeight = 20;
+constexpr std::size_t longestShown = 4000; ///< bytes of a line
+
+QString shown(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(std::min(text.size(), longestShown)));
+}
+
+Token colourOf(CellRole role) {
+    return role == CellRole::positive ? Token::up : Token::downText;
+}
+
+} // namespace
+
+void RawTextModel::show(const Imported *imported) {
+    beginResetModel();
+    m_imported = imported;
+    m_lines.clear();
+    m_problems.clear();
+    m_longest = 0;
+    m_sheet = imported && imported->format == "workbook";
+    if (imported && !m_sheet) {
+        const std::string &text = imported->text.empty() ? imported->table.text() : imported->text;
+        std::size_t begin = 0;
+        while (begin < text.size()) {
+            const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+            m_lines.push_back({begin, end - begin});
+            m_longest = std::max(m_longest, static_cast<int>(std::min(end - begin, longestShown)));
+            begin = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+        }
+    } else if (m_sheet) {
+        for (const TableRow &row : imported->table.rows()) {
+            std::size_t size = 0;
+            for (const TableCell &cell : imported->table.cells(row))
+                size += cell.size + 3U;
+            m_longest = std::max(m_longest, static_cast<int>(std::min(size, longestShown)));
+        }
+    }
+    if (imported) {
+        for (const Remark &remark : imported->remarks) {
+            if (remark.grade == RemarkGrade::problem && remark.line > 0)
+                m_problems.insert(remark.line);
+        }
+    }
+    endResetModel();
+}
+
+int RawTextModel::rowCount(const QModelIndex &parent) const {
+    if (parent.isValid() || !m_imported)
+        return 0;
+    return static_cast<int>(m_sheet ? m_imported->table.rows().size() : m_lines.size());
+}
+
+QVariant RawTextModel::data(const QModelIndex &index, int role) const {
+    if (role != Qt::DisplayRole || !checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    QString text;
+    for (const RawPiece &piece : pieces(index.row()))
+        text += piece.text;
+    return text;
+}
+
+std::size_t RawTextModel::lineNumber(int row) const {
+    const auto at = static_cast<std::size_t>(row);
+    return m_sheet ? m_imported->table.rows()[at].line : at + 1;
+}
+
+bool RawTextModel::isProblem(int row) const {
+    return m_problems.contains(lineNumber(row));
+}
+
+int RawTextModel::rowOf(std::size_t line) const {
+    if (!m_imported || line == 0)
+        return -1;
+    if (!m_sheet)
+        return line <= m_lines.size() ? static_cast<int>(line) - 1 : -1;
+    const auto rows = m_imported->table.rows();
+    const auto found = std::ranges::lower_bound(rows, line, {}, &TableRow::line);
+    return found != rows.end() && found->line == line ? static_cast<int>(found - rows.begin()) : -1;
+}
+
+const TableRow *RawTextModel::tableRow(int row) const {
+    const auto rows = m_imported->table.rows();
+    if (m_sheet)
+        return &rows[static_cast<std::size_t>(row)];
+    if (!m_imported->text.empty())
+        return nullptr;
+    const auto line = static_cast<std::size_t>(row) + 1;
+    const auto found = std::ranges::lower_bound(rows, line, {}, &TableRow::line);
+    return found != rows.end() && found->line == line ? &*found : nullptr;
+}
+
+std::vector<RawPiece> RawTextModel::pieces(int row) const {
+    std::vector<RawPiece> pieces;
+    const TableRow *tableRow = this->tableRow(row);
+    const auto roleOf = [&](std::size_t cell) {
+        return cell < m_imported->roles.size() ? m_imported->roles[cell] : CellRole::ignored;
+    };
+    if (m_sheet) {
+        std::size_t cell = tableRow->first;
+        for (const TableCell &each : m_imported->table.cells(*tableRow)) {
+            if (cell != tableRow->first)
+                pieces.push_back({QStringLiteral(" │ ")});
+            pieces.push_back({shown(m_imported->table.text(each)), roleOf(cell)});
+            ++cell;
+        }
+        return pieces;
+    }
+    const std::string_view text = m_imported->text.empty() ? std::string_view(m_imported->table.text())
+                                                           : std::string_view(m_imported->text);
+    const Line line = m_lines[static_cast<std::size_t>(row)];
+    const std::size_t end = line.begin + std::min(line.size, longestShown);
+    std::size_t at = line.begin;
+    if (tableRow) {
+        std::size_t cell = tableRow->first;
+        for (const TableCell &each : m_imported->table.cells(*tableRow)) {
+            const std::size_t begin = each.begin;
+            const std::size_t size = each.size;
+            if (begin < at || begin + size > end)
+                break;
+            if (begin > at)
+                pieces.push_back({shown(text.substr(at, begin - at))});
+            pieces.push_back({shown(text.substr(begin, size)), roleOf(cell)});
+            at = begin + size;
+            ++cell;
+        }
+    }
+    if (at < end)
+        pieces.push_back({shown(text.substr(at, end - at))});
+    return pieces;
+}
+
+void RawTextDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
+                            const QModelIndex &index) const {
+    const auto *model = qobject_cast<const RawTextModel *>(index.model());
+    painter->save();
+    const bool problem = model->isProblem(index.row());
+    if (option.state & QStyle::State_Selected)
+        painter->fillRect(option.rect, selectedGround(option.palette));
+    else if (problem)
+        painter->fillRect(option.rect, token(Token::badGround, option.palette));
+    QRect number = option.rect;
+    number.setWidth(numberWidth);
+    if (problem)
+        painter->fillRect(QRect(number.left(), number.top(), 3, number.height()),
+                          token(Token::bad, option.palette));
+    painter->setFont(option.font);
+    painter->setPen(token(Token::secondaryText, option.palette));
+    painter->drawText(number.adjusted(0, 0, -10, 0), Qt::AlignRight | Qt::AlignVCenter,
+                      QString::number(model->lineNumber(index.row())));
+    const QFontMetrics metrics(option.font);
+    QRect rest = option.rect.adjusted(numberWidth, 0, 0, 0);
+    for (RawPiece &piece : model->pieces(index.row())) {
+        piece.text.replace(u'\t', QStringLiteral(" → "));
+        switch (piece.role) {
+        case CellRole::positive:
+        case CellRole::negative:
+            painter->setPen(token(colourOf(piece.role), option.palette));
+            break;
+        case CellRole::head:
+        case CellRole::position:
+            painter->setPen(option.palette.color(QPalette::WindowText));
+            break;
+        case CellRole::ignored:
+            painter->setPen(token(Token::secondaryText, option.palette));
+            break;
+        }
+        painter->drawText(rest, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, piece.text);
+        rest.setLeft(rest.left() + metrics.horizontalAdvance(piece.text));
+    }
+    painter->restore();
+}
+
+QSize RawTextDelegate::sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const {
+    const auto *model = qobject_cast<const RawTextModel *>(index.model());
+    const int letter = QFontMetrics(option.font).horizontalAdvance(u'0');
+    return {numberWidth + (model->longestLine() + 2) * letter, lineHeight};
+}
+
+} // namespace palmer::ui

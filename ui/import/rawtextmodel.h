@@ -1,0 +1,64 @@
+#pragma once
+
+#include "import/imported.h"
+
+#include <QAbstractListModel>
+#include <QStyledItemDelegate>
+#include <set>
+#include <vector>
+
+namespace palmer::ui {
+
+/// A piece of a line and what it was read as.
+struct RawPiece {
+    QString text;
+    CellRole role = CellRole::ignored;
+};
+
+/// The lines of a measurement file as they were read: text of a table, rows of a sheet, lines of a text. The
+/// pieces of a line are made when it is looked at, so that a million lines cost nothing.
+class RawTextModel : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    using QAbstractListModel::QAbstractListModel;
+
+    /// What was read; it must stay alive and unchanged while it is shown.
+    void show(const Imported *imported);
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+
+    [[nodiscard]] std::vector<RawPiece> pieces(int row) const;
+    [[nodiscard]] std::size_t lineNumber(int row) const; ///< of the file, from 1
+    [[nodiscard]] bool isProblem(int row) const;
+    /// The row that shows a line of the file; -1 for none.
+    [[nodiscard]] int rowOf(std::size_t line) const;
+    [[nodiscard]] int longestLine() const { return m_longest; } ///< bytes
+
+private:
+    struct Line {
+        std::size_t begin = 0;
+        std::size_t size = 0;
+    };
+
+    [[nodiscard]] const TableRow *tableRow(int row) const;
+
+    const Imported *m_imported = nullptr;
+    bool m_sheet = false;      ///< rows of a workbook, which has no text of its own
+    std::vector<Line> m_lines; ///< of a text
+    std::set<std::size_t> m_problems;
+    int m_longest = 0;
+};
+
+/// Draws a line with its number, the cells in the colours of what they were read as.
+class RawTextDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
+};
+
+} // namespace palmer::ui

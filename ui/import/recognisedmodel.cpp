@@ -1,0 +1,155 @@
+#include "ui/import/recognisedmodel.h"
+
+#include "ui/windowlanguage.h"
+
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+std::vector<std::optional<double>> column(const std::vector<double> &values) {
+    return {values.begin(), values.end()};
+}
+
+} // namespace
+
+void RecognisedModel::show(const Imported *imported) {
+    beginResetModel();
+    m_columns.clear();
+    m_rows = 0;
+    if (imported && imported->test) {
+        const auto &measurement = imported->test->measurement;
+        if (const auto *positioning = std::get_if<PositioningMeasurement>(&measurement))
+            addPositioning(*positioning);
+        else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement))
+            addCircular(*circular);
+        else
+            addDrift(std::get<DriftMeasurement>(measurement));
+    } else if (imported) {
+        for (const Sensor &sensor : imported->sensors)
+            addSensor(sensor);
+    }
+    for (const Column &column : m_columns)
+        m_rows = std::max(m_rows, column.values.size());
+    endResetModel();
+}
+
+void RecognisedModel::addPositioning(const PositioningMeasurement &measurement) {
+    const bool linear = measurement.axis.motion == Motion::linear;
+    const Quantity position = linear ? Quantity::position : Quantity::angle;
+    const Quantity deviation = linear ? Quantity::deviation : Quantity::angularDeviation;
+    m_columns.push_back({QStringLiteral("P %1").arg(windowLanguage().unit(position)),
+                         position,
+                         {},
+                         column(measurement.targets)});
+    int up = 0;
+    int down = 0;
+    for (const Run &run : measurement.runs) {
+        const bool positive = run.approach == Direction::positive;
+        m_columns.push_back({QStringLiteral("%1 %2")
+                                 .arg(positive ? ++up : ++down)
+                                 .arg(positive ? QStringLiteral("↑") : QStringLiteral("↓")),
+                             deviation, positive ? Token::up : Token::downText, run.deviations});
+    }
+}
+
+void RecognisedModel::addCircular(const CircularMeasurement &measurement) {
+    for (const Arc &arc : measurement.arcs) {
+        const bool first = arc.sense == Sense::counterclockwise;
+        const QString sense = first ? QStringLiteral("↺") : QStringLiteral("↻");
+        m_columns.push_back({QStringLiteral("%1 °").arg(sense), Quantity::angle, {}, column(arc.angles)});
+        m_columns.push_back({QStringLiteral("%1 %2").arg(sense, windowLanguage().unit(Quantity::deviation)),
+                             Quantity::deviation, first ? Token::up : Token::downText,
+                             column(arc.radialDeviations)});
+    }
+}
+
+void RecognisedModel::addDrift(const DriftMeasurement &measurement) {
+    const Quantity deviation =
+        measurement.axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+    m_columns.push_back({QStringLiteral("t s"), Quantity::time, {}, column(measurement.times)});
+    m_columns.push_back({windowLanguage().unit(deviation), deviation, {}, column(measurement.deviations)});
+}
+
+void RecognisedModel::addSensor(const Sensor &sensor) {
+    const QString name =
+        sensor.position.empty() ? QStringLiteral("°C") : QString::fromStdString(sensor.position);
+    if (sensor.series) {
+        m_columns.push_back({QStringLiteral("t s"), Quantity::time, {}, column(sensor.series->times)});
+        m_columns.push_back({name, Quantity::temperature, {}, column(sensor.series->temperatures)});
+    } else {
+        m_columns.push_back({name, Quantity::temperature, {}, {sensor.start, sensor.end}});
+    }
+}
+
+int RecognisedModel::rowCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows);
+}
+
+int RecognisedModel::columnCount(const QModelIndex &parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
+}
+
+QVariant RecognisedModel::data(const QModelIndex &index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const Column &column = m_columns[static_cast<std::size_t>(index.column())];
+    const auto row = static_cast<std::size_t>(index.row());
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::DisplayRole && row < column.values.size())
+        return column.values[row] ? windowLanguage().number(*column.values[row], column.quantity)
+                                  : QStringLiteral("–");
+    return {};
+}
+
+QVariant RecognisedModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical)
+        return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
+    if (section < 0 || section >= columnCount())
+        return {};
+    const Column &column = m_columns[static_cast<std::size_t>(section)];
+    if (role == Qt::DisplayRole)
+        return column.head;
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::ForegroundRole && column.colour)
+        return token(*column.colour, QPalette());
+    return {};
+}
+
+int readingsOf(const Imported &imported) {
+    std::size_t count = 0;
+    if (imported.test) {
+        const auto &measurement = imported.test->measurement;
+        if (const auto *positioning = std::get_if<PositioningMeasurement>(&measurement)) {
+            for (const Run &run : positioning->runs)
+                count += static_cast<std::size_t>(std::ranges::count_if(
+                    run.deviations, [](const auto &deviation) { return deviation.has_value(); }));
+        } else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement)) {
+            for (const Arc &arc : circular->arcs)
+                count += arc.radialDeviations.size();
+        } else {
+            count = std::get<DriftMeasurement>(measurement).deviations.size();
+        }
+    } else {
+        for (const Sensor &sensor : imported.sensors)
+            count += sensor.series ? sensor.series->temperatures.size()
+                                   : std::size_t(sensor.start.has_value()) + sensor.end.has_value();
+    }
+    return static_cast<int>(count);
+}
+
+int missingOf(const Imported &imported) {
+    std::size_t cells = 0;
+    const auto *positioning =
+        imported.test ? std::get_if<PositioningMeasurement>(&imported.test->measurement) : nullptr;
+    if (!positioning)
+        return 0;
+    for (const Run &run : positioning->runs)
+        cells += run.deviations.size();
+    return static_cast<int>(cells) - readingsOf(imported);
+}
+
+} // namespace palmer::ui
