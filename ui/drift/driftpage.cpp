@@ -186,6 +186,8 @@ void DriftPage::refresh() {
     if (!shown)
         return;
     const auto &measurement = std::get<DriftMeasurement>(shown->measurement);
+    if (m_evaluated.isPending(m_test))
+        return;
     const auto &results = std::get<DriftResults>(m_evaluated.tests[m_test]->results);
     m_range->setText(results.range
                          ? tr("E_VE = %1")

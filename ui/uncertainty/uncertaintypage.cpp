@@ -661,6 +661,8 @@ void UncertaintyPage::refreshOthers() {
     const TestEvaluation &evaluation = *evaluated().tests[test()];
     showMethods(evaluation);
     showPlaceholders(evaluation);
+    if (evaluated().isPending(test()))
+        return; // the tables stay with what they were computed from
     if (m_contributions)
         showContributions(evaluation);
     if (m_results) {

@@ -398,6 +398,36 @@ private slots:
             QVERIFY(line.anchor.isEmpty() || headingsOf(composed).contains("Findings"));
     }
 
+    void theDriftCurveStandsBesideTheBudgetThatTakesIt() {
+        Document changed = *document("budget-2006");
+        Test test = *changed.tests[0];
+        auto &inputs = std::get<PositioningMeasurement>(test.measurement).uncertainty;
+        Test drift;
+        drift.id = "d1";
+        DriftMeasurement readings;
+        readings.axis.name = "X";
+        readings.times = {0, 600, 1200};
+        readings.deviations = {0, 0.0016, 0.0004};
+        drift.measurement = readings;
+        const auto driftCurves = [&] {
+            changed.tests = {std::make_shared<const Test>(test), std::make_shared<const Test>(drift)};
+            const Report composed =
+                report(std::make_shared<const Document>(changed), Language(Language::Id::english));
+            int count = 0;
+            for (const FigureBlock &block : blocksOf<FigureBlock>(composed)) {
+                const auto *figure = std::get_if<CurveFigure>(&block.figure);
+                count += figure && !figure->curves.empty() && figure->curves[0].role == CurveRole::drift;
+            }
+            return count;
+        };
+        inputs.driftTest = "d1";
+        QCOMPARE(driftCurves(), 0); // what is typed in wins
+        inputs.environmentalVariation.reset();
+        QCOMPARE(driftCurves(), 1);
+        changed.report.leaveOut = {ReportPart::uncertainty};
+        QCOMPARE(driftCurves(), 0);
+    }
+
     void readingMarksAndMeanRepeatabilityOnRequest() {
         Document changed = *document("iso230-2-1988-example");
         const Language english(Language::Id::english);

@@ -232,6 +232,22 @@ private slots:
         QVERIFY(std::abs(*edited.evaluation().uncertainty.contributions.back().expanded - 0.003) < 1e-12);
     }
 
+    void aDriftTestOfAnotherKindOfAxisGivesNothing() {
+        Document document = budgetExample(std::nullopt);
+        palmer::Test test = *document.tests[0];
+        palmer::Test drift = *document.tests[1];
+        std::get<DriftMeasurement>(drift.measurement).axis.motion = Motion::rotary; // arc seconds, not µm
+        document.tests[1] = std::make_shared<const palmer::Test>(drift);
+        QVERIFY(driftTestsFor(document, test).empty());
+        measurement(test).uncertainty.environmentalVariation.reset();
+        measurement(test).uncertainty.driftTest = "d1";
+        document.tests[0] = std::make_shared<const palmer::Test>(test);
+        Edited edited(document);
+        QVERIFY(!edited.evaluation().uncertainty.complete);
+        QCOMPARE(countMissing(edited.evaluation(), Page::uncertainty), 1);
+        QCOMPARE(edited.choice(u"driftTest"_s)->currentIndex(), 1); // what the file says is shown
+    }
+
     void aContributionLeadsToItsField() {
         Edited edited(budgetExample(std::nullopt));
         auto *table = edited.part<RowTable>("contributions");
