@@ -17,5 +17,33 @@
             <numerusform>Test NOT in accordance with %1: %n requirements not met</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>No reading at %1 (%n in all): the statistics use the readings that exist.</source>
+        <translation>
+            <numerusform>No reading at %1 (%n in all): the statistics use the readings that exist.</numerusform>
+            <numerusform>No reading at %1 (%n in all): the statistics use the readings that exist.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Readings that are no numbers (%n), hence missing: %1.</source>
+        <translation>
+            <numerusform>Readings that are no numbers (%n), hence missing: %1.</numerusform>
+            <numerusform>Readings that are no numbers (%n), hence missing: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Readings set aside (%n): %1. The standard knows no rejection of readings.</source>
+        <translation>
+            <numerusform>Readings set aside (%n): %1. The standard knows no rejection of readings.</numerusform>
+            <numerusform>Readings set aside (%n): %1. The standard knows no rejection of readings.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Readings set aside without a reason: %n.</source>
+        <translation>
+            <numerusform>Readings set aside without a reason: %n.</numerusform>
+            <numerusform>Readings set aside without a reason: %n.</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -139,9 +139,12 @@
         <source>Test code for machine tools — Part 2: Determination of accuracy and repeatability of positioning numerically controlled axes</source>
         <translation>Code d’essai des machines-outils — Partie 2&#xa0;: Détermination de l’exactitude et de la répétabilité de positionnement des axes en commande numérique</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>No reading at %1 (%n in all): the statistics use the readings that exist.</source>
-        <translation>Aucun relevé en %1 (%n au total)&#xa0;: la statistique emploie les relevés existants. || Aucun relevé en %1 (%n au total)&#xa0;: la statistique emploie les relevés existants.</translation>
+        <translation>
+            <numerusform>Aucun relevé en %1 (%n au total)&#xa0;: la statistique emploie les relevés existants.</numerusform>
+            <numerusform>Aucun relevé en %1 (%n au total)&#xa0;: la statistique emploie les relevés existants.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Approaches in the positive direction: %1, in the negative: %2; 5 each way are required.</source>
@@ -163,13 +166,19 @@
         <source>Runs in the positive direction: %1, in the negative: %2; each direction is evaluated with its own.</source>
         <translation>Séries dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; chaque sens est évalué avec les siennes.</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>Readings set aside (%n): %1. The standard knows no rejection of readings.</source>
-        <translation>Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés. || Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés.</translation>
+        <translation>
+            <numerusform>Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés.</numerusform>
+            <numerusform>Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés.</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>Readings set aside without a reason: %n.</source>
-        <translation>Relevés écartés sans motif&#xa0;: %n. || Relevés écartés sans motif&#xa0;: %n.</translation>
+        <translation>
+            <numerusform>Relevés écartés sans motif&#xa0;: %n.</numerusform>
+            <numerusform>Relevés écartés sans motif&#xa0;: %n.</numerusform>
+        </translation>
     </message>
     <message>
         <source>The range method for s belongs to ISO 230-2:1988 only: s is calculated here.</source>
@@ -3694,9 +3703,12 @@
         <source>%1: budget and Monte Carlo differ by more than 20 %: the simulation follows the extremes over all targets and the scatter of the readings, the budget one target.</source>
         <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la simulation suit les extrêmes sur tous les points et la dispersion des relevés, le budget un seul point.</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>Readings that are no numbers (%n), hence missing: %1.</source>
-        <translation>Relevés qui ne sont pas des nombres (%n), donc manquants&#xa0;: %1. || Relevés qui ne sont pas des nombres (%n), donc manquants&#xa0;: %1.</translation>
+        <translation>
+            <numerusform>Relevés qui ne sont pas des nombres (%n), donc manquants&#xa0;: %1.</numerusform>
+            <numerusform>Relevés qui ne sont pas des nombres (%n), donc manquants&#xa0;: %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>resolution of the instrument</source>

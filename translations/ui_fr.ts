@@ -2581,7 +2581,7 @@
     </message>
     <message>
         <source>from &amp;both sides</source>
-        <translation>dans les &amp;deux sens</translation>
+        <translation>dan&amp;s les deux sens</translation>
     </message>
     <message>
         <source>&amp;Axis</source>
@@ -4069,7 +4069,7 @@
     </message>
     <message>
         <source>U&amp;ncertainty</source>
-        <translation>&amp;Incertitude</translation>
+        <translation>Incer&amp;titude</translation>
     </message>
 </context>
 <context>
