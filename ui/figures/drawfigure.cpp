@@ -3,6 +3,7 @@
 #include "figures/circlefigure.h"
 #include "ui/figures/drawcirclefigure.h"
 #include "ui/figures/drawcurvefigure.h"
+#include "ui/figures/drawlinefigure.h"
 #include "ui/fonts.h"
 
 #include <QPainter>
@@ -19,6 +20,14 @@ QSizeF sizeOf(const CurveFigure &) {
 
 QSizeF sizeOf(const CircleFigure &figure) {
     return printedSize(figure);
+}
+
+QSizeF sizeOf(const LineFigure &) {
+    return {175, 62};
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const LineFigure &figure, Medium medium) {
+    return drawLineFigure(painter, area, figure, medium);
 }
 
 FigureTransform drawKind(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium) {
