@@ -102,6 +102,7 @@ private:
     void showReport();
     void showPlan();
     void showComparison();
+    void showCompensation();
     void showHelp();
     void showFeed();
     void about();
@@ -130,6 +131,7 @@ private:
     QMenu *m_fileMenu;
     QMenu *m_recentMenu;
     QMenu *m_examplesMenu;
+    QMenu *m_exportMenu;
     QMenu *m_editMenu;
     QMenu *m_testMenu;
     QMenu *m_viewMenu;
@@ -149,6 +151,9 @@ private:
     QAction *m_reportAction;
     QAction *m_planAction;
     QAction *m_compareAction;
+    QAction *m_exportReadingsAction;
+    QAction *m_exportFigureAction;
+    QAction *m_compensationAction;
     QAction *m_newWindowAction;
     QAction *m_closeAction;
     QAction *m_quitAction;
