@@ -82,7 +82,7 @@ private slots:
         const auto *table = dialog.findChild<QAbstractItemView *>("importTable")->model();
         QCOMPARE(table->rowCount(), 4);
         QCOMPARE(table->columnCount(), 7);
-        QCOMPARE(table->index(0, 1).data().toString(), QString("−3"));
+        QCOMPARE(table->index(0, 1).data().toString(), QString("−3.0"));
         QCOMPARE(table->index(3, 6).data().toString(), QString("–"));
     }
 
