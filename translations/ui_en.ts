@@ -38,6 +38,11 @@
         <translation>
             <numerusform>delete %n run</numerusform><numerusform>delete %n runs</numerusform></translation>
     </message>
+    <message numerus="yes">
+        <source>cut %n reading(s)</source>
+        <translation>
+            <numerusform>cut %n reading</numerusform><numerusform>cut %n readings</numerusform></translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::FindingsModel</name>
@@ -78,6 +83,59 @@
         <source>%n required statement(s) missing</source>
         <translation>
             <numerusform>%n required statement missing</numerusform><numerusform>%n required statements missing</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ImportAssistant</name>
+    <message numerus="yes">
+        <source>… and %n more remark(s)</source>
+        <translation>
+            <numerusform>… and %n more remark</numerusform><numerusform>… and %n more remarks</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n line</numerusform><numerusform>%n lines</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s)</source>
+        <translation>
+            <numerusform>%n target</numerusform><numerusform>%n targets</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n run</numerusform><numerusform>%n runs</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n arc(s)</source>
+        <translation>
+            <numerusform>%n arc</numerusform><numerusform>%n arcs</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform><numerusform>%n points</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s)</source>
+        <translation>
+            <numerusform>%n sensor</numerusform><numerusform>%n sensors</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Import %n reading(s)</source>
+        <translation>
+            <numerusform>&amp;Import %n reading</numerusform><numerusform>&amp;Import %n readings</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n missing reading(s)</source>
+        <translation>
+            <numerusform>%n missing reading</numerusform><numerusform>%n missing readings</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n guess(es)</source>
+        <translation>
+            <numerusform>%n guess(es)</numerusform><numerusform>%n guess(es)</numerusform></translation>
     </message>
 </context>
 <context>

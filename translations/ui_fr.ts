@@ -182,6 +182,15 @@
         <source>delete the test</source>
         <translation>suppression de l’essai</translation>
     </message>
+    <message numerus="yes">
+        <source>cut %n reading(s)</source>
+        <translation>
+            <numerusform>coupe de %n relevé</numerusform><numerusform>coupe de %n relevés</numerusform></translation>
+    </message>
+    <message>
+        <source>import a measurement file</source>
+        <translation>importer un fichier de mesure</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -1439,6 +1448,171 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::ImportAssistant</name>
+    <message>
+        <source>clipboard</source>
+        <translation>presse-papiers</translation>
+    </message>
+    <message>
+        <source>Import another file</source>
+        <translation>Importer un autre fichier</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Save the choices</source>
+        <translation>Enregistrer les choix</translation>
+    </message>
+    <message>
+        <source>Name of the profile</source>
+        <translation>Nom du profil</translation>
+    </message>
+    <message>
+        <source>The profile cannot be saved</source>
+        <translation>Le profil ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>guessed</source>
+        <translation>deviné</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3</source>
+        <translation>Ligne %1, colonne %2 : %3</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>go to the line</source>
+        <translation>aller à la ligne</translation>
+    </message>
+    <message>
+        <source>confirm</source>
+        <translation>confirmer</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more remark(s)</source>
+        <translation>
+            <numerusform>… et %n autre remarque</numerusform><numerusform>… et %n autres remarques</numerusform></translation>
+    </message>
+    <message>
+        <source>There is no curve of this measurement.</source>
+        <translation>Cette mesure n’a pas de courbe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n ligne</numerusform><numerusform>%n lignes</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform><numerusform>%n points</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n passe</numerusform><numerusform>%n passes</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n arc(s)</source>
+        <translation>
+            <numerusform>%n arc</numerusform><numerusform>%n arcs</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform><numerusform>%n points</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s)</source>
+        <translation>
+            <numerusform>%n capteur</numerusform><numerusform>%n capteurs</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Import %n reading(s)</source>
+        <translation>
+            <numerusform>&amp;Importer %n relevé</numerusform><numerusform>&amp;Importer %n relevés</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n missing reading(s)</source>
+        <translation>
+            <numerusform>%n relevé manquant</numerusform><numerusform>%n relevés manquants</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n guess(es)</source>
+        <translation>
+            <numerusform>%n supposition</numerusform><numerusform>%n suppositions</numerusform></translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>&amp;Other file…</source>
+        <translation>&amp;Autre fichier…</translation>
+    </message>
+    <message>
+        <source>&amp;Paste text</source>
+        <translation>&amp;Coller du texte</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importer %1</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destination</translation>
+    </message>
+    <message>
+        <source>the open file</source>
+        <translation>le fichier ouvert</translation>
+    </message>
+    <message>
+        <source>a new file</source>
+        <translation>un nouveau fichier</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Text as read</source>
+        <translation>Texte lu</translation>
+    </message>
+    <message>
+        <source>Recognised table</source>
+        <translation>Tableau reconnu</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>Remarks, to be read before the import</source>
+        <translation>Remarques, à lire avant d’importer</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the original in the file</source>
+        <translation>&amp;Garder l’original dans le fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Save these choices as a profile…</source>
+        <translation>&amp;Enregistrer ces choix comme profil…</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::InstrumentsPage</name>
     <message>
         <source>Instrument</source>
@@ -1997,6 +2171,30 @@
         <source>Co&amp;mpare…</source>
         <translation>C&amp;omparer…</translation>
     </message>
+    <message>
+        <source>Import measurement files</source>
+        <translation>Importer des fichiers de mesure</translation>
+    </message>
+    <message>
+        <source>Measurements (*.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.rtx *.ren)</source>
+        <translation>Mesures (*.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.rtx *.ren)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be imported</source>
+        <translation>%1 ne peut pas être importé</translation>
+    </message>
+    <message>
+        <source>clipboard</source>
+        <translation>presse-papiers</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>Import from the clip&amp;board…</source>
+        <translation>Importer &amp;depuis le presse-papiers…</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NavigationList</name>
@@ -2481,10 +2679,6 @@
         <translation>&amp;Mettre à l’écart…</translation>
     </message>
     <message>
-        <source>&amp;Take back</source>
-        <translation>Re&amp;prendre</translation>
-    </message>
-    <message>
         <source>Insert target abo&amp;ve</source>
         <translation>Insérer un point &amp;visé au-dessus</translation>
     </message>
@@ -2523,6 +2717,14 @@
     <message>
         <source>Paste a block</source>
         <translation>Coller un tableau</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Co&amp;uper</translation>
+    </message>
+    <message>
+        <source>Take &amp;back</source>
+        <translation>Re&amp;prendre</translation>
     </message>
 </context>
 <context>
@@ -2786,6 +2988,10 @@
         <source>Figure, results, findings</source>
         <translation>Figure, résultats, constats</translation>
     </message>
+    <message>
+        <source>Being computed; shown is what was before</source>
+        <translation>Calcul en cours ; affiché : l’état précédent</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::TargetCard</name>
@@ -2972,10 +3178,6 @@
         <translation>un fichier d’essais, .palmer</translation>
     </message>
     <message>
-        <source>or drop a file into the window — .palmer</source>
-        <translation>ou déposez un fichier dans la fenêtre — .palmer</translation>
-    </message>
-    <message>
         <source>Recent files</source>
         <translation>Fichiers récents</translation>
     </message>
@@ -2998,6 +3200,18 @@
     <message>
         <source>type or paste the readings</source>
         <translation>saisir ou coller les relevés</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>tables and files of instruments</source>
+        <translation>tableaux et fichiers d’instruments</translation>
+    </message>
+    <message>
+        <source>or drop files into the window — .palmer, .csv, .xlsx, .rtl, .b5r …</source>
+        <translation>ou déposez des fichiers dans la fenêtre — .palmer, .csv, .xlsx, .rtl, .b5r …</translation>
     </message>
 </context>
 <context>

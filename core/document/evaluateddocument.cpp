@@ -4,6 +4,7 @@
 #include "kernel/evaluation/evaluatetest.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace palmer {
 
@@ -104,6 +105,29 @@ std::optional<std::size_t> placeIn(const EvaluatedDocument &previous, const Docu
     return found == tests.end() ? std::nullopt : std::optional<std::size_t>(found - tests.begin());
 }
 
+/// Results of which none is known yet; their lists are as long as those of the test.
+TestEvaluation withoutResults(const Test &test, const Edition *edition) {
+    TestEvaluation result;
+    result.edition = edition;
+    result.view = edition && test.edition != edition->word;
+    if (const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement)) {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        const DirectionStatistics none{0, unknown, unknown, unknown};
+        PositioningResults results;
+        results.targets.assign(measurement->targets.size(), {none, none});
+        for (const Run &run : measurement->runs)
+            ++(run.approach == Direction::positive ? results.positiveRuns : results.negativeRuns);
+        results.upward = results.positiveRuns > 0;
+        results.downward = results.negativeRuns > 0;
+        result.results = std::move(results);
+    } else if (std::holds_alternative<CircularMeasurement>(test.measurement)) {
+        result.results = CircularResults{};
+    } else {
+        result.results = DriftResults{};
+    }
+    return result;
+}
+
 TestSimulation simulationOf(const EvaluatedDocument &evaluated, std::size_t test) {
     return test < evaluated.simulations.size() ? evaluated.simulations[test] : TestSimulation{};
 }
@@ -131,6 +155,10 @@ std::optional<Verdict> EvaluatedDocument::verdict() const {
     return result;
 }
 
+bool EvaluatedDocument::isPending(std::size_t test) const {
+    return std::ranges::find(pending, test) != pending.end();
+}
+
 EvaluatedDocument evaluate(std::shared_ptr<const Document> document, const EvaluatedDocument *previous,
                            std::string_view edition) {
     const std::vector<std::string> editions(document->tests.size(), std::string(edition));
@@ -155,6 +183,35 @@ EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
             previous && previous->document ? unchanged(*previous, test, around, used) : nullptr;
         if (!evaluation)
             evaluation = std::make_shared<const TestEvaluation>(evaluateTest(*test, around, other));
+        result.tests.push_back(std::move(evaluation));
+        result.simulations.push_back(std::move(simulation));
+    }
+    result.document = std::move(document);
+    return result;
+}
+
+EvaluatedDocument awaitingResults(std::shared_ptr<const Document> document,
+                                  std::span<const std::string> editions, const EvaluatedDocument &previous) {
+    EvaluatedDocument result;
+    for (std::size_t i = 0; i < document->tests.size(); ++i) {
+        const TestPointer &test = document->tests[i];
+        const Edition *other =
+            i < editions.size() && !editions[i].empty() ? findEdition(editions[i]) : nullptr;
+        const auto place = previous.document ? placeIn(previous, *document, i) : std::optional<std::size_t>();
+        TestSimulation simulation = place ? simulationOf(previous, *place) : TestSimulation{};
+        const Edition *used = editionFor(*test, other);
+        TestEvaluationPointer evaluation;
+        if (place)
+            evaluation = unchanged(previous, test, surroundings(*document, test, simulation), used);
+        if (!evaluation) {
+            TestEvaluation awaiting = withoutResults(*test, used);
+            if (place) {
+                awaiting.findings = previous.tests[*place]->findings;
+                awaiting.verdict = previous.tests[*place]->verdict;
+            }
+            evaluation = std::make_shared<const TestEvaluation>(std::move(awaiting));
+            result.pending.push_back(i);
+        }
         result.tests.push_back(std::move(evaluation));
         result.simulations.push_back(std::move(simulation));
     }

@@ -30,9 +30,11 @@ struct EvaluatedDocument {
     std::shared_ptr<const Document> document;
     std::vector<TestEvaluationPointer> tests; ///< one a test of the document
     std::vector<TestSimulation> simulations;  ///< likewise; those of `previous` are kept
+    std::vector<std::size_t> pending;         ///< tests that wait for their results, see awaitingResults
 
     /// The worst verdict of the tests; null where none has a limit.
     [[nodiscard]] std::optional<Verdict> verdict() const;
+    [[nodiscard]] bool isPending(std::size_t test) const;
 };
 
 /// Evaluates all tests; those that are the same as in `previous` keep their evaluation.
@@ -47,6 +49,13 @@ struct EvaluatedDocument {
 [[nodiscard]] EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
                                               std::span<const std::string> editions,
                                               const EvaluatedDocument *previous = nullptr);
+
+/// The document at once, for whoever edits it while it is evaluated: tests that `previous` has evaluated keep
+/// their evaluation; the others are pending. A pending test has no parameters and no statistics, yet as many
+/// targets as the document; findings and verdict are those it had before, if it had any.
+[[nodiscard]] EvaluatedDocument awaitingResults(std::shared_ptr<const Document> document,
+                                                std::span<const std::string> editions,
+                                                const EvaluatedDocument &previous);
 
 /// Runs the Monte Carlo simulation of a test under the edition it is evaluated under. Null where its inputs
 /// are incomplete, for drift tests, and when stopped. May run on any thread: nothing is shared but values.

@@ -129,6 +129,11 @@ public:
         };
         for (std::uint32_t i = 0; i < m_table.rows().size(); ++i) {
             const TableRow &row = m_table.rows()[i];
+            if (!row.comment && isBodyRow(row) && hasNumbersBeyond(row)) {
+                remarkUnread(row); // "50,1,234.5": which number is whose cannot be known
+                lastLine = row.line;
+                continue;
+            }
             if (row.comment || !isBodyRow(row)) {
                 if (!row.comment && isNumericHead(row)) {
                     if (!block.rows.empty() && !sameAsHead(row, numericHead)) {
@@ -182,6 +187,12 @@ private:
             words += cells[c].kind == CellKind::text ? 1 : 0;
         }
         return words <= numbers && (m_numberColumns > 2 || words == 0 || words < numbers);
+    }
+
+    /// Numbers to the right of the last column.
+    [[nodiscard]] bool hasNumbersBeyond(const TableRow &row) const {
+        const auto cells = m_table.cells(row);
+        return cells.size() > m_body.columns.size() && numberCount(cells.subspan(m_body.columns.size())) > 0;
     }
 
     /// A row like those of the body, but with a word or nothing where their first number stands.

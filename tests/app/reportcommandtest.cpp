@@ -141,6 +141,13 @@ void ReportCommandTest::saysWhatItCannotReadOrWrite() {
         QVERIFY2(unwritable.err.startsWith("palmer-cli: " + out.toUtf8()), unwritable.err.constData());
         QCOMPARE(unwritable.err.count('\n'), 1);
     }
+    const QTemporaryDir folder;
+    for (const QString &out : {QString("/dev/full"), folder.path(), folder.filePath("to come/")}) {
+        const Result unwritable = run({"report", example, "--language", "fr,en", "-o", out});
+        QCOMPARE(unwritable.code, 3);
+        QVERIFY2(unwritable.err.startsWith("palmer-cli: " + out.toUtf8() + ": "), unwritable.err.constData());
+    }
+    QVERIFY(QDir(folder.path()).isEmpty());
 }
 
 void ReportCommandTest::drawsFigures_data() {

@@ -98,9 +98,20 @@ void ArcCurvesView::show(const EvaluatedDocument &evaluated, std::size_t test, c
     update();
 }
 
-void ArcCurvesView::setCurrentArc(std::size_t arc) {
-    m_arc = arc;
+void ArcCurvesView::clear() {
+    m_evaluated = {};
+    m_profilesOf.reset();
+    m_profiles.clear();
+    m_measurement = nullptr;
     m_preview.reset();
+    m_drawn = {};
+    update();
+}
+
+void ArcCurvesView::setCurrentArc(std::size_t arc) {
+    if (m_arc != arc)
+        m_preview.reset();
+    m_arc = arc;
     update();
 }
 
@@ -325,8 +336,8 @@ void ArcCurvesView::mouseReleaseEvent(QMouseEvent *event) {
     if (event->button() != Qt::LeftButton || m_dragged == Handle::none)
         return;
     m_dragged = Handle::none;
-    if (const auto wanted = std::exchange(m_preview, std::nullopt))
-        emit rangeWanted(m_arc, *wanted);
+    if (const auto wanted = m_preview)
+        emit rangeWanted(m_arc, *wanted); // the preview stays until that range is shown
     update();
 }
 

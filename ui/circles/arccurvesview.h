@@ -22,6 +22,7 @@ public:
     explicit ArcCurvesView(Selection &selection, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
+    void clear();
     void setCurrentArc(std::size_t arc);
 
     /// x of an angle (degrees) on the widget.

@@ -1,7 +1,9 @@
 #include "ui/dialogs/comparedialog.h"
 
 #include "document/savedocument.h"
+#include "import/importmeasurement.h"
 #include "ui/dialogs/comparisonview.h"
+#include "ui/sizeonscreen.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -9,6 +11,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QEvent>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -27,6 +30,7 @@ namespace {
 
 constexpr int listWidth = 190;
 constexpr int rowHeight = 26;
+constexpr qint64 headSize = 4096; ///< bytes that tell a test file
 
 QTableWidgetItem *cell(const QString &text, bool number) {
     auto *item = new QTableWidgetItem(text);
@@ -71,6 +75,22 @@ void fill(QTableWidget &table, const ResultComparison &comparison, const QString
     table.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
+/// The tests of a test file, or the one of a file of measurements; its guesses go into `guesses`.
+Document readTests(const QString &path, std::vector<Message> &guesses) {
+    QFile file(path);
+    if (path.startsWith(u':') || !file.open(QIODevice::ReadOnly) || isTestFile(file.peek(headSize)))
+        return openDocument(path); // says what is wrong, too
+    const QByteArray bytes = file.readAll();
+    Imported imported = importMeasurement(bytes, path);
+    for (const Remark &remark : imported.remarks) {
+        if (remark.grade != RemarkGrade::note)
+            guesses.push_back(remark.message);
+    }
+    Document document;
+    addImported(document, std::move(imported), bytes, path, false);
+    return document;
+}
+
 QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
     auto *table = new QTableWidget(parent);
     table->setObjectName(QLatin1StringView(name));
@@ -102,7 +122,7 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     , m_copy(new QPushButton(this))
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("compareDialog"));
-    resize(1200, 720);
+    resize(sizeOnScreen(*this, {1200, 720}));
     m_tabs->setObjectName(QStringLiteral("compareTabs"));
     m_editionList->setObjectName(QStringLiteral("editionList"));
     m_testList->setObjectName(QStringLiteral("testList"));
@@ -239,13 +259,21 @@ void CompareDialog::showTests() {
     QStringList notes = m_ofTests.notes;
     if (m_offers.size() < 2)
         notes << tr("This file has no other test of this kind: add a file.");
+    for (const auto &[file, guess] : m_guesses)
+        notes << QStringLiteral("%1: %2").arg(file, windowLanguage().sentence(guess));
     m_testNotes->setText(notes.join(u' '));
 }
 
 bool CompareDialog::addFile(const QString &path) {
     try {
         const std::size_t before = m_offers.size();
-        offer(evaluate(std::make_shared<const Document>(openDocument(path))), QFileInfo(path).fileName());
+        const QString name = QFileInfo(path).fileName();
+        std::vector<Message> guesses;
+        offer(evaluate(std::make_shared<const Document>(readTests(path, guesses))), name);
+        for (const Message &guess : guesses) {
+            if (m_offers.size() > before)
+                m_guesses.emplace_back(name, guess);
+        }
         fillLists();
         showTests();
         if (m_offers.size() == before)
@@ -265,7 +293,9 @@ void CompareDialog::chooseFile() {
     QFileDialog dialog(this, tr("Compare with the tests of a file"));
     dialog.setObjectName(QStringLiteral("compareFileDialog"));
     dialog.setFileMode(QFileDialog::ExistingFiles);
-    dialog.setNameFilters({tr("Test files (*.palmer)"), tr("All files (*)")});
+    dialog.setNameFilters(
+        {tr("Tests and measurements (*.palmer *.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.ren)"),
+         tr("All files (*)")});
     if (dialog.exec() != QDialog::Accepted)
         return;
     for (const QString &path : dialog.selectedFiles())
@@ -295,7 +325,7 @@ void CompareDialog::retranslate() {
     m_testList->setAccessibleName(tr("Tests"));
     m_editionTable->setAccessibleName(tr("Results by edition"));
     m_testTable->setAccessibleName(tr("Results by test"));
-    m_view->setAccessibleName(tr("Mean deviations"));
+    m_view->setAccessibleName(tr("Deviations of the tests over one another"));
     fillLists();
     showEditions();
     showTests();

@@ -11,6 +11,7 @@
 #include "ui/model/documentmodel.h"
 #include "ui/pdf/pages.h"
 #include "ui/pdf/writepdf.h"
+#include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -68,7 +69,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     , m_saveProgram(new QPushButton(this))
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("planDialog"));
-    resize(980, 680);
+    resize(sizeOnScreen(*this, {980, 680}));
     m_request.travel = 1000;
     begin(test);
 

@@ -5,6 +5,7 @@
 #include "ui/dialogs/pagecolumn.h"
 #include "ui/model/page.h"
 #include "ui/pdf/writepdf.h"
+#include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -24,6 +25,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -82,7 +84,7 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
     , m_simulator(evaluator) {
     setObjectName(QStringLiteral("reportDialog"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
-    resize(1280, 800);
+    resize(sizeOnScreen(*this, {1280, 800}));
     m_small = new PageColumn(this);
     m_small->setNumbered(true);
     m_small->setScale(96 / 595.0);

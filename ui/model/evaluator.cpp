@@ -22,25 +22,10 @@ std::size_t countReadings(const Test &test) {
     return count;
 }
 
-/// Readings of the tests that `previous` has not evaluated under these editions.
-std::size_t countNewReadings(const Document &document, const std::vector<std::string> &editions,
-                             const EvaluatedDocument &previous) {
+std::size_t countPending(const EvaluatedDocument &awaiting) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < document.tests.size(); ++i) {
-        const TestPointer &test = document.tests[i];
-        bool known = false;
-        if (previous.document) {
-            const auto &tests = previous.document->tests;
-            const auto found = std::ranges::find(tests, test);
-            if (found != tests.end()) {
-                const auto &evaluation = previous.tests[static_cast<std::size_t>(found - tests.begin())];
-                const std::string &asked = editions[i].empty() ? test->edition : editions[i];
-                known = !evaluation->edition || asked == evaluation->edition->word;
-            }
-        }
-        if (!known)
-            count += countReadings(*test);
-    }
+    for (const std::size_t test : awaiting.pending)
+        count += countReadings(*awaiting.document->tests[test]);
     return count;
 }
 
@@ -101,10 +86,12 @@ std::vector<std::string> Evaluator::editions() const {
 void Evaluator::evaluate() {
     const int job = ++m_started;
     auto asked = editions();
-    if (countNewReadings(*m_document, asked, m_current) <= atOnce) {
+    EvaluatedDocument awaiting = awaitingResults(m_document, asked, m_current);
+    if (countPending(awaiting) <= atOnce) {
         take(evaluateUnder(m_document, asked, &m_current), job);
         return;
     }
+    m_awaiting = std::move(awaiting);
     emit busyChanged(true);
     m_worker.start([this, job, document = m_document, asked = std::move(asked), previous = m_current] {
         if (job != m_started)
@@ -115,6 +102,7 @@ void Evaluator::evaluate() {
             [this, job, evaluated = std::move(evaluated)]() mutable { take(std::move(evaluated), job); },
             Qt::QueuedConnection);
     });
+    emit this->awaiting(m_awaiting);
 }
 
 void Evaluator::take(EvaluatedDocument evaluated, int job) {
@@ -129,6 +117,7 @@ void Evaluator::take(EvaluatedDocument evaluated, int job) {
             evaluated = withSimulation(evaluated, i, latest);
     }
     m_current = std::move(evaluated);
+    m_awaiting = {};
     emit busyChanged(false);
     emit this->evaluated(m_current);
 }

@@ -13,7 +13,7 @@ namespace palmer::ui {
 
 /// Keeps a document evaluated. Small changes (at most 10⁴ readings to compute anew) are evaluated at once, in
 /// the call; larger ones on a thread of its own, and of several only the latest is told. Results always come
-/// together with the document they were computed from.
+/// together with the document they were computed from; until they come the document is told without them.
 class Evaluator : public QObject {
     Q_OBJECT
 
@@ -34,11 +34,15 @@ public:
 
     /// The latest results; of no document at first.
     [[nodiscard]] const EvaluatedDocument &current() const { return m_current; }
+    /// The latest document: with its results, or pending while they are computed.
+    [[nodiscard]] const EvaluatedDocument &latest() const { return isBusy() ? m_awaiting : m_current; }
     /// Newer results are being computed.
     [[nodiscard]] bool isBusy() const { return m_done != m_started; }
 
 signals:
     void evaluated(const palmer::EvaluatedDocument &evaluated);
+    /// Another document, the results of which are being computed.
+    void awaiting(const palmer::EvaluatedDocument &awaiting);
     void busyChanged(bool busy);
 
 private:
@@ -48,6 +52,7 @@ private:
 
     std::shared_ptr<const Document> m_document;
     EvaluatedDocument m_current;
+    EvaluatedDocument m_awaiting;
     std::map<std::string, std::string> m_views; ///< edition by id of the test
     std::atomic<int> m_started = 0;             ///< number of the latest job
     int m_done = 0;

@@ -1,13 +1,21 @@
 #include "ui/readings/readingseditor.h"
 
 #include "editing/typedreading.h"
-#include "language/decimals.h"
 #include "ui/model/editname.h"
 
 #include <QCoreApplication>
 #include <QUndoStack>
 
 namespace palmer::ui {
+
+namespace {
+
+void makeMissing(PositioningMeasurement &measurement, const std::vector<ReadingPlace> &places) {
+    for (const ReadingPlace &place : places)
+        setReading(measurement, place, std::nullopt);
+}
+
+} // namespace
 
 ReadingsEditor::ReadingsEditor(DocumentModel &model, QObject *parent)
     : QObject(parent)
@@ -44,36 +52,22 @@ std::optional<Message> ReadingsEditor::typeTarget(std::size_t target, const QStr
     const PositioningMeasurement *now = measurement();
     if (!now || target >= now->targets.size())
         return std::nullopt;
-    const Quantity quantity = positionQuantity(now->axis);
-    const NumberEntry typed = enteredNumber(text, quantity, language.units());
-    if (typed.refusal)
-        return Message{*typed.refusal};
+    const TargetEntry typed = typedTarget(text, *now, target, language.units());
     if (!typed.value)
-        return Message{REPORT_TEXT("report", "a target needs a position")};
-    const double position = *typed.value;
-    switch (problemOfTarget(*now, target, position)) {
-    case TargetProblem::notFinite:
-        return Message{REPORT_TEXT("report", "not a number")};
-    case TargetProblem::notAbovePrevious:
-        return Message{REPORT_TEXT("report", "not above the target before, %1"),
-                       {Number{now->targets[target - 1], quantity}}};
-    case TargetProblem::notBelowNext:
-        return Message{REPORT_TEXT("report", "not below the next target, %1"),
-                       {Number{now->targets[target + 1], quantity}}};
-    case TargetProblem::none:
-        break;
-    }
+        return typed.refusal;
     edit(QT_TRANSLATE_NOOP("edits", "move a target"),
-         [&](PositioningMeasurement &m) { setTarget(m, target, position); });
+         [&](PositioningMeasurement &m) { setTarget(m, target, *typed.value); });
     return std::nullopt;
 }
 
 void ReadingsEditor::clear(const std::vector<ReadingPlace> &places) {
     edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "clear %n reading(s)"), static_cast<int>(places.size())),
-         [&](PositioningMeasurement &m) {
-             for (const ReadingPlace &place : places)
-                 setReading(m, place, std::nullopt);
-         });
+         [&](PositioningMeasurement &m) { makeMissing(m, places); });
+}
+
+void ReadingsEditor::cut(const std::vector<ReadingPlace> &places) {
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "cut %n reading(s)"), static_cast<int>(places.size())),
+         [&](PositioningMeasurement &m) { makeMissing(m, places); });
 }
 
 void ReadingsEditor::setAside(const std::vector<ReadingPlace> &places, const QString &reason) {

@@ -34,6 +34,7 @@ public:
                                                     const Language &language);
 
     void clear(const std::vector<ReadingPlace> &places);
+    void cut(const std::vector<ReadingPlace> &places); ///< the same under another name
     void setAside(const std::vector<ReadingPlace> &places, const QString &reason);
     void bringBack(const std::vector<ReadingPlace> &places);
     /// The first place of each list is put into the others.

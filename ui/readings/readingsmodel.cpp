@@ -7,12 +7,35 @@
 #include "language/decimals.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace palmer::ui {
 
 namespace {
 
 constexpr std::size_t mostHinted = 20'000; ///< readings; more would be felt at every edit
+
+/// Whether a cell looks as before where its row has the same deviations. Both have the same rows and columns.
+bool differsInDeviationsOnly(const PositioningMeasurement &before, const PositioningMeasurement &now) {
+    return before.axis == now.axis && before.targets == now.targets && before.cycle == now.cycle &&
+           before.standardDeviation == now.standardDeviation && before.conditions == now.conditions &&
+           before.excluded == now.excluded && before.refused == now.refused &&
+           readingDecimals(before) == readingDecimals(now);
+}
+
+/// The first and the last row whose deviations differ; an empty range where none does.
+std::pair<int, int> changedRows(const PositioningMeasurement &before, const PositioningMeasurement &now) {
+    std::pair rows(static_cast<int>(now.targets.size()), -1);
+    for (std::size_t j = 0; j < now.runs.size(); ++j) {
+        for (std::size_t i = 0; i < now.targets.size(); ++i) {
+            if (readingAt(before, {j, i}) == readingAt(now, {j, i}))
+                continue;
+            rows.first = std::min(rows.first, static_cast<int>(i));
+            rows.second = std::max(rows.second, static_cast<int>(i));
+        }
+    }
+    return rows;
+}
 
 } // namespace
 
@@ -33,18 +56,31 @@ void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
         measurement = std::get_if<PositioningMeasurement>(&evaluated.document->tests[test]->measurement);
     }
     const bool same = hasSameCells(measurement, evaluation.get());
+    const std::shared_ptr<const Document> former = m_document; // owns the measurement shown until now
+    const PositioningMeasurement *before = m_measurement;
+    const auto outliers = m_outliers;
+    const bool wasPending = m_pending;
+    const bool sameEdition = m_evaluation && evaluation && m_evaluation->edition == evaluation->edition;
     if (!same)
         beginResetModel();
     m_document = evaluated.document;
     m_evaluation = std::move(evaluation);
+    m_pending = evaluated.isPending(test);
     m_measurement = measurement;
     rebuild();
     if (!same) {
         m_refusedTarget.reset();
         endResetModel();
     } else if (rowCount() > 0) {
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-        emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+        // Of one reading typed only its row is painted anew.
+        std::pair<int, int> rows{0, rowCount() - 1};
+        if (sameEdition && !m_pending && !wasPending && outliers == m_outliers &&
+            differsInDeviationsOnly(*before, *measurement))
+            rows = changedRows(*before, *measurement);
+        else
+            emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+        if (rows.first <= rows.second)
+            emit dataChanged(index(rows.first, 0), index(rows.second, columnCount() - 1));
     }
 }
 
@@ -164,6 +200,8 @@ QString ReadingsModel::text(const QModelIndex &index) const {
         return refused ? QString::fromStdString(refused->text)
                        : m_texts->reading(place->run, place->target).text;
     }
+    if (m_pending)
+        return QStringLiteral("…");
     const auto &results = std::get<PositioningResults>(m_evaluation->results);
     const auto column = static_cast<std::size_t>(index.column() - computedColumn());
     return m_texts->statistic(targetValue(m_statistics[column].id, results.targets[row],

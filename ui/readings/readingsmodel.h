@@ -80,6 +80,7 @@ private:
 
     std::shared_ptr<const Document> m_document; ///< owns the measurement
     TestEvaluationPointer m_evaluation;
+    bool m_pending = false; ///< the evaluation has no results yet
     const PositioningMeasurement *m_measurement = nullptr;
     Language m_language{Language::Id::english};
     ReadingUnit m_unit = ReadingUnit::deviations;

@@ -133,6 +133,7 @@ void ReadingsPage::addSeparator(QList<QAction *> &list) {
 }
 
 void ReadingsPage::makeActions() {
+    m_cut = addAction(m_editActions, QStringLiteral("cutReadings"), QKeySequence::Cut);
     m_copy = addAction(m_editActions, QStringLiteral("copyReadings"), QKeySequence::Copy);
     m_paste = addAction(m_editActions, QStringLiteral("pasteReadings"), QKeySequence::Paste);
     m_clear = addAction(m_editActions, QStringLiteral("clearReadings"), QKeySequence(Qt::Key_Delete));
@@ -155,6 +156,10 @@ void ReadingsPage::makeActions() {
     m_removeRuns = addAction(m_testActions, QStringLiteral("removeRuns"));
     m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
 
+    connect(m_cut, &QAction::triggered, this, [this] {
+        QGuiApplication::clipboard()->setText(copied());
+        m_editor.cut(m_view->selectedPlaces());
+    });
     connect(m_copy, &QAction::triggered, this, [this] { QGuiApplication::clipboard()->setText(copied()); });
     connect(m_paste, &QAction::triggered, this, &ReadingsPage::paste);
     connect(m_clear, &QAction::triggered, this, [this] { m_editor.clear(m_view->selectedPlaces()); });
@@ -193,6 +198,7 @@ void ReadingsPage::enableActions() {
     const PositioningMeasurement *measurement = m_model.measurement();
     const bool any = !places.empty() && measurement;
     const auto rows = m_view->selectedRows();
+    m_cut->setEnabled(any);
     m_copy->setEnabled(!rows.empty());
     m_paste->setEnabled(measurement);
     m_clear->setEnabled(any);
@@ -343,13 +349,14 @@ void ReadingsPage::retranslate() {
     m_byRun->setToolTip(tr("Runs side by side, both directions of a run together"));
     m_byDirection->setToolTip(tr("All runs of one direction side by side"));
     m_view->setAccessibleName(tr("Readings"));
+    m_cut->setText(tr("Cu&t"));
     m_copy->setText(tr("&Copy"));
     m_paste->setText(tr("&Paste"));
     m_clear->setText(tr("Cl&ear"));
     m_fillDown->setText(tr("Fill do&wn"));
     m_fillRight->setText(tr("Fill ri&ght"));
     m_setAside->setText(tr("&Set aside…"));
-    m_bringBack->setText(tr("&Take back"));
+    m_bringBack->setText(tr("Take &back"));
     m_insertAbove->setText(tr("Insert target abo&ve"));
     m_insertBelow->setText(tr("Insert target be&low"));
     m_removeTargets->setText(tr("&Delete targets"));

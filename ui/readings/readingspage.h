@@ -78,6 +78,7 @@ private:
     QToolButton *m_addRunButton;
     QList<QAction *> m_editActions;
     QList<QAction *> m_testActions;
+    QAction *m_cut;
     QAction *m_copy;
     QAction *m_paste;
     QAction *m_clear;

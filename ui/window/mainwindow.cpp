@@ -1,10 +1,13 @@
 #include "ui/window/mainwindow.h"
+#include "ui/sizeonscreen.h"
 
 #include "document/savedocument.h"
 #include "editing/newtest.h"
+#include "ui/circles/circlespage.h"
 #include "ui/dialogs/comparedialog.h"
 #include "ui/dialogs/compensationdialog.h"
 #include "ui/dialogs/feeddialog.h"
+#include "ui/dialogs/newcircledialog.h"
 #include "ui/dialogs/newtestdialog.h"
 #include "ui/dialogs/plandialog.h"
 #include "ui/dialogs/recoverydialog.h"
@@ -103,7 +106,7 @@ MainWindow::MainWindow(QWidget *parent)
     makeToolBar();
     makeStatusBar();
     connectParts();
-    resize(1280, 800);
+    resize(sizeOnScreen(*this, {1280, 800}));
     const QByteArray geometry = QSettings().value(QStringLiteral("window/geometry")).toByteArray();
     if (!geometry.isEmpty())
         restoreGeometry(geometry);
@@ -143,6 +146,8 @@ void MainWindow::makeActions() {
 
     m_newAction = addAction(m_fileMenu, QStringLiteral("new"), QStringLiteral("new"));
     m_newAction->setShortcut(QKeySequence::New);
+    m_newCircleAction = addAction(m_fileMenu, QStringLiteral("newCircle"));
+    m_newCircleAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     m_openAction = addAction(m_fileMenu, QStringLiteral("open"), QStringLiteral("open"));
     m_openAction->setShortcut(QKeySequence::Open);
     m_importAction = addAction(m_fileMenu, QStringLiteral("import"), QStringLiteral("imp"));
@@ -181,13 +186,17 @@ void MainWindow::makeActions() {
     m_editMenu->addActions(m_workplace->readings().editActions());
 
     m_addTestAction = addAction(m_testMenu, QStringLiteral("addTest"), QStringLiteral("plus"));
-    m_addTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
+    m_addTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
+    m_addCircleAction = addAction(m_testMenu, QStringLiteral("addCircle"));
+    m_addCircleAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     m_renameTestAction = addAction(m_testMenu, QStringLiteral("renameTest"));
     m_duplicateTestAction = addAction(m_testMenu, QStringLiteral("duplicateTest"));
     m_repeatTestAction = addAction(m_testMenu, QStringLiteral("repeatTest"));
     m_deleteTestAction = addAction(m_testMenu, QStringLiteral("deleteTest"));
     m_testMenu->addSeparator();
     m_testMenu->addActions(m_workplace->readings().testActions());
+    m_testMenu->addSeparator();
+    m_testMenu->addActions(m_workplace->circles().testActions());
     m_testMenu->addSeparator();
     m_previousTestAction = addAction(m_testMenu, QStringLiteral("previousTest"));
     m_previousTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
@@ -268,6 +277,10 @@ void MainWindow::makeToolBar() {
         button->setObjectName(action->objectName() + QStringLiteral("Button"));
         button->setFocusPolicy(Qt::TabFocus);
     }
+    auto *newButton = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(m_newAction));
+    newButton->addAction(m_newAction);
+    newButton->addAction(m_newCircleAction);
+    newButton->setPopupMode(QToolButton::MenuButtonPopup);
     auto *space = new QWidget(m_toolBar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_toolBar->addWidget(space);
@@ -296,14 +309,17 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::connectParts() {
-    connect(m_newAction, &QAction::triggered, this, &MainWindow::newFile);
-    connect(m_addTestAction, &QAction::triggered, this, &MainWindow::addTest);
+    connect(m_newAction, &QAction::triggered, this, [this] { newFile(Kind::positioning); });
+    connect(m_newCircleAction, &QAction::triggered, this, [this] { newFile(Kind::circular); });
+    connect(m_addTestAction, &QAction::triggered, this, [this] { addTest(Kind::positioning); });
+    connect(m_addCircleAction, &QAction::triggered, this, [this] { addTest(Kind::circular); });
     connect(m_renameTestAction, &QAction::triggered, this, &MainWindow::renameTest);
     connect(m_duplicateTestAction, &QAction::triggered, this, [this] { duplicateTest(true); });
     connect(m_repeatTestAction, &QAction::triggered, this, [this] { duplicateTest(false); });
     connect(m_deleteTestAction, &QAction::triggered, this, &MainWindow::deleteTest);
-    m_workplace->setTestActions({m_addTestAction}, {m_renameTestAction, m_duplicateTestAction,
-                                                    m_repeatTestAction, m_deleteTestAction});
+    m_workplace->setTestActions(
+        {m_addTestAction, m_addCircleAction},
+        {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction});
     connect(&m_autosave, &Autosave::saved, this, [this] {
         m_autosavedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
         showState();
@@ -345,7 +361,7 @@ void MainWindow::connectParts() {
             [this] { m_workplace->showTest(m_workplace->selection().test() + 1); });
     connect(m_setEditionAction, &QAction::triggered, this, [this] {
         const std::size_t test = m_workplace->selection().test();
-        setEdition(test, QString::fromUtf8(m_evaluator.current().tests[test]->edition->word));
+        setEdition(test, QString::fromUtf8(m_evaluator.latest().tests[test]->edition->word));
     });
     connect(m_ownEditionAction, &QAction::triggered, this,
             [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
@@ -372,7 +388,8 @@ void MainWindow::connectParts() {
     connect(m_aboutAction, &QAction::triggered, this, &MainWindow::about);
     connect(m_aboutQtAction, &QAction::triggered, qApp, &QApplication::aboutQt);
 
-    connect(m_welcome, &WelcomePage::newAsked, this, &MainWindow::newFile);
+    connect(m_welcome, &WelcomePage::newAsked, m_newAction, &QAction::trigger);
+    connect(m_welcome, &WelcomePage::newCircleAsked, m_newCircleAction, &QAction::trigger);
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
     connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
     connect(m_importAction, &QAction::triggered, this, &MainWindow::chooseMeasurements);
@@ -386,6 +403,8 @@ void MainWindow::connectParts() {
             remember();
         showState();
     });
+    connect(&m_evaluator, &Evaluator::awaiting, this,
+            [this](const EvaluatedDocument &awaiting) { m_workplace->show(awaiting); });
     connect(&m_evaluator, &Evaluator::busyChanged, this, &MainWindow::showState);
     connect(m_workplace, &Workplace::viewChosen, this, [this](std::size_t test, const QString &edition) {
         m_evaluator.setView(test, edition.toStdString());
@@ -549,15 +568,24 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
     return this;
 }
 
-void MainWindow::newFile() {
-    NewTestDialog dialog(windowLanguage(), nullptr, this);
-    if (dialog.exec() != QDialog::Accepted)
+std::optional<Test> MainWindow::askForTest(Kind kind) {
+    if (kind == Kind::circular) {
+        NewCircleDialog dialog(windowLanguage(), currentTest(), this);
+        return dialog.exec() == QDialog::Accepted ? std::optional(newTest(dialog.wanted())) : std::nullopt;
+    }
+    NewTestDialog dialog(windowLanguage(), currentTest(), this);
+    return dialog.exec() == QDialog::Accepted ? std::optional(newTest(dialog.wanted())) : std::nullopt;
+}
+
+void MainWindow::newFile(Kind kind) {
+    const auto test = askForTest(kind);
+    if (!test)
         return;
     Document document;
     document.writtenBy = "Palmer " PALMER_VERSION;
     document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
                                                                                : ReportLanguage::en};
-    insertTest(document, 0, newTest(dialog.wanted()));
+    insertTest(document, 0, *test);
     take(std::move(document), {}, true)->m_workplace->beginTyping();
 }
 
@@ -567,13 +595,13 @@ const Test *MainWindow::currentTest() const {
     return m_open && test < tests.size() ? tests[test].get() : nullptr;
 }
 
-void MainWindow::addTest() {
-    NewTestDialog dialog(windowLanguage(), currentTest(), this);
-    if (dialog.exec() != QDialog::Accepted)
+void MainWindow::addTest(Kind kind) {
+    const auto test = askForTest(kind);
+    if (!test)
         return;
     const std::size_t place = m_model.document()->tests.size();
     m_model.edit(QT_TRANSLATE_NOOP("edits", "add a test"),
-                 [&](Document &document) { insertTest(document, place, newTest(dialog.wanted())); });
+                 [&](Document &document) { insertTest(document, place, *test); });
     m_workplace->showTest(place);
     m_workplace->beginTyping();
 }
@@ -796,21 +824,22 @@ void MainWindow::showState() {
 
     const std::size_t tests = m_open ? m_model.document()->tests.size() : 0;
     const std::size_t test = m_workplace->selection().test();
-    const auto &evaluated = m_evaluator.current().tests;
+    const auto &evaluated = m_evaluator.latest().tests;
     const bool view = m_open && test < evaluated.size() && evaluated[test]->view;
     m_saveAction->setEnabled(m_open);
     m_saveAsAction->setEnabled(m_open);
     m_reportAction->setEnabled(m_open);
     m_planAction->setEnabled(m_open);
-    const Test *current = test < evaluated.size() ? currentTest() : nullptr;
+    const Test *current = test < evaluated.size() && !m_evaluator.isBusy() ? currentTest() : nullptr;
     m_exportReadingsAction->setEnabled(current);
     m_exportFigureAction->setEnabled(current && evaluated[test]->edition);
     m_compensationAction->setEnabled(current &&
                                      std::holds_alternative<PositioningMeasurement>(current->measurement));
-    m_compareAction->setEnabled(test < evaluated.size() && evaluated[test]->edition);
+    m_compareAction->setEnabled(current && evaluated[test]->edition);
     m_previousTestAction->setEnabled(test > 0 && test < tests);
     m_nextTestAction->setEnabled(test + 1 < tests);
     m_addTestAction->setEnabled(m_open);
+    m_addCircleAction->setEnabled(m_open);
     for (QAction *action :
          {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction})
         action->setEnabled(test < tests);
@@ -878,7 +907,7 @@ void MainWindow::showHelp() {
     const QWidget *focused = QApplication::focusWidget();
     const QString topic = focused ? focused->property("helpTopic").toString() : QString();
     const std::size_t test = m_workplace->selection().test();
-    const auto &evaluated = m_evaluator.current().tests;
+    const auto &evaluated = m_evaluator.latest().tests;
     if (!topic.isEmpty())
         m_help->showPage(QStringLiteral("fields"), topic);
     else if (!m_workplace->selection().parameter().isEmpty() && test < evaluated.size() &&
@@ -978,9 +1007,11 @@ void MainWindow::retranslate() {
     m_viewMenu->setTitle(tr("&View"));
     m_toolsMenu->setTitle(tr("&Utilities"));
     m_helpMenu->setTitle(tr("&Help"));
-    m_newAction->setText(tr("&New…"));
+    m_newAction->setText(tr("&New positioning test…"));
+    m_newCircleAction->setText(tr("New circular &test…"));
     m_newAction->setIconText(tr("New"));
     m_addTestAction->setText(tr("&Add a positioning test…"));
+    m_addCircleAction->setText(tr("Add a circular &test…"));
     m_renameTestAction->setText(tr("Rena&me the test…"));
     m_duplicateTestAction->setText(tr("Dupli&cate the test"));
     m_repeatTestAction->setText(tr("Repeat the test, &without readings"));

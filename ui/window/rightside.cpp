@@ -5,17 +5,28 @@
 
 #include <QEvent>
 #include <QFrame>
+#include <QLabel>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <array>
 
 namespace palmer::ui {
+
+namespace {
+
+constexpr int markAfter = 150; ///< ms: what is computed faster shall not blink
+constexpr int markBelow = 36;  ///< the head of the figure
+
+} // namespace
 
 RightSide::RightSide(QWidget *figure, QWidget *results, QWidget *findings, QWidget *parent)
     : QWidget(parent)
     , m_tabs(new PageTabs(this))
     , m_figure(figure)
     , m_results(results)
-    , m_findings(findings) {
+    , m_findings(findings)
+    , m_mark(new QLabel(this))
+    , m_markLater(new QTimer(this)) {
     setObjectName(QStringLiteral("rightSide"));
     setAttribute(Qt::WA_StyledBackground);
     setProperty("ground", QStringLiteral("base"));
@@ -32,6 +43,18 @@ RightSide::RightSide(QWidget *figure, QWidget *results, QWidget *findings, QWidg
     column->addWidget(m_figure, 1);
     column->addWidget(m_results);
     column->addWidget(m_findings);
+    m_mark->setObjectName(QStringLiteral("computingMark"));
+    m_mark->setProperty("mark", true);
+    m_mark->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_mark->hide();
+    m_markLater->setSingleShot(true);
+    m_markLater->setInterval(markAfter);
+    connect(m_markLater, &QTimer::timeout, this, [this] {
+        m_mark->adjustSize();
+        m_mark->move((width() - m_mark->width()) / 2, m_figure->y() + markBelow);
+        m_mark->raise();
+        m_mark->show();
+    });
     m_figure->setMinimumHeight(leastFigureHeight);
     connect(m_tabs, &QTabBar::currentChanged, this, &RightSide::arrange);
     retranslate();
@@ -50,6 +73,23 @@ void RightSide::setMaximised(bool maximised) {
     arrange();
 }
 
+void RightSide::setComputing(bool computing) {
+    if (m_computing == computing)
+        return;
+    m_computing = computing;
+    if (computing) {
+        m_markLater->start();
+    } else {
+        m_markLater->stop();
+        m_mark->hide();
+    }
+}
+
+void RightSide::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    m_mark->move((width() - m_mark->width()) / 2, m_mark->y());
+}
+
 void RightSide::arrange() {
     const std::array widgets{m_figure, m_results, m_findings};
     m_tabs->setVisible(m_tabbed && !m_maximised);
@@ -66,6 +106,8 @@ void RightSide::changeEvent(QEvent *event) {
 }
 
 void RightSide::retranslate() {
+    m_mark->setFont(themeFont(TextSize::small));
+    m_mark->setText(tr("Being computed; shown is what was before"));
     m_tabs->setTabText(0, tr("Figure"));
     m_tabs->setTabText(1, tr("Results"));
     m_tabs->setTabText(2, tr("Findings"));

@@ -2,7 +2,9 @@
 
 #include <QWidget>
 
+class QLabel;
 class QTabBar;
+class QTimer;
 class QVBoxLayout;
 
 namespace palmer::ui {
@@ -22,8 +24,12 @@ public:
     [[nodiscard]] bool isTabbed() const { return m_tabbed; }
     /// The figure alone.
     void setMaximised(bool maximised);
+    /// Marks what is shown as of before an edit; a mark that would go at once does not come.
+    void setComputing(bool computing);
+    [[nodiscard]] bool isComputing() const { return m_computing; }
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
 
 private:
@@ -34,6 +40,9 @@ private:
     QWidget *m_figure;
     QWidget *m_results;
     QWidget *m_findings;
+    QLabel *m_mark; ///< over the figure
+    QTimer *m_markLater;
+    bool m_computing = false;
     bool m_tabbed = false;
     bool m_maximised = false;
 };

@@ -63,6 +63,8 @@ Workplace::Workplace(DocumentModel &model, QWidget *parent)
     , m_navigation(new NavigationList(m_navigationModel, m_side))
     , m_addTest(new QToolButton(m_side)) {
     setObjectName(QStringLiteral("workplace"));
+    m_outer->setObjectName(QStringLiteral("outerSplitter"));
+    m_inner->setObjectName(QStringLiteral("innerSplitter"));
     m_centre = makeCentre();
     m_right = static_cast<RightSide *>(makeRight());
     m_inner->addWidget(m_centre);
@@ -250,6 +252,24 @@ void Workplace::presentTest() {
     m_conditions->show(m_evaluated, test);
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
+    presentResults();
+    for (std::size_t i = 0; i < testPages.size(); ++i)
+        m_tabs->setCount(static_cast<int>(i), countMissing(*m_evaluated.tests[test], testPages.at(i)));
+    restoreSizes();
+    presentStatus();
+}
+
+/// Results stay together with the data they were computed from, until there are newer ones.
+void Workplace::presentResults() {
+    std::size_t test = m_selection.test();
+    const std::string &id = m_evaluated.document->tests[test]->id;
+    const bool pending = m_evaluated.isPending(test);
+    m_right->setComputing(pending);
+    if (pending && id == m_resultsOf)
+        return;
+    m_resultsOf = id;
+    if (pending)
+        test = m_evaluated.tests.size(); // nothing to show yet
     m_target->show(m_evaluated, test);
     m_keys->show(m_evaluated, test);
     m_explanation->show(m_evaluated, test);
@@ -258,10 +278,6 @@ void Workplace::presentTest() {
         m_detachedFigure->show(m_evaluated, test);
     m_results->show(m_evaluated, test);
     m_findings->show(m_evaluated, test);
-    for (std::size_t i = 0; i < testPages.size(); ++i)
-        m_tabs->setCount(static_cast<int>(i), countMissing(*m_evaluated.tests[test], testPages.at(i)));
-    restoreSizes();
-    presentStatus();
 }
 
 bool Workplace::isReportPage() const {
@@ -368,7 +384,11 @@ bool Workplace::showNextMissing(bool forward) {
     if (missing.empty())
         return false;
     // Page by page, so that the walk does not jump to and fro.
-    std::ranges::stable_sort(missing, {}, &std::pair<Page, QString>::first);
+    // On the page with most fields from the top to the bottom.
+    std::ranges::stable_sort(missing, {}, [this](const std::pair<Page, QString> &field) {
+        return std::pair(field.first,
+                         field.first == Page::conditions ? m_conditions->placeOf(field.second) : 0);
+    });
     const auto now = std::ranges::find(missing, std::pair(m_selection.page(), m_selection.field()));
     std::size_t next = forward ? 0 : missing.size() - 1;
     if (now != missing.end()) {
@@ -393,6 +413,10 @@ void Workplace::beginTyping() {
     showPage(Page::readings);
     const auto *measurement =
         std::get_if<PositioningMeasurement>(&m_evaluated.document->tests[test]->measurement);
+    if (isCircular()) {
+        m_circles->setFocus();
+        return;
+    }
     if (measurement)
         m_selection.setReading(firstMissing(*measurement));
     m_readings->setFocus();
@@ -421,7 +445,7 @@ void Workplace::arrange() {
         m_addTest->setToolButtonStyle(rail ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
         m_side->setMinimumWidth(rail ? NavigationList::railWidth : 120);
         m_side->setMaximumWidth(rail ? NavigationList::railWidth : NavigationList::fullWidth * 2);
-        m_outer->setSizes({rail ? NavigationList::railWidth : NavigationList::fullWidth, width()});
+        restoreNavigation();
     }
     m_results->setNarrow(rail);
     if (stacked != m_right->isTabbed()) {
@@ -453,6 +477,7 @@ void Workplace::restoreSizes() {
     if (key == m_sizesOf)
         return;
     m_sizesOf = key;
+    restoreNavigation();
     const QByteArray kept = QSettings().value(key).toByteArray();
     const bool stacked = m_right->isTabbed();
     if (!kept.isEmpty()) {
@@ -465,9 +490,25 @@ void Workplace::restoreSizes() {
     }
 }
 
+void Workplace::restoreNavigation() {
+    const bool rail = m_navigation->isRail();
+    const int kept = QSettings().value(navigationKey(), NavigationList::fullWidth).toInt();
+    const int side =
+        rail ? NavigationList::railWidth : std::clamp(kept, m_side->minimumWidth(), m_side->maximumWidth());
+    m_outer->setSizes({side, std::max(centreWidth, width() - side)});
+}
+
+QString Workplace::navigationKey() const {
+    return QStringLiteral("sizes/navigation-") +
+           (isCircular() ? QStringLiteral("circular") : QStringLiteral("positioning"));
+}
+
 void Workplace::keepSizes() const {
-    if (!m_maximised)
-        QSettings().setValue(sizesKey(), QByteArray::number(m_inner->sizes().value(1)));
+    if (m_maximised)
+        return;
+    QSettings().setValue(sizesKey(), QByteArray::number(m_inner->sizes().value(1)));
+    if (!m_navigation->isRail())
+        QSettings().setValue(navigationKey(), m_outer->sizes().value(0));
 }
 
 void Workplace::changeEvent(QEvent *event) {

@@ -43,8 +43,10 @@ public:
 
     [[nodiscard]] Selection &selection() { return m_selection; }
     [[nodiscard]] ReadingsPage &readings() { return *m_readings; }
+    [[nodiscard]] CirclesPage &circles() { return *m_circles; }
 
-    /// Shows the document, keeping what is chosen where it still exists.
+    /// Shows the document, keeping what is chosen where it still exists. Of a test that is pending the pages
+    /// show what is edited; figure and results stay those of before, marked as being computed.
     void show(const EvaluatedDocument &evaluated);
 
     /// Brings a page of the report, or of the current test, into view.
@@ -80,6 +82,7 @@ private:
     void connectParts();
     void present();
     void presentTest();
+    void presentResults();
     void detachFigure();
     void presentPage();
     void presentCard();
@@ -87,10 +90,12 @@ private:
     void presentCircularStatus(const CircularMeasurement &measurement);
     void arrange();
     void restoreSizes();
+    void restoreNavigation();
     void keepSizes() const;
     void retranslate();
     [[nodiscard]] bool isCircular() const; ///< the test in view
     [[nodiscard]] QString sizesKey() const;
+    [[nodiscard]] QString navigationKey() const;
     [[nodiscard]] bool isReportPage() const;
 
     DocumentModel &m_model;
@@ -123,8 +128,9 @@ private:
     QPointer<FigureView> m_detachedFigure; ///< in a window of its own, while it is open
     ResultsPanel *m_results;
     FindingsPanel *m_findings;
-    QString m_field;   ///< the missing statement walked to last, by the id of its finding
-    QString m_sizesOf; ///< the kind of test whose sizes are shown
+    std::string m_resultsOf; ///< id of the test the results of which are shown
+    QString m_field;         ///< the missing statement walked to last, by the id of its finding
+    QString m_sizesOf;       ///< the kind of test whose sizes are shown
     bool m_maximised = false;
 };
 

@@ -17,8 +17,8 @@ constexpr std::array rangeFactors{1.128, 1.693, 2.059, 2.326, 2.534, 2.704, 2.84
 
 /// One column of a run-by-run table: `values` starts at the target, rows are `stride` apart. `ranges`: W too.
 template <bool ranges, class Value>
-DirectionStatisticsOf<Value> columnStatistics(const Value *values, std::size_t runs, std::size_t stride) {
-    DirectionStatisticsOf<Value> result{0, undefined, undefined, undefined};
+void columnStatistics(const Value *values, std::size_t runs, std::size_t stride,
+                      DirectionStatisticsOf<Value> &result) {
     Value sum = 0;
     Value low = std::numeric_limits<double>::infinity();
     Value high = -std::numeric_limits<double>::infinity();
@@ -35,8 +35,10 @@ DirectionStatisticsOf<Value> columnStatistics(const Value *values, std::size_t r
         ++n;
     }
     result.n = n;
-    if (n == 0)
-        return result;
+    if (n == 0) {
+        result.mean = result.range = result.s = undefined;
+        return;
+    }
     const Value mean = sum / n;
     Value rest = 0;
     Value squares = 0;
@@ -48,12 +50,13 @@ DirectionStatisticsOf<Value> columnStatistics(const Value *values, std::size_t r
         squares += d * d;
     }
     // The mean was rounded: its error is rest/n, and it must leave the squares too.
-    result.mean = mean + rest / n;
+    const Value correction = rest / n;
+    result.mean = mean + correction;
     if constexpr (ranges)
         result.range = high - low;
-    if (n > 1)
-        result.s = squareRoot(larger(squares - rest * rest / n, 0.0) / (n - 1));
-    return result;
+    else
+        result.range = undefined;
+    result.s = n > 1 ? squareRoot(larger(squares - rest * correction, 0.0) / (n - 1)) : Value(undefined);
 }
 
 template <bool ranges, class Value>
@@ -61,7 +64,7 @@ void columns(std::span<const Value> table, std::size_t targets, std::span<Target
              DirectionStatisticsOf<Value> TargetStatisticsOf<Value>::*direction) {
     const std::size_t runs = targets ? table.size() / targets : 0;
     for (std::size_t i = 0; i < targets; ++i)
-        result[i].*direction = columnStatistics<ranges>(table.data() + i, runs, targets);
+        columnStatistics<ranges>(table.data() + i, runs, targets, result[i].*direction);
 }
 
 template <class Value>

@@ -34,7 +34,9 @@ public:
     [[nodiscard]] std::array<double, count> values() const {
         return {m_low[0], m_low[1], m_high[0], m_high[1]};
     }
-    static Lanes from(const std::array<double, count> &values) {
+    static Lanes from(const std::array<double, count> &values) { return from(values.data()); }
+    /// From four doubles that follow each other.
+    static Lanes from(const double *values) {
         return {Pair{values[0], values[1]}, Pair{values[2], values[3]}};
     }
 

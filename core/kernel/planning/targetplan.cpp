@@ -126,7 +126,7 @@ TargetPlan planTargets(const TargetRequest &request) {
     std::vector<double> targets =
         byQuarters ? quarterTurns(request, plan) : freeTargets(request, plan, count);
     if (byQuarters)
-        targets.erase(std::ranges::unique(targets).begin(), targets.end());
+        targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
     if (std::ranges::adjacent_find(targets, std::greater_equal<>()) == targets.end())
         plan.targets = std::move(targets);
     return plan;

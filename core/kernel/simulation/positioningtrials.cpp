@@ -27,8 +27,6 @@ double width(double expanded) {
 /// Places of the random numbers of a trial: two for what is drawn once, the readings follow.
 enum Place : std::uint32_t { thermalPlace = 0, otherPlace = 1, firstReadingPlace = 2 };
 
-constexpr std::size_t wordsPerPlace = 4;
-
 } // namespace
 
 PositioningTrials::PositioningTrials(const PositioningMeasurement &measurement,
@@ -99,6 +97,8 @@ PositioningTrials::Workplace PositioningTrials::workplace() const {
     Workplace result;
     result.readings.resize(m_readings.size());
     result.targets.resize(m_targets);
+    constexpr std::size_t block = RandomDraws::blockSize;
+    result.numbers.resize((m_readings.size() * Lanes::count + block - 1) / block * block);
     return result;
 }
 
@@ -118,21 +118,19 @@ PositioningTrials::Common PositioningTrials::common(long long first) const {
 }
 
 template <class Put>
-void PositioningTrials::eachError(long long first, Put put) const {
+void PositioningTrials::eachError(long long first, std::vector<double> &numbers, Put put) const {
     const Common all = common(first);
     if (m_linearDrift || m_drift == 0) {
         for (const Reading &reading : m_readings)
             put(reading, reading.distance * all.perLength + reading.time * all.drift);
         return;
     }
+    m_draws.symmetric(first, firstReadingPlace, numbers);
     const double half = m_drift / 2;
-    for (std::size_t k = 0; k < m_readings.size(); k += wordsPerPlace) {
-        const auto words =
-            m_draws.lanes(first, firstReadingPlace + static_cast<std::uint32_t>(k / wordsPerPlace));
-        for (std::size_t word = 0; word < wordsPerPlace && k + word < m_readings.size(); ++word) {
-            const Reading &reading = m_readings[k + word];
-            put(reading, reading.distance * all.perLength + half * RandomDraws::symmetric(words[word]));
-        }
+    const double *number = numbers.data();
+    for (const Reading &reading : m_readings) {
+        put(reading, reading.distance * all.perLength + half * Lanes::from(number));
+        number += Lanes::count;
     }
 }
 
@@ -141,9 +139,10 @@ void PositioningTrials::run(long long first, Workplace &place, std::span<double>
     const auto trials = static_cast<std::size_t>(chunk());
     const std::span<const Lanes> readings(place.readings);
     for (std::size_t trial = 0; trial < trials; trial += Lanes::count) {
-        eachError(first + static_cast<long long>(trial), [&](const Reading &reading, const Lanes &error) {
-            place.readings[reading.place] = reading.value + error;
-        });
+        eachError(first + static_cast<long long>(trial), place.numbers,
+                  [&](const Reading &reading, const Lanes &error) {
+                      place.readings[reading.place] = reading.value + error;
+                  });
         for (std::size_t k = 0; k < m_corrections.size(); ++k)
             place.readings[k] += m_corrections[k];
         statistics(readings.first(m_positive), readings.subspan(m_positive), m_targets, m_method,
@@ -158,7 +157,8 @@ void PositioningTrials::run(long long first, Workplace &place, std::span<double>
 PositioningMeasurement PositioningTrials::perturbed(long long trial) const {
     PositioningMeasurement result = m_measurement;
     const long long first = trial - trial % Lanes::count;
-    eachError(first, [&](const Reading &reading, const Lanes &error) {
+    std::vector<double> numbers = workplace().numbers;
+    eachError(first, numbers, [&](const Reading &reading, const Lanes &error) {
         if (auto &deviations = result.runs[reading.run].deviations; reading.target < deviations.size()) {
             auto &deviation = deviations[reading.target];
             if (deviation)

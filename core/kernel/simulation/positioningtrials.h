@@ -30,6 +30,7 @@ public:
     struct Workplace {
         std::vector<Lanes> readings;
         std::vector<TargetStatisticsOf<Lanes>> targets;
+        std::vector<double> numbers; ///< random ones, four a reading
     };
     [[nodiscard]] Workplace workplace() const;
 
@@ -58,9 +59,10 @@ private:
 
     void addReadings(const PositioningMeasurement &measurement);
     [[nodiscard]] Common common(long long first) const;
-    /// Calls put(reading, error) for all readings of the four trials from `first` on.
+    /// Calls put(reading, error) for all readings of the four trials from `first` on; `numbers` of a
+    /// workplace.
     template <class Put>
-    void eachError(long long first, Put put) const;
+    void eachError(long long first, std::vector<double> &numbers, Put put) const;
 
     const PositioningMeasurement &m_measurement;
     RandomDraws m_draws;

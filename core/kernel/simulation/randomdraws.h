@@ -5,7 +5,9 @@
 #include "kernel/numerics/threefry.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace palmer {
 
@@ -34,6 +36,14 @@ public:
                                           m_key);
     }
 
+    /// symmetric(lanes(first, place)[0]), …[3], symmetric(lanes(first, place + 1)[0]) and so on, four doubles
+    /// each: as many as there are in `numbers`, a multiple of `blockSize`. Wide registers are used where the
+    /// processor has them; the numbers are the same on all.
+    static constexpr std::size_t blockSize = 32;
+    void symmetric(long long first, std::uint32_t place, std::span<double> numbers) const;
+    /// With the registers every processor has.
+    void symmetricNarrow(long long first, std::uint32_t place, std::span<double> numbers) const;
+
     /// Of one trial the four places from `place` on: four words, the places side by side.
     [[nodiscard]] std::array<WordLanes, 4> places(long long trial, std::uint32_t place) const {
         const std::uint32_t low = word(trial, 0);
@@ -57,6 +67,9 @@ public:
 
 private:
     static constexpr double unit = 0x1p-31;
+
+    void fill(long long first, std::uint32_t place, std::span<double> numbers) const;
+    void fillWide(long long first, std::uint32_t place, std::span<double> numbers) const;
 
     static std::uint32_t word(long long number, int which) {
         constexpr int bits = 32;

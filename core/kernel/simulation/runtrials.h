@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernel/numerics/lanes.h"
 #include "kernel/simulation/simulate.h"
 
 #include <algorithm>
@@ -19,9 +20,10 @@ struct FineCounts {
     double from = 0;
     double width = 0; ///< 0: all values are alike
 
-    [[nodiscard]] std::size_t index(double value) const {
-        const double place = (value - from) / width;
-        return static_cast<std::size_t>(std::clamp(place, 0.0, double(count - 1)));
+    /// `perWidth`: 1/width.
+    [[nodiscard]] std::size_t index(double value, double perWidth) const {
+        const double place = (value - from) * perWidth;
+        return static_cast<std::size_t>(smaller(larger(place, 0.0), double(count - 1)));
     }
 };
 
@@ -245,8 +247,9 @@ private:
             into[0] += static_cast<long long>(values.size());
             return;
         }
+        const double perWidth = 1 / fine.width;
         for (const double value : values)
-            ++into[fine.index(value)];
+            ++into[fine.index(value, perWidth)];
     }
 
     /// In the order of the trials, whichever thread they ran on.

@@ -3,6 +3,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <cmath>
 
 using namespace palmer;
 using palmer::ui::Evaluator;
@@ -45,6 +46,8 @@ private slots:
     void forgetsViewsOfTestsThatAreGone();
     void evaluatesLargeTestsOnAThread();
     void tellsOnlyTheLatest();
+    void tellsTheDocumentBeforeItsResults();
+    void evaluatesForAnotherMachineOnAThread();
 };
 
 void EvaluatorTest::evaluatesSmallTestsInTheCall() {
@@ -119,6 +122,43 @@ void EvaluatorTest::tellsOnlyTheLatest() {
     QTest::qWait(50); // what is not told by now will not be
     QCOMPARE(evaluated.count(), 1);
     QVERIFY(evaluator.current().document == latest);
+}
+
+void EvaluatorTest::tellsTheDocumentBeforeItsResults() {
+    Evaluator evaluator;
+    evaluator.setDocument(large(2000, 0.001));
+    QTRY_VERIFY(!evaluator.isBusy());
+    const std::vector<Finding> before = evaluator.current().tests[0]->findings;
+    QSignalSpy awaiting(&evaluator, &Evaluator::awaiting);
+    const auto document = large(1500, 0.002); // fewer targets
+    evaluator.setDocument(document);
+    QCOMPARE(awaiting.count(), 1);
+    QVERIFY(evaluator.isBusy());
+    const EvaluatedDocument &latest = evaluator.latest();
+    QVERIFY(latest.document == document);
+    QVERIFY(latest.isPending(0));
+    QVERIFY(latest.tests[0]->parameters.empty());
+    QVERIFY(latest.tests[0]->findings == before); // they lag, so that nothing blinks
+    const auto &results = std::get<PositioningResults>(latest.tests[0]->results);
+    QCOMPARE(results.targets.size(), std::size_t{1500});
+    QVERIFY(std::isnan(results.targets[7].mean()));
+    QTRY_VERIFY(!evaluator.isBusy());
+    QVERIFY(!evaluator.latest().isPending(0));
+    QVERIFY(!evaluator.latest().tests[0]->parameters.empty());
+}
+
+/// The test is the same, what it is evaluated with is not.
+void EvaluatorTest::evaluatesForAnotherMachineOnAThread() {
+    Evaluator evaluator;
+    const auto document = large(2000, 0.001);
+    evaluator.setDocument(document);
+    QTRY_VERIFY(!evaluator.isBusy());
+    auto other = std::make_shared<Document>(*document);
+    other->machine.name = "another";
+    evaluator.setDocument(other);
+    QVERIFY(evaluator.isBusy());
+    QTRY_VERIFY(!evaluator.isBusy());
+    QVERIFY(evaluator.current().document == other);
 }
 
 QTEST_GUILESS_MAIN(EvaluatorTest)

@@ -7,8 +7,10 @@
 #include "document/writedocument.h"
 #include "editing/measuringcycle.h"
 #include "editing/newtest.h"
+#include "kernel/planning/targetplan.h"
 #include "ui/examples.h"
 #include "ui/readings/readingspage.h"
+#include "ui/window/rightside.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -19,6 +21,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTableView>
 #include <QTest>
 #include <QTimer>
@@ -353,6 +356,16 @@ private slots:
             other.view->setCurrentIndex(other.view->model()->index(0, 1));
             other.paste(copied);
             QVERIFY(other.measurement() == published());
+            // Cutting leaves the same on the clipboard and takes it back in one step.
+            other.view->selectionModel()->select(
+                QItemSelection(other.view->model()->index(0, 2), other.view->model()->index(1, 3)),
+                QItemSelectionModel::ClearAndSelect);
+            other.press(Qt::Key_X, Qt::ControlModifier);
+            QCOMPARE(QGuiApplication::clipboard()->text().count('\n'), 2);
+            QVERIFY(!readingAt(other.measurement(), {0, 0}) && !readingAt(other.measurement(), {1, 1}));
+            QCOMPARE(readingAt(other.measurement(), {0, 2}), readingAt(published(), {0, 2}));
+            other.window->model().undoStack()->undo();
+            QVERIFY(other.measurement() == published());
         }
     }
 
@@ -483,6 +496,55 @@ private slots:
         QCOMPARE(typing.window->model().undoStack()->count(), 40);
     }
 
+    /// The table shows the document that edits go to: of a large test only the results lag.
+    void theTableIsNeverBehindTheDocument() {
+        Test test = largeTest();
+        const PositioningMeasurement half = measurement(test);
+        for (const Run &run : half.runs)
+            measurement(test).runs.push_back(run);
+        const TypingWindow typing(test);
+        QTRY_VERIFY(!typing.window->evaluator().isBusy());
+        const QAbstractItemModel &table = *typing.view->model();
+        const auto results = [&] { return typing.find<QTableView>("results")->model()->index(0, 2).data(); };
+        const QVariant before = results();
+        typing.setCurrent(0, 0);
+        typing.find<QAction>("removeTargets")->trigger();
+        QVERIFY(typing.window->evaluator().isBusy());
+        QCOMPARE(table.rowCount(), 399);
+        QCOMPARE(table.index(0, 1).data().toString(), QString("5")); // the second target is the first now
+        QCOMPARE(results(), before);
+        QVERIFY(typing.find<RightSide>("rightSide")->isComputing());
+        typing.setCurrent(0, 0);
+        typing.type("77.7");
+        typing.press(Qt::Key_Return);
+        QVERIFY(typing.window->evaluator().isBusy());
+        QCOMPARE(table.index(0, 2).data().toString(), QString("77.7"));
+        QCOMPARE(readingAt(typing.measurement(), {0, 0}), std::optional(0.0777));
+        QCOMPARE(typing.measurement().targets.front(), 5.0);
+        typing.window->model().undoStack()->undo();
+        typing.window->model().undoStack()->undo();
+        QCOMPARE(table.rowCount(), 400);
+        QTRY_VERIFY(!typing.window->evaluator().isBusy());
+        QVERIFY(!typing.find<RightSide>("rightSide")->isComputing());
+        QCOMPARE(results(), before);
+        // Between two tests the results of one never stand beside the readings of the other.
+        Test small = publishedTest();
+        small.id = "small";
+        typing.window->model().edit("add", [&](Document &document) { insertTest(document, 1, small); });
+        QTRY_VERIFY(!typing.window->evaluator().isBusy());
+        typing.window->workplace().showTest(1);
+        typing.window->model().edit("change", [](Document &document) {
+            auto changed = std::make_shared<Test>(*document.tests[0]);
+            std::get<PositioningMeasurement>(changed->measurement).runs[0].deviations[0] = 0.5;
+            document.tests[0] = std::move(changed);
+        });
+        QVERIFY(typing.window->evaluator().isBusy());
+        typing.window->workplace().showTest(0);
+        QCOMPARE(typing.find<QTableView>("results")->model()->rowCount(), 0);
+        QTRY_VERIFY(!typing.window->evaluator().isBusy());
+        QVERIFY(typing.find<QTableView>("results")->model()->rowCount() > 0);
+    }
+
     void aNewTestFromTheWindow() {
         const ShownWindow shown;
         QTimer::singleShot(0, shown.window, [] {
@@ -495,6 +557,10 @@ private slots:
             field("newTravel")->setText("1800");
             auto *list = dialog->findChild<QPlainTextEdit *>("newTargets");
             QCOMPARE(list->toPlainText().count(';'), 8); // five a metre
+            field("newTravel")->setText("4000");
+            QCOMPARE(dialog->findChild<QSpinBox *>("newRuns")->value(), 1); // once over the whole of it
+            field("newTravel")->setText("1800");
+            QCOMPARE(dialog->findChild<QSpinBox *>("newRuns")->value(), 5);
             list->setPlainText("0 150,71 300,85");
             QTest::keyClick(dialog, Qt::Key_Return);
         });
@@ -508,6 +574,33 @@ private slots:
         QCOMPARE(m.runs.size(), std::size_t{10});
         QCOMPARE(shown.window->workplace().selection().reading(), (ReadingPlace{0, 0}));
         QCOMPARE(shown.window->focusWidget()->objectName(), QString("readings"));
+    }
+
+    void theTargetsOfANewTestAreChosenAfterItsEdition() {
+        for (const bool typed : {false, true}) {
+            const ShownWindow shown;
+            QTimer::singleShot(0, shown.window, [typed] {
+                auto *dialog = QApplication::activeModalWidget();
+                QVERIFY(dialog);
+                if (typed)
+                    dialog->findChild<QPlainTextEdit *>("newTargets")->setPlainText("0 200 400 600 800");
+                QTest::keyClick(dialog, Qt::Key_Return);
+            });
+            shown.find<QAction>("new")->trigger();
+            const Document &document = *shown.window->model().document();
+            const auto &m = std::get<PositioningMeasurement>(document.tests.at(0)->measurement);
+            QCOMPARE(m.targetChoice.kind, typed ? TargetChoiceKind::notStated : TargetChoiceKind::free);
+            if (typed)
+                continue;
+            // The seed in the file gives the same targets again.
+            TargetRequest request;
+            request.from = 1;
+            request.travel = 998;
+            request.seed = static_cast<std::uint64_t>(m.targetChoice.seed.value());
+            QCOMPARE(m.targets, planTargets(request).targets);
+            const auto &findings = shown.window->evaluator().current().tests[0]->findings;
+            QVERIFY(std::ranges::none_of(findings, [](const Finding &f) { return f.id == "evenSpacing"; }));
+        }
     }
 
     void testsAreRenamedRepeatedAndDeleted() {

@@ -2,6 +2,7 @@
 
 #include "core/kernel/uncertainty/uncertaintydata.h"
 #include "kernel/simulation/positioningtrials.h"
+#include "kernel/simulation/randomdraws.h"
 #include "kernel/simulation/runtrials.h"
 
 #include <QTest>
@@ -21,6 +22,7 @@ class SimulatePositioning : public QObject {
 
 private slots:
     void everyRowHasLanes();
+    void numbersDoNotDependOnTheRegisters();
     void trialsAreTheRealEvaluation_data();
     void trialsAreTheRealEvaluation();
     void nothingGivesNothing();
@@ -99,6 +101,27 @@ void SimulatePositioning::everyRowHasLanes() {
         for (const Row &row : one->rows)
             QVERIFY2(iso230_2::inLanes(row.value), row.term.id);
     }
+}
+
+void SimulatePositioning::numbersDoNotDependOnTheRegisters() {
+    const RandomDraws draws(-42);
+    constexpr long long first = (1LL << 32U) - 4; // the high word changes after these trials
+    constexpr std::uint32_t place = 7;
+    std::vector<double> numbers(3 * RandomDraws::blockSize);
+    std::vector<double> narrow(numbers.size());
+    draws.symmetric(first, place, numbers);
+    draws.symmetricNarrow(first, place, narrow);
+    QCOMPARE(numbers, narrow);
+    std::size_t k = 0;
+    for (std::uint32_t next = place; k < numbers.size(); ++next) {
+        for (const RandomDraws::WordLanes &words : draws.lanes(first, next)) {
+            for (const double number : RandomDraws::symmetric(words).values())
+                QCOMPARE(numbers[k++], number);
+        }
+    }
+    for (int trial = 0; trial < Lanes::count; ++trial)
+        QCOMPARE(numbers[static_cast<std::size_t>(trial)],
+                 RandomDraws::symmetric(draws.words(first + trial, place)[0]));
 }
 
 void SimulatePositioning::trialsAreTheRealEvaluation_data() {

@@ -1,0 +1,14 @@
+#include "ui/sizeonscreen.h"
+
+#include <QScreen>
+#include <QStyle>
+
+namespace palmer::ui {
+
+QSize sizeOnScreen(const QWidget &window, QSize wished) {
+    const QSize room = window.screen()->availableSize();
+    const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, &window);
+    return wished.boundedTo({room.width(), room.height() - title});
+}
+
+} // namespace palmer::ui
