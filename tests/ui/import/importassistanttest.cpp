@@ -14,6 +14,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
 
@@ -251,6 +252,19 @@ private slots:
             const auto *box = dialog.findChild<QWidget *>("import." + choice);
             QVERIFY2(box && box->isVisible() && box->isEnabled(), qPrintable(choice));
         }
+    }
+
+    void aHugeFileIsRefusedWithoutReadingIt() {
+        QTemporaryDir folder;
+        QFile huge(folder.filePath("huge.csv"));
+        QVERIFY(huge.open(QIODevice::WriteOnly));
+        if (!huge.resize(qint64(2) << 30))
+            QSKIP("no sparse files here");
+        huge.close();
+        const ShownWindow shown;
+        shown.window->importFiles({huge.fileName()});
+        QVERIFY(shown.window->findChild<QMessageBox *>("errorBox"));
+        QVERIFY(!shown.window->hasDocument());
     }
 
     void aRefusedFileIsOneSentence() {
