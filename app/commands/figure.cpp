@@ -3,8 +3,10 @@
 #include "commands/outputfile.h"
 #include "commands/streams.h"
 #include "document/evaluateddocument.h"
+#include "figures/budgetfigure.h"
 #include "figures/circlefigure.h"
 #include "figures/deviationfigure.h"
+#include "figures/driftfigure.h"
 #include "figures/figuredata.h"
 #include "ui/figures/exportfigure.h"
 
@@ -22,11 +24,12 @@ constexpr std::array options{
     Option{"o", "OUT.svg|png|pdf|csv",
            REPORT_TEXT("report", "the picture to write, or its points; the ending says which")},
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
-    Option{"figure", "deviation|circle|counterclockwise|clockwise",
+    Option{"figure", "deviation|circle|counterclockwise|clockwise|budget",
            REPORT_TEXT("report", "which figure; without it that of the test")},
 };
 
 constexpr const char *deviationWord = "deviation";
+constexpr const char *budgetWord = "budget";
 
 struct CircleWord {
     const char *word;
@@ -52,6 +55,19 @@ struct NamedFigure {
 /// The figure asked for; without a word that of the kind of test.
 NamedFigure figureOf(const Test &test, const TestEvaluation &evaluation, std::size_t index,
                      const std::optional<QString> &asked, const Language &language) {
+    if (asked && *asked == QLatin1StringView(budgetWord)) {
+        BarFigure figure = budgetFigure(test, evaluation, language);
+        if (figure.bars.empty())
+            throwHasNoFigure(index, budgetWord); // no budget is asked for
+        return {figure, figure.title};
+    }
+    if (std::holds_alternative<DriftMeasurement>(test.measurement)) {
+        const std::string word = asked.value_or(QLatin1StringView(deviationWord)).toStdString();
+        CurveFigure figure = driftFigure(test, evaluation, language);
+        if (word != deviationWord || figure.curves.empty())
+            throwHasNoFigure(index, word);
+        return {figure, figure.title};
+    }
     if (std::holds_alternative<PositioningMeasurement>(test.measurement)) {
         const std::string word = asked.value_or(QLatin1StringView(deviationWord)).toStdString();
         if (word != deviationWord)
@@ -71,7 +87,7 @@ NamedFigure figureOf(const Test &test, const TestEvaluation &evaluation, std::si
 }
 
 void checkWord(const std::optional<QString> &asked) {
-    if (!asked || *asked == QLatin1StringView(deviationWord))
+    if (!asked || *asked == QLatin1StringView(deviationWord) || *asked == QLatin1StringView(budgetWord))
         return;
     std::string known = deviationWord;
     for (const CircleWord &one : circleWords) {
@@ -79,6 +95,7 @@ void checkWord(const std::optional<QString> &asked) {
             return;
         known += std::string(", ") + one.word;
     }
+    known += std::string(", ") + budgetWord;
     throw UsageError({REPORT_TEXT("report", "unknown figure %1; known: %2"), {asked->toStdString(), known}});
 }
 

@@ -10,10 +10,11 @@ namespace palmer {
 
 namespace {
 
-std::optional<double> driftRange(const Document &document, const std::string &id) {
+/// E_VE of a drift test; a linear axis learns nothing from angles, a rotary one nothing from lengths.
+std::optional<double> driftRange(const Document &document, const std::string &id, Motion motion) {
     for (const TestPointer &test : document.tests) {
         const auto *drift = std::get_if<DriftMeasurement>(&test->measurement);
-        if (!drift || test->id != id || drift->deviations.empty())
+        if (!drift || test->id != id || drift->deviations.empty() || drift->axis.motion != motion)
             continue;
         const auto [low, high] = std::ranges::minmax(drift->deviations);
         return high - low;
@@ -44,14 +45,16 @@ Surroundings surroundings(const Document &document, const Test &test) {
             result.instruments.push_back(&*found);
     }
     std::optional<std::string> drift;
+    Motion motion = Motion::linear;
     if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
         result.otherTestOfLongAxis = hasOtherTest(document, test, *m);
         drift = m->uncertainty.driftTest;
+        motion = m->axis.motion;
     } else if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement)) {
         drift = c->uncertainty.driftTest;
     }
     if (drift)
-        result.environmentalVariation = driftRange(document, *drift);
+        result.environmentalVariation = driftRange(document, *drift, motion);
     return result;
 }
 

@@ -75,6 +75,15 @@ Test newTest(const NewCircularTest &wanted) {
     return test;
 }
 
+Test newDriftTest(const Axis &axis) {
+    DriftMeasurement measurement;
+    measurement.axis.name = axis.name;
+    measurement.axis.motion = axis.motion;
+    Test test;
+    test.measurement = std::move(measurement);
+    return test;
+}
+
 std::vector<double> evenTargets(double first, double last, std::size_t count, double resolution) {
     std::vector<double> targets;
     if (!(first < last))

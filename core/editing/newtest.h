@@ -34,6 +34,9 @@ struct NewCircularTest {
 /// A test with a place for every reading and no reading yet: ↑ and ↓ in turn.
 [[nodiscard]] Test newTest(const NewPositioningTest &wanted);
 
+/// A drift test of an axis without readings yet.
+[[nodiscard]] Test newDriftTest(const Axis &axis);
+
 /// `count` targets from `first` to `last` with equal intervals, rounded to whole steps of `resolution` (0:
 /// not rounded); fewer where rounding makes two the same. Of count 1 the first; empty unless first < last.
 [[nodiscard]] std::vector<double> evenTargets(double first, double last, std::size_t count,

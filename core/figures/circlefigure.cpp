@@ -338,6 +338,8 @@ void addEnvelope(CircleFigure &figure, const Source &source, const Language &lan
     envelope.outer = (circle->outerRadius - nominal) * micrometresPerMillimetre;
     if (source.options.limits && shown->limit && shown->limit->value) {
         envelope.limit = *shown->limit->value * micrometresPerMillimetre;
+        if (shown->verdict && shown->guardBand)
+            envelope.guard = *shown->guardBand * micrometresPerMillimetre;
         envelope.limitLabel = language.sentence(
             {REPORT_TEXT("report", "limit %1"), {Number{*shown->limit->value, Quantity::deviation}}, {}});
     }

@@ -130,10 +130,15 @@ const Parameter *parameter(const Source &source, std::string_view id) {
     return nullptr;
 }
 
-/// A value of zero has no length to show.
-void addDimension(CurveFigure &figure, const Parameter &shown, Dimension dimension) {
+/// A value of zero has no length to show. A limit that gave a verdict stands beside its dimension.
+void addDimension(CurveFigure &figure, const Source &source, const Parameter &shown, Dimension dimension) {
     if (!(dimension.upper > dimension.lower))
         return;
+    if (shown.verdict && shown.limit && shown.limit->value) {
+        dimension.limit = *shown.limit->value * source.scale;
+        if (shown.guardBand)
+            dimension.guard = *shown.guardBand * source.scale;
+    }
     dimension.label = QString::fromUtf8(shown.term.symbol.base);
     dimension.id = QString::fromUtf8(shown.term.id);
     figure.dimensions.push_back(std::move(dimension));
@@ -145,7 +150,7 @@ void addSpan(CurveFigure &figure, const Source &source, std::string_view id, aut
     const Parameter *shown = parameter(source, id);
     if (!shown || !shown->ruling[1])
         return;
-    addDimension(figure, *shown,
+    addDimension(figure, source, *shown,
                  {{},
                   {},
                   smallest(*shown->ruling[1]),
@@ -171,7 +176,8 @@ void addRepeatability(CurveFigure &figure, const Source &source, std::string_vie
     const DimensionPlace place = i + 1 == source.targets() ? DimensionPlace::gutter
                                  : i == 0                  ? DimensionPlace::rightOfTarget
                                                            : DimensionPlace::leftOfTarget;
-    addDimension(figure, *shown, {{}, {}, lower, upper, source.position(i), source.position(i), place});
+    addDimension(figure, source, *shown,
+                 {{}, {}, lower, upper, source.position(i), source.position(i), place});
 }
 
 void addReversal(CurveFigure &figure, const Source &source) {
@@ -182,7 +188,7 @@ void addReversal(CurveFigure &figure, const Source &source) {
     const auto [lower, upper] =
         std::minmax({source.mean(i, Direction::positive), source.mean(i, Direction::negative)});
     addDimension(
-        figure, *shown,
+        figure, source, *shown,
         {{}, {}, lower, upper, source.position(i), source.position(i), DimensionPlace::rightOfTarget});
 }
 
@@ -246,6 +252,28 @@ void addLegend(CurveFigure &figure, const Source &source, const Language &langua
         figure.legend.push_back(
             {LegendSample::readings, language.text(REPORT_TEXT("report", "readings")), false});
     }
+}
+
+/// Limits beyond what the axis shows are left out; the others get a word in the legend.
+void addLimits(CurveFigure &figure, const Language &language) {
+    bool band = false;
+    bool any = false;
+    for (Dimension &dimension : figure.dimensions) {
+        if (!dimension.limit)
+            continue;
+        if (dimension.lower + *dimension.limit > figure.y.to) {
+            dimension.limit.reset();
+            dimension.guard.reset();
+            continue;
+        }
+        any = true;
+        band |= dimension.guard.has_value();
+    }
+    if (any)
+        figure.legend.push_back({LegendSample::limit,
+                                 band ? language.text(REPORT_TEXT_FOR("report", "limit ± g", "of a figure"))
+                                      : language.text(REPORT_TEXT_FOR("report", "limit", "of a figure")),
+                                 band});
 }
 
 Interval rangeOfPositions(const CurveFigure &figure, bool rotary) {
@@ -348,7 +376,9 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
     figure.y.unit = language.unit(rotary ? Quantity::angularDeviation : Quantity::deviation);
     const Interval positions = rangeOfPositions(figure, rotary);
     const Interval values = rangeOfValues(figure);
-    return withRanges(std::move(figure), positions, values, language);
+    figure = withRanges(std::move(figure), positions, values, language);
+    addLimits(figure, language);
+    return figure;
 }
 
 CurveFigure withRanges(CurveFigure figure, const Interval &x, const Interval &y, const Language &language) {

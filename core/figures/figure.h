@@ -11,9 +11,9 @@
 
 namespace palmer {
 
-/// Whose values a part of a figure shows: the approach in the positive (↑) or negative (↓) direction, or the
-/// mean of both. What it looks like on screen and paper is the business of who draws.
-enum class CurveRole { up, down, mean };
+/// Whose values a part of a figure shows: the approach in the positive (↑) or negative (↓) direction, the
+/// mean of both, or readings at rest. What it looks like on screen and paper is the business of who draws.
+enum class CurveRole { up, down, mean, drift };
 
 /// A place in a figure, in the units its axes show.
 struct FigurePoint {
@@ -74,12 +74,17 @@ struct Dimension {
     double lowerPosition = 0; ///< x where the leader of the lower value starts
     double upperPosition = 0;
     DimensionPlace place = DimensionPlace::gutter;
+    QString subscript = {}; ///< of the label: "VE"
+    /// What is agreed for it, from the lower value on, and the guard band on either side; without those that
+    /// lie beyond what the axis shows.
+    std::optional<double> limit = {};
+    std::optional<double> guard = {};
 
     bool operator==(const Dimension &) const = default;
 };
 
 /// What stands before a text of the legend.
-enum class LegendSample { up, down, mean, readings };
+enum class LegendSample { up, down, mean, readings, drift, limit };
 
 struct LegendEntry {
     LegendSample sample = LegendSample::mean;
@@ -112,7 +117,7 @@ struct FigureAxis {
     bool operator==(const FigureAxis &) const = default;
 };
 
-/// Curves over positions: the picture of a positioning test.
+/// Curves over positions or, of a drift test, over time.
 struct CurveFigure {
     QString title;
     FigureAxis x;
@@ -201,6 +206,7 @@ struct CircleEnvelope {
     double outer = 0;            ///< outer ≥ inner
     bool dimension = true;       ///< the distance of the two is the result; else they are Fmin and Fmax
     std::optional<double> limit; ///< width, µm; drawn beside the dimension
+    std::optional<double> guard; ///< guard band about that width, µm
     QString limitLabel;          ///< "limit 30 µm"
 
     bool operator==(const CircleEnvelope &) const = default;
@@ -279,7 +285,49 @@ struct CircleFigure {
     bool operator==(const CircleFigure &) const = default;
 };
 
+/// A line of a bar figure: its name at the left, its size as a bar from 0, its numbers at the right.
+struct Bar {
+    QString id;
+    QString name;
+    QString subscript;  ///< at the end of the name
+    double size = 0;    ///< in the unit of the axis, not negative
+    QString value;      ///< "3.60"; a dash where there is none
+    QString share;      ///< "54 %", likewise
+    bool first = false; ///< what is to be improved first
+
+    bool operator==(const Bar &) const = default;
+};
+
+/// Bars below each other on one scale from 0: the contributions to an uncertainty, the largest first.
+struct BarFigure {
+    QString title;
+    QString shareTitle; ///< head of the shares
+    QString note;       ///< what is to be improved first; empty: nothing stands out
+    FigureAxis x;
+    std::vector<Bar> bars;
+
+    bool operator==(const BarFigure &) const = default;
+};
+
+/// How often a simulation gave which values: `counts` in equal intervals of `width` from `from` on, in the
+/// unit of the axis; width 0: all values are alike.
+struct HistogramFigure {
+    QString title; ///< "Distribution of A in 120 000 trials"
+    FigureAxis x;
+    double from = 0;
+    double width = 0;
+    std::vector<long long> counts;
+    Interval coverage;    ///< holds 95.45 % of the values
+    double evaluated = 0; ///< from the readings as they are
+    double mean = 0;      ///< of the values
+    QString evaluatedText;
+    QString meanText;
+    QString coverageText;
+
+    bool operator==(const HistogramFigure &) const = default;
+};
+
 /// What can be drawn: content in the units and the language it is shown in, roles instead of colours.
-using Figure = std::variant<CurveFigure, CircleFigure, LineFigure>;
+using Figure = std::variant<CurveFigure, CircleFigure, LineFigure, BarFigure, HistogramFigure>;
 
 } // namespace palmer

@@ -60,11 +60,15 @@ QString arrowOf(CurveRole role) {
     }
 }
 
+QString nameOf(CurveRole role) {
+    return role == CurveRole::drift ? QStringLiteral("x") : QStringLiteral("x̄") + arrowOf(role);
+}
+
 void add(PointTable &table, const CurveFigure &figure) {
     table.head(figure.title, headingOf(figure.x), headingOf(figure.y));
     for (const Curve &curve : figure.curves) {
         for (const FigurePoint &point : curve.points)
-            table.point(QStringLiteral("x̄") + arrowOf(curve.role), point.x, point.y);
+            table.point(nameOf(curve.role), point.x, point.y);
     }
     for (const Band &band : figure.bands) {
         const QString arrow = arrowOf(band.role);
@@ -97,6 +101,20 @@ void add(PointTable &table, const CircleFigure &figure) {
         for (const TracePoint &point : trace.points)
             table.point(QStringLiteral("%1 %2").arg(number).arg(sense), point.angle, point.deviation);
     }
+}
+
+void add(PointTable &table, const BarFigure &figure) {
+    table.head(figure.title, QString(), headingOf(figure.x));
+    for (std::size_t i = 0; i < figure.bars.size(); ++i)
+        table.point(figure.bars[i].name + figure.bars[i].subscript, static_cast<double>(i + 1),
+                    figure.bars[i].size);
+}
+
+void add(PointTable &table, const HistogramFigure &figure) {
+    table.head(figure.title, headingOf(figure.x), QStringLiteral("n"));
+    for (std::size_t i = 0; i < figure.counts.size(); ++i)
+        table.point(QString(), figure.from + (static_cast<double>(i) + 0.5) * figure.width,
+                    static_cast<double>(figure.counts[i]));
 }
 
 } // namespace

@@ -62,4 +62,16 @@ void setRange(FigureAxis &axis, double from, double to, double mostParts, TickSt
     }
 }
 
+double scaleEnd(double size) {
+    if (!(size > 0) || !std::isfinite(size))
+        return 1;
+    constexpr std::array steps{1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
+    const double power = std::pow(10.0, std::floor(std::log10(size)));
+    for (const double step : steps) {
+        if (step * power >= size)
+            return step * power;
+    }
+    return steps.back() * power;
+}
+
 } // namespace palmer

@@ -17,4 +17,8 @@ enum class TickSteps { values, lengths, angles };
 void setRange(FigureAxis &axis, double from, double to, double mostParts, TickSteps steps,
               const Language &language);
 
+/// The end of a scale from 0 that holds `size`: 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 or 10 times a power of
+/// ten; 1 for what is not above 0.
+[[nodiscard]] double scaleEnd(double size);
+
 } // namespace palmer

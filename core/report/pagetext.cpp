@@ -121,7 +121,7 @@ private:
         axis(figure.x);
         QStringList dimensions;
         for (const Dimension &dimension : figure.dimensions)
-            dimensions << dimension.label;
+            dimensions << dimension.label + dimension.subscript;
         cells(dimensions);
         QStringList legend;
         for (const LegendEntry &entry : figure.legend)
@@ -139,6 +139,18 @@ private:
             legend << line.name;
         }
         cells(legend);
+    }
+
+    void words(const BarFigure &figure) {
+        axis(figure.x);
+        for (const Bar &bar : figure.bars)
+            cells({bar.name + bar.subscript, bar.value, bar.share});
+        line(figure.note);
+    }
+
+    void words(const HistogramFigure &figure) {
+        axis(figure.x);
+        cells({figure.evaluatedText, figure.meanText, figure.coverageText});
     }
 
     void words(const CircleFigure &figure) {

@@ -594,6 +594,42 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part) {
         blocks.emplace_back(std::move(block));
 }
 
+QString decisionText(const TestPart &part) {
+    const Writer &write = part.write;
+    QStringList words;
+    switch (part.test.decisionRule.rule) {
+    case Rule::simpleAcceptance:
+        words << write.text(
+            REPORT_TEXT("report", "Simple acceptance: a value conforms when it is not above its limit; the "
+                                  "uncertainty has no part in it."));
+        break;
+    case Rule::iso14253_1:
+        words << write.say(
+            REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven: a value conforms when it is at "
+                                  "least g below its limit, does not conform when it is more than g above "
+                                  "it, and is not proven between; g = %1·U."),
+            {factor(part.test)});
+        break;
+    case Rule::rejectionProven:
+        words << write.say(
+            REPORT_TEXT("report", "Non-conformity has to be proven: a value conforms when it is at least g "
+                                  "below its limit and does not conform when it is more than g above it; "
+                                  "between, non-conformity is not proven: may not be rejected; g = %1·U."),
+            {factor(part.test)});
+        break;
+    }
+    if (hasGuardBand(part.test) && factorIsOne(part.test))
+        words << write.text(
+            REPORT_TEXT("report", "The factor 1 is the guard band of the earlier editions of ISO 14253-1."));
+    if (hasGuardBand(part.test) && part.test.decisionRule.guardFactor == oneSidedGuardFactor)
+        words << write.text(REPORT_TEXT(
+            "report", "The factor 0.83 (1.65 u) is the later 95 % rule of ISO 14253-1 for one limit."));
+    words << write.text(
+        REPORT_TEXT("report", "Signed results are compared by their absolute value; the verdict is taken "
+                              "from the unrounded values."));
+    return words.join(u' ');
+}
+
 void addLimits(std::vector<Block> &blocks, const TestPart &part) {
     const Writer &write = part.write;
     addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")));
@@ -631,38 +667,7 @@ void addLimits(std::vector<Block> &blocks, const TestPart &part) {
         {write.text(REPORT_TEXT_FOR("report", "Source", "of a limit")), {}, Alignment::left, true, 86}};
     blocks.emplace_back(std::move(table));
 
-    QStringList words;
-    switch (part.test.decisionRule.rule) {
-    case Rule::simpleAcceptance:
-        words << write.text(
-            REPORT_TEXT("report", "Simple acceptance: a value conforms when it is not above its limit; the "
-                                  "uncertainty has no part in it."));
-        break;
-    case Rule::iso14253_1:
-        words << write.say(
-            REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven: a value conforms when it is at "
-                                  "least g below its limit, does not conform when it is more than g above "
-                                  "it, and is not proven between; g = %1·U."),
-            {factor(part.test)});
-        break;
-    case Rule::rejectionProven:
-        words << write.say(
-            REPORT_TEXT("report", "Non-conformity has to be proven: a value conforms when it is at least g "
-                                  "below its limit and does not conform when it is more than g above it; "
-                                  "between, non-conformity is not proven: may not be rejected; g = %1·U."),
-            {factor(part.test)});
-        break;
-    }
-    if (hasGuardBand(part.test) && factorIsOne(part.test))
-        words << write.text(
-            REPORT_TEXT("report", "The factor 1 is the guard band of the earlier editions of ISO 14253-1."));
-    if (hasGuardBand(part.test) && part.test.decisionRule.guardFactor == oneSidedGuardFactor)
-        words << write.text(REPORT_TEXT(
-            "report", "The factor 0.83 (1.65 u) is the later 95 % rule of ISO 14253-1 for one limit."));
-    words << write.text(
-        REPORT_TEXT("report", "Signed results are compared by their absolute value; the verdict is taken "
-                              "from the unrounded values."));
-    blocks.emplace_back(Paragraph{words.join(u' '), TextSize::small});
+    blocks.emplace_back(Paragraph{decisionText(part), TextSize::small});
 }
 
 } // namespace palmer

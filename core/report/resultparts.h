@@ -21,6 +21,9 @@ void addResults(std::vector<Block> &blocks, const CircularPart &part);
 /// Findings in the order of their grades, unless the report leaves them out.
 void addFindings(std::vector<Block> &blocks, const TestPart &part);
 
+/// The decision rule of a test in words, with its guard factor.
+[[nodiscard]] QString decisionText(const TestPart &part);
+
 /// The limits with their sources and the decision rule in words.
 void addLimits(std::vector<Block> &blocks, const TestPart &part);
 

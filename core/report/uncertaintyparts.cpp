@@ -1,5 +1,8 @@
 #include "report/uncertaintyparts.h"
 
+#include "figures/budgetfigure.h"
+#include "figures/driftfigure.h"
+#include "figures/ticks.h"
 #include "kernel/evaluation/decideuncertainty.h"
 #include "language/rounding.h"
 #include "report/wording.h"
@@ -12,10 +15,7 @@ namespace palmer {
 
 namespace {
 
-constexpr int contributionDecimals = 2;
 constexpr double percent = 100;
-constexpr double leastShare = 0.005; ///< below, "< 1" is printed
-constexpr double smallShare = 0.05;  ///< of the largest: nothing stands out
 
 Quantity deviationOf(const TestPart &part) {
     const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
@@ -24,9 +24,7 @@ Quantity deviationOf(const TestPart &part) {
 
 /// With a capital, and the index of E_VE set lower.
 Phrase nameOf(const Writer &write, const Contribution &contribution) {
-    QString name = write.text(contribution.name);
-    if (!name.isEmpty())
-        name[0] = name[0].toUpper();
+    const QString name = contributionName(contribution, write.language());
     const QString index = QStringLiteral("_VE");
     const qsizetype at = name.indexOf(index);
     if (at < 0)
@@ -46,12 +44,6 @@ QString budgetNote(const TestPart &part) {
                      write.quantity(part.evaluation.uncertainty.length, Quantity::position);
     notes << QStringLiteral("k = 2");
     return notes.join(write.semicolon());
-}
-
-QString shareText(const Writer &write, double share) {
-    if (share < leastShare)
-        return share > 0 ? QStringLiteral("<\u00A01") : QStringLiteral("0");
-    return write.language().number(share * percent, Quantity::number, 0);
 }
 
 Table contributionTable(const TestPart &part) {
@@ -89,7 +81,7 @@ Table contributionTable(const TestPart &part) {
                                     : write.text(REPORT_TEXT("report", "not stated")),
              shown ? Cell(write.language().number(*contribution->expanded, quantity, contributionDecimals))
                    : Cell(),
-             shown ? Cell(shareText(write, shareOf(*contribution, contributions))) : Cell(), bar});
+             shown ? Cell(shareText(shareOf(*contribution, contributions), write.language())) : Cell(), bar});
     }
     return table;
 }
@@ -154,6 +146,69 @@ QString symbolsOf(const TestPart &part, bool (*holds)(const Parameter &)) {
     return symbols.join(QStringLiteral(", "));
 }
 
+/// The drift test that E_VE is taken from; null where it is typed in.
+const Test *driftTestOf(const TestPart &part) {
+    std::optional<std::string> id;
+    std::visit(
+        [&](const auto &measurement) {
+            if constexpr (requires { measurement.uncertainty.driftTest; }) {
+                if (!measurement.uncertainty.environmentalVariation)
+                    id = measurement.uncertainty.driftTest;
+            }
+        },
+        part.test.measurement);
+    if (!id)
+        return nullptr;
+    const auto &tests = part.document().tests;
+    const auto found = std::ranges::find_if(tests, [&](const TestPointer &other) {
+        return other->id == *id && std::holds_alternative<DriftMeasurement>(other->measurement);
+    });
+    return found == tests.end() ? nullptr : found->get();
+}
+
+/// The curve of that drift test.
+void addDriftCurve(std::vector<Block> &blocks, const TestPart &part) {
+    const Test *drift = driftTestOf(part);
+    if (!drift)
+        return;
+    const auto &tests = part.document().tests;
+    const auto index = static_cast<std::size_t>(
+        std::ranges::find(tests, drift, [](const TestPointer &test) { return test.get(); }) - tests.begin());
+    FigureBlock block;
+    CurveFigure figure = driftFigure(*drift, *part.evaluated.tests[index], part.write.language());
+    if (figure.curves.empty())
+        return;
+    blocks.emplace_back(Heading{3, figure.title});
+    constexpr double width = 120;
+    constexpr double height = 50;
+    block.figure = std::move(figure);
+    block.width = width;
+    block.height = height;
+    blocks.emplace_back(std::move(block));
+}
+
+/// "To improve first: …"; empty where nothing stands out.
+QString adviceText(const TestPart &part) {
+    const auto &contributions = part.evaluation.uncertainty.contributions;
+    const Contribution *first = toImproveFirst(contributions);
+    if (!first || !part.evaluation.uncertainty.complete)
+        return {};
+    QString name = part.write.text(first->name);
+    name.replace(QStringLiteral("E_VE"), QStringLiteral("EVE"));
+    return part.write.say(
+        REPORT_TEXT("report", "To improve first: %1 (%2 % of the budget)."),
+        {name.toStdString(), Number{shareOf(*first, contributions) * percent, Quantity::number, 0}});
+}
+
+} // namespace
+
+bool usesBudget(const TestEvaluation &evaluation) {
+    const UncertaintyMethod method = evaluation.uncertainty.method;
+    return !evaluation.view &&
+           (method == UncertaintyMethod::budget || method == UncertaintyMethod::monteCarlo) &&
+           !evaluation.uncertainty.contributions.empty();
+}
+
 QString methodText(const TestPart &part) {
     const Writer &write = part.write;
     const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
@@ -189,65 +244,6 @@ QString methodText(const TestPart &part) {
     return words.join(u' ');
 }
 
-/// "To improve first: …"; empty where nothing stands out.
-QString adviceText(const TestPart &part) {
-    const auto &contributions = part.evaluation.uncertainty.contributions;
-    const auto ordered = bySize(contributions);
-    const auto largest =
-        std::ranges::find_if(ordered, [](const Contribution *c) { return c->expanded.has_value(); });
-    if (largest == ordered.end() || !part.evaluation.uncertainty.complete)
-        return {};
-    const double share = shareOf(**largest, contributions);
-    if (share < smallShare)
-        return {};
-    QString name = part.write.text((*largest)->name);
-    name.replace(QStringLiteral("E_VE"), QStringLiteral("EVE"));
-    return part.write.say(REPORT_TEXT("report", "To improve first: %1 (%2 % of the budget)."),
-                          {name.toStdString(), Number{share * percent, Quantity::number, 0}});
-}
-
-} // namespace
-
-bool usesBudget(const TestEvaluation &evaluation) {
-    const UncertaintyMethod method = evaluation.uncertainty.method;
-    return !evaluation.view &&
-           (method == UncertaintyMethod::budget || method == UncertaintyMethod::monteCarlo) &&
-           !evaluation.uncertainty.contributions.empty();
-}
-
-std::vector<const Contribution *> bySize(const std::vector<Contribution> &contributions) {
-    std::vector<const Contribution *> result;
-    for (const Contribution &contribution : contributions)
-        result.push_back(&contribution);
-    std::ranges::stable_sort(result, [](const Contribution *a, const Contribution *b) {
-        const auto rank = [](const Contribution *c) {
-            return !c->expanded ? std::numeric_limits<double>::infinity() : c->applies ? *c->expanded : -1;
-        };
-        return rank(a) > rank(b);
-    });
-    return result;
-}
-
-double shareOf(const Contribution &contribution, const std::vector<Contribution> &contributions) {
-    double squares = 0;
-    for (const Contribution &one : contributions)
-        squares += one.expanded.value_or(0) * one.expanded.value_or(0);
-    const double size = contribution.expanded.value_or(0);
-    return squares > 0 ? size * size / squares : 0;
-}
-
-double scaleEnd(double size) {
-    if (!(size > 0) || !std::isfinite(size))
-        return 1;
-    constexpr std::array steps{1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
-    const double power = std::pow(10.0, std::floor(std::log10(size)));
-    for (const double step : steps) {
-        if (step * power >= size)
-            return step * power;
-    }
-    return steps.back() * power;
-}
-
 void addBudget(std::vector<Block> &blocks, const TestPart &part) {
     if (part.leavesOut(ReportPart::uncertainty) || !usesBudget(part.evaluation))
         return;
@@ -256,11 +252,12 @@ void addBudget(std::vector<Block> &blocks, const TestPart &part) {
     const bool any = std::ranges::any_of(part.evaluation.parameters, [&](const Parameter &p) {
         return isPrinted(p, part.head()) && p.budgetUncertainty.has_value();
     });
-    if (!any)
-        return;
-    blocks.emplace_back(resultTable(part));
-    blocks.emplace_back(
-        Paragraph{joined({methodText(part), adviceText(part)}, QStringLiteral(" ")), TextSize::small});
+    if (any) {
+        blocks.emplace_back(resultTable(part));
+        blocks.emplace_back(
+            Paragraph{joined({methodText(part), adviceText(part)}, QStringLiteral(" ")), TextSize::small});
+    }
+    addDriftCurve(blocks, part);
 }
 
 } // namespace palmer

@@ -12,16 +12,8 @@ namespace palmer {
 /// where the method needs no budget.
 void addBudget(std::vector<Block> &blocks, const TestPart &part);
 
-/// The contributions of a budget that say anything, the largest first; the unknown ones before, those that
-/// do not apply last.
-[[nodiscard]] std::vector<const Contribution *> bySize(const std::vector<Contribution> &contributions);
-
-/// Part of a contribution in the sum of the squares of all; 0 where nothing is known.
-[[nodiscard]] double shareOf(const Contribution &contribution,
-                             const std::vector<Contribution> &contributions);
-
-/// The end of a scale from 0 that holds `size`: 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 or 10 times a power of
-/// ten.
-[[nodiscard]] double scaleEnd(double size);
+/// Which method gave U how, which of them decides and where they differ: the sentences below the U of both
+/// methods, in window and report.
+[[nodiscard]] QString methodText(const TestPart &part);
 
 } // namespace palmer

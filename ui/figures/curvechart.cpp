@@ -17,6 +17,8 @@ FigureRole lineRole(CurveRole role) {
         return FigureRole::up;
     case CurveRole::down:
         return FigureRole::down;
+    case CurveRole::drift:
+        return FigureRole::drift;
     case CurveRole::mean:
         break;
     }
@@ -98,7 +100,7 @@ void paintCurves(QPainter &painter, const QRectF &area, const QRectF &plot, cons
         chart.addLine(edge(band.points, &BandPoint::upper), pen);
         chart.addLine(edge(band.points, &BandPoint::lower), pen);
     }
-    for (const CurveRole role : {CurveRole::mean, CurveRole::down, CurveRole::up}) {
+    for (const CurveRole role : {CurveRole::mean, CurveRole::drift, CurveRole::down, CurveRole::up}) {
         for (const Curve &curve : figure.curves) {
             if (curve.role != role || curve.points.size() < 2)
                 continue;

@@ -36,7 +36,8 @@ constexpr std::array limitAngles{225.0, 213.0, 237.0, 201.0, 249.0};
 constexpr double freeOfMarks = 9;  ///< degrees
 constexpr double roomForLabel = 9; ///< between the circles of a dimension
 constexpr double limitTick = 1;
-constexpr double scaleLeft = 2.8; ///< from the left edge
+constexpr double guardWidth = 1.2; ///< mm
+constexpr double scaleLeft = 2.8;  ///< from the left edge
 constexpr double scaleBottom = 3.9;
 constexpr double scaleTick = 1.1;
 constexpr double scaleText = 1.8;
@@ -498,6 +499,20 @@ private:
         }
     }
 
+    /// The guard band about a limit: both its ends may lie as much farther in or out, all in mm.
+    void drawGuard(double degrees, double middle, double half, double guard) {
+        const double angle = radians(degrees);
+        const QPointF across = QPointF(std::sin(angle), std::cos(angle)) * (guardWidth / 2 * mm);
+        p.setPen(pen(FigureRole::guardBand));
+        p.setBrush(colour(FigureRole::guardFill));
+        for (const double side : {-1.0, 1.0}) {
+            const QPointF inner = polar(degrees, middle + side * std::max(half - guard, 0.0));
+            const QPointF outer = polar(degrees, middle + side * (half + guard));
+            p.drawPolygon(QPolygonF{inner - across, outer - across, outer + across, inner + across});
+        }
+        p.setBrush(Qt::NoBrush);
+    }
+
     /// The limit of a width, as long as it is, in the middle of the circles it limits.
     void drawLimitOfG() {
         if (!m_figure.envelope || !m_figure.envelope->limit)
@@ -508,6 +523,8 @@ private:
         const double half = *envelope.limit * m_figure.magnification / 1000 / 2;
         const QPointF from = polar(limitAngle, middle - half);
         const QPointF to = polar(limitAngle, middle + half);
+        if (envelope.guard)
+            drawGuard(limitAngle, middle, half, *envelope.guard * m_figure.magnification / 1000 / 2);
         QPen line = pen(FigureRole::limit);
         line.setStyle(Qt::SolidLine);
         line.setCapStyle(Qt::FlatCap);

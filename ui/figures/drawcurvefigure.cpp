@@ -25,6 +25,9 @@ constexpr double leaderGap = 1.3 * mm;       ///< from the ruling place
 constexpr double leaderOvershoot = 0.9 * mm; ///< past the dimension
 constexpr double arrowLength = 0.95 * mm;
 constexpr double arrowWidth = 0.76 * mm;
+constexpr double guardWidth = 1.56 * mm;
+constexpr double limitTick = 3.1 * mm;
+constexpr double limitStroke = 0.32 * mm;
 constexpr double triangleWidth = 1.9 * mm;
 constexpr double diamondWidth = 2.0 * mm;
 constexpr double dotRadius = 0.36 * mm;
@@ -243,7 +246,10 @@ private:
     void drawAxisTitles(double row) {
         const QColor text = colour(FigureRole::text);
         const auto symbol = [](const FigureAxis &axis, const QString &before) {
-            return TextLine{{before + axis.symbol}, {axis.subscript, true}};
+            TextLine line{{before + axis.symbol}};
+            if (!axis.subscript.isEmpty())
+                line.push_back({axis.subscript, true});
+            return line;
         };
         const auto named = [&](const FigureAxis &axis, const QString &before) {
             TextLine line = symbol(axis, before);
@@ -390,7 +396,9 @@ private:
                        QPointF(end, y(dimension.upper)));
             p.drawLine(QPointF(x(dimension.lowerPosition) + towards * leaderGap, y(dimension.lower)),
                        QPointF(end, y(dimension.lower)));
-            drawDimension(at, y(dimension.upper), y(dimension.lower), dimension.label);
+            drawLimit(at, dimension);
+            drawDimension(at, y(dimension.upper), y(dimension.lower),
+                          {{dimension.label}, {dimension.subscript, true}});
         }
     }
 
@@ -400,6 +408,29 @@ private:
             std::count_if(m_figure.dimensions.data(), &dimension, [&](const Dimension &earlier) {
                 return earlier.place == dimension.place && earlier.upperPosition == dimension.upperPosition;
             }));
+    }
+
+    /// The limit as a tick at its distance from the lower value, in the guard band about it.
+    void drawLimit(double at, const Dimension &dimension) {
+        if (!dimension.limit || !shows(dimension.upperPosition, dimension.lower + *dimension.limit))
+            return;
+        const double limit = dimension.lower + *dimension.limit;
+        if (dimension.guard) {
+            const double top = std::max(y(limit + *dimension.guard), m_plot.top());
+            const double bottom = std::min(y(limit - *dimension.guard), m_plot.bottom());
+            drawGuard(QRectF(at - guardWidth / 2, top, guardWidth, bottom - top));
+        }
+        QPen tick = pen(FigureRole::dimension);
+        tick.setWidthF(limitStroke);
+        tick.setCapStyle(Qt::FlatCap);
+        p.setPen(tick);
+        p.drawLine(QPointF(at - limitTick / 2, y(limit)), QPointF(at + limitTick / 2, y(limit)));
+    }
+
+    void drawGuard(const QRectF &band) {
+        p.setPen(pen(FigureRole::guardBand));
+        p.setBrush(colour(FigureRole::guardFill));
+        p.drawRect(band);
     }
 
     void drawArrow(QPointF tip, double down) {
@@ -412,7 +443,7 @@ private:
 
     /// Arrows inside with the letter in a gap of the line; where that is too tight, the letter stands above,
     /// and where the arrows would meet, they point from outside.
-    void drawDimension(double at, double top, double bottom, const QString &label) {
+    void drawDimension(double at, double top, double bottom, const TextLine &label) {
         constexpr double letterHeight = figureTextSize + 2;
         const bool arrowsInside = bottom - top >= 2.4 * arrowLength;
         const bool letterInside = bottom - top >= letterHeight + 3 * arrowLength;
@@ -441,14 +472,20 @@ private:
     }
 
     [[nodiscard]] double sampleWidth(const LegendEntry &entry) const {
-        return entry.sample == LegendSample::readings ? readingsSampleWidth : m_margins.sampleWidth;
+        return entry.sample == LegendSample::readings ? readingsSampleWidth
+               : entry.sample == LegendSample::limit  ? limitTick
+                                                      : m_margins.sampleWidth;
     }
 
     void drawLegend() {
+        std::vector<LegendEntry> shown = m_figure.legend;
+        if (!m_dimensions) // limits stand beside dimensions
+            std::erase_if(shown,
+                          [](const LegendEntry &entry) { return entry.sample == LegendSample::limit; });
         double width = 0;
-        for (const LegendEntry &entry : m_figure.legend)
+        for (const LegendEntry &entry : shown)
             width += sampleWidth(entry) + m_margins.sampleGap + textWidth(entry.text);
-        const auto gaps = static_cast<double>(std::max<std::size_t>(m_figure.legend.size(), 2) - 1);
+        const auto gaps = static_cast<double>(std::max<std::size_t>(shown.size(), 2) - 1);
         const double start =
             m_medium == Medium::paper ? m_plot.left() + 0.03 * m_plot.width() : m_plot.left();
         const double room = m_area.right() - start;
@@ -457,7 +494,7 @@ private:
         if (m_medium != Medium::paper)
             left = std::max(m_area.left(), m_plot.center().x() - (width + gap * gaps) / 2);
         const double row = m_plot.bottom() + m_margins.legend;
-        for (const LegendEntry &entry : m_figure.legend) {
+        for (const LegendEntry &entry : shown) {
             drawSample(QRectF(left, row - sampleHeight / 2, sampleWidth(entry), sampleHeight), entry);
             left += sampleWidth(entry) + m_margins.sampleGap;
             drawText(p, {left, row}, entry.text, colour(FigureRole::text));
@@ -478,8 +515,19 @@ private:
                                 1);
             }
             return;
+        case LegendSample::limit: {
+            if (entry.band)
+                drawGuard(QRectF(middle.x() - guardWidth / 2, box.top(), guardWidth, box.height()));
+            QPen tick = pen(FigureRole::dimension);
+            tick.setWidthF(limitStroke);
+            tick.setCapStyle(Qt::FlatCap);
+            p.setPen(tick);
+            p.drawLine(middle - half, middle + half);
+            return;
+        }
+        case LegendSample::drift:
         case LegendSample::mean:
-            p.setPen(pen(FigureRole::mean));
+            p.setPen(pen(entry.sample == LegendSample::drift ? FigureRole::drift : FigureRole::mean));
             p.drawLine(middle - half, middle + half);
             return;
         case LegendSample::up:

@@ -1,8 +1,10 @@
 #include "ui/figures/drawfigure.h"
 
 #include "figures/circlefigure.h"
+#include "ui/figures/drawbarfigure.h"
 #include "ui/figures/drawcirclefigure.h"
 #include "ui/figures/drawcurvefigure.h"
+#include "ui/figures/drawhistogramfigure.h"
 #include "ui/figures/drawlinefigure.h"
 #include "ui/fonts.h"
 
@@ -28,6 +30,23 @@ QSizeF sizeOf(const LineFigure &) {
 
 FigureTransform drawKind(QPainter &painter, const QRectF &area, const LineFigure &figure, Medium medium) {
     return drawLineFigure(painter, area, figure, medium);
+}
+
+QSizeF sizeOf(const BarFigure &figure) {
+    return {175, printedHeight(figure)};
+}
+
+QSizeF sizeOf(const HistogramFigure &) {
+    return {130, 62};
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const BarFigure &figure, Medium medium) {
+    return drawBarFigure(painter, area, figure, medium);
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const HistogramFigure &figure,
+                         Medium medium) {
+    return drawHistogramFigure(painter, area, figure, medium);
 }
 
 FigureTransform drawKind(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium) {

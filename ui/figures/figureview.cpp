@@ -1,6 +1,8 @@
 #include "ui/figures/figureview.h"
 
 #include "figures/deviationfigure.h"
+#include "figures/driftfigure.h"
+#include "language/decimals.h"
 #include "report/explanation.h"
 #include "report/readingtable.h"
 #include "ui/elidedlabel.h"
@@ -43,6 +45,22 @@ const PositioningMeasurement *measurementOf(const EvaluatedDocument &evaluated, 
     return test < evaluated.tests.size()
                ? std::get_if<PositioningMeasurement>(&evaluated.document->tests[test]->measurement)
                : nullptr;
+}
+
+const DriftMeasurement *driftOf(const EvaluatedDocument &evaluated, std::size_t test) {
+    return test < evaluated.tests.size()
+               ? std::get_if<DriftMeasurement>(&evaluated.document->tests[test]->measurement)
+               : nullptr;
+}
+
+std::vector<FigureReading> readingsOf(const CurveFigure &drift) {
+    std::vector<FigureReading> readings;
+    for (const Curve &curve : drift.curves) {
+        for (const FigurePoint &point : curve.points)
+            readings.push_back(
+                {point.x, point.y, curve.role, {0, static_cast<std::size_t>(point.target) - 1}});
+    }
+    return readings;
 }
 
 /// Where each reading stands: of a single run the curve, else its mark.
@@ -176,10 +194,18 @@ std::optional<CurveFigure> FigureView::figure() const {
 void FigureView::refresh() {
     const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
     const bool circular = circularOf(m_evaluated, m_test);
-    for (QToolButton *button : {m_marks, m_fit, m_copy, m_save, m_detach, m_maximise})
-        button->setEnabled(measurement || circular);
+    const DriftMeasurement *drift = driftOf(m_evaluated, m_test);
+    for (QToolButton *button : {m_fit, m_copy, m_save, m_detach, m_maximise})
+        button->setEnabled(measurement || circular || drift);
+    m_marks->setVisible(!drift);
+    m_marks->setEnabled(measurement || circular);
     m_circles->setVisible(circular);
     m_canvas->setVisible(!circular);
+    if (drift) {
+        m_circles->clear();
+        refreshDrift(*drift);
+        return;
+    }
     if (!measurement) {
         m_whole.reset();
         m_shown.reset();
@@ -197,11 +223,7 @@ void FigureView::refresh() {
     }
     const Test &test = *m_evaluated.document->tests[m_test];
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
-    std::optional<std::array<Interval, 2>> zoomed;
-    if (m_whole && m_shown &&
-        (m_shown->x.from != m_whole->x.from || m_shown->x.to != m_whole->x.to ||
-         m_shown->y.from != m_whole->y.from || m_shown->y.to != m_whole->y.to))
-        zoomed = {{{m_shown->x.from, m_shown->x.to}, {m_shown->y.from, m_shown->y.to}}};
+    const auto zoomed = zoomedRanges();
     const CurveFigure full = deviationFigure(test, evaluation, m_language);
     m_whole = full;
     if (!m_readingMarks) {
@@ -220,6 +242,32 @@ void FigureView::refresh() {
                 tr("band ±%1s").arg(m_language.number(evaluation.edition->c, Quantity::number, -1));
     m_note->setText(note);
     m_canvas->setFigure(*m_shown, readingsOf(full, *measurement));
+    m_canvas->setAccessibleName(m_whole->title);
+    mark();
+    showHoverLabel();
+}
+
+/// What is zoomed to; nothing where the whole is shown.
+std::optional<std::array<Interval, 2>> FigureView::zoomedRanges() const {
+    if (!m_whole || !m_shown ||
+        (m_shown->x.from == m_whole->x.from && m_shown->x.to == m_whole->x.to &&
+         m_shown->y.from == m_whole->y.from && m_shown->y.to == m_whole->y.to))
+        return std::nullopt;
+    return std::array{Interval{m_shown->x.from, m_shown->x.to}, Interval{m_shown->y.from, m_shown->y.to}};
+}
+
+void FigureView::refreshDrift(const DriftMeasurement &drift) {
+    const auto zoomed = zoomedRanges();
+    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
+    m_whole = driftFigure(*m_evaluated.document->tests[m_test], evaluation, m_language);
+    m_shown = zoomed ? withRanges(*m_whole, (*zoomed)[0], (*zoomed)[1], m_language) : *m_whole;
+    m_title->setText(m_whole->title);
+    const auto &range = std::get<DriftResults>(evaluation.results).range;
+    constexpr int decimals = 2;
+    m_note->setText(range ? QStringLiteral("E_VE = ") +
+                                m_language.quantity(*range, deviationQuantity(drift.axis), decimals)
+                          : QString());
+    m_canvas->setFigure(*m_shown, readingsOf(*m_whole));
     m_canvas->setAccessibleName(m_whole->title);
     mark();
     showHoverLabel();
@@ -259,6 +307,10 @@ void FigureView::showRanges(const Interval &x, const Interval &y) {
         return Interval{from, from + span};
     };
     m_shown = withRanges(*m_whole, within(x, m_whole->x), within(y, m_whole->y), m_language);
+    if (driftOf(m_evaluated, m_test)) {
+        m_canvas->setFigure(*m_shown, readingsOf(*m_whole));
+        return;
+    }
     const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
     const CurveFigure full = m_readingMarks ? *m_whole
                                             : deviationFigure(*m_evaluated.document->tests[m_test],
@@ -295,6 +347,13 @@ void FigureView::mark() {
 void FigureView::showHoverLabel() {
     const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
     const auto place = m_selection.hovered();
+    const DriftMeasurement *drift = driftOf(m_evaluated, m_test);
+    if (drift && place && place->target < drift->times.size()) {
+        m_canvas->setHoverLabel(
+            m_language.quantity(drift->times[place->target], Quantity::time) + QStringLiteral(" · ") +
+            m_language.quantity(drift->deviations[place->target], deviationQuantity(drift->axis)));
+        return;
+    }
     if (!measurement || !place || place->run >= measurement->runs.size() ||
         place->target >= measurement->targets.size()) {
         m_canvas->setHoverLabel({});

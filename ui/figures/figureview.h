@@ -6,6 +6,7 @@
 #include "ui/model/selection.h"
 
 #include <QWidget>
+#include <array>
 #include <optional>
 
 class QLabel;
@@ -53,6 +54,8 @@ private:
 
     void refresh();
     void refreshCircles();
+    void refreshDrift(const DriftMeasurement &drift);
+    [[nodiscard]] std::optional<std::array<Interval, 2>> zoomedRanges() const;
     /// What is copied and saved: the figure in view, for paper.
     [[nodiscard]] std::optional<Leaving> leaving() const;
     void showRanges(const Interval &x, const Interval &y);

@@ -49,6 +49,16 @@ constexpr std::array table{
     Row{FigureRole::envelope,         0.24,  {{2.6, 0.8, 0.4, 0.8}},  0xff000000, 0xff202428, 0xffe6e8ea},
     Row{FigureRole::limit,            0.32,  {{1.2, 0.8}},            0xff000000, 0xff202428, 0xffe6e8ea},
     Row{FigureRole::centre,           0.5,   solid,                   0xff000000, 0xff202428, 0xffe6e8ea},
+    Row{FigureRole::drift,            0.35,  solid,                   0xff004488, 0xff004488, 0xff78aef0},
+    Row{FigureRole::bar,              0,     solid,                   0xff004488, 0xffb1b6bb, 0xff5f666d},
+    Row{FigureRole::firstBar,         0,     solid,                   0xff004488, 0xff1f5fa8, 0xff6fa8e6},
+    Row{FigureRole::barGround,        0,     solid,                   0xffffffff, 0xfff4f5f6, 0xff23272b},
+    Row{FigureRole::histogram,        0,     solid,                   0xff5f86b4, 0xff1f5fa8, 0xff6fa8e6},
+    Row{FigureRole::histogramTail,    0,     solid,                   0xffc9d6e6, 0xffa9c3e0, 0xff3f5876},
+    Row{FigureRole::evaluated,        0.5,   solid,                   0xff000000, 0xff202428, 0xffe6e8ea},
+    Row{FigureRole::trialMean,        0.3,   {{0.9, 0.7}},            0xff000000, 0xff202428, 0xffe6e8ea},
+    Row{FigureRole::guardBand,        0.13,  solid,                   0xff555555, 0xff59626b, 0xffa4acb3},
+    Row{FigureRole::guardFill,        0,     solid,                   0xffe4e4e4, 0xffe4e6e8, 0xff3a4046},
 };
 // clang-format on
 

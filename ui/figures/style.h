@@ -36,7 +36,17 @@ enum class FigureRole {
     planeAxis, ///< of a circle figure
     envelope,
     limit,
-    centre, ///< the mark +
+    centre,        ///< the mark +
+    drift,         ///< readings at rest
+    bar,           ///< of a bar figure
+    firstBar,      ///< what is to be improved first
+    barGround,     ///< from the end of a bar to that of its scale
+    histogram,     ///< inside the interval that is stated
+    histogramTail, ///< outside of it
+    evaluated,     ///< value evaluated from the readings
+    trialMean,     ///< mean of the trials
+    guardBand,     ///< outline of the band about a limit
+    guardFill,
 };
 
 constexpr double pointsPerMillimetre = 72 / 25.4;

@@ -162,6 +162,13 @@ void Field::setUnit(const QString &unit) {
     placeParts();
 }
 
+void Field::setPlaceholder(const QString &text) {
+    if (m_placeholder == text)
+        return;
+    m_placeholder = text;
+    retranslate();
+}
+
 void Field::setReader(Reader reader) {
     m_reader = std::move(reader);
 }
@@ -268,8 +275,9 @@ void Field::retranslate() {
                               : m_labelSource.arg(m_labelArgument);
     m_label->setText(label);
     m_mark->setVisible(m_required);
-    const QString placeholder =
-        m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–") : tr("not stated");
+    const QString placeholder = !m_placeholder.isEmpty()                              ? m_placeholder
+                                : m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
+                                                                                      : tr("not stated");
     if (m_line)
         m_line->setPlaceholderText(placeholder);
     if (m_lines)
@@ -286,10 +294,11 @@ void Field::retranslate() {
     QWidget *shown = edit();
     setStyled(shown, "refused", isRefused());
     shown->setAccessibleName(label);
-    shown->setAccessibleDescription(isRefused()        ? m_reason->text()
-                                    : m_required       ? tr("required, not stated")
-                                    : text().isEmpty() ? tr("not stated")
-                                                       : m_unit->text());
+    shown->setAccessibleDescription(isRefused()  ? m_reason->text()
+                                    : m_required ? tr("required, not stated")
+                                    : text().isEmpty()
+                                        ? (m_placeholder.isEmpty() ? tr("not stated") : m_placeholder)
+                                        : m_unit->text());
     colour(m_mark, QPalette::WindowText, token(Token::unsure, palette()));
     colour(m_reason, QPalette::WindowText, token(Token::bad, palette()));
     placeParts();

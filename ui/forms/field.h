@@ -35,6 +35,8 @@ public:
     void setLabelArgument(const QString &argument);
     [[nodiscard]] QString labelArgument() const { return m_labelArgument; }
     void setUnit(const QString &unit);
+    /// What an empty field shows in grey, if not that nothing is stated: what is taken in its place.
+    void setPlaceholder(const QString &text);
     /// How texts are read; without one, every text is as it stands.
     void setReader(Reader reader);
     /// The words of a choice; `none`: the first of them says that nothing is stated.
@@ -89,6 +91,7 @@ private:
     QString m_refusal;      ///< why the text in the field is no value; empty: it is one
     QString m_labelSource;
     QString m_labelArgument;
+    QString m_placeholder;
     QLabel *m_label;
     QLabel *m_mark;
     QLineEdit *m_line = nullptr;

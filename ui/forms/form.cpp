@@ -98,6 +98,10 @@ QPushButton *Form::addSectionButton(const char *text, std::function<void()> pres
     return button;
 }
 
+void Form::addToSection(QWidget *widget, int stretch) {
+    m_head->addWidget(widget, stretch);
+}
+
 QPushButton *Form::addButton(const char *text, std::function<void()> pressed) {
     auto *button = new QPushButton(body());
     button->setAutoDefault(false);
@@ -162,8 +166,8 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
     last().quantity = quantity;
     const auto shown = [this, quantity, allowed](const Amount &value) {
         // Years and seeds are names more than numbers: no groups.
-        return value && allowed == Allowed::whole ? QString::number(*value, 'f', 0)
-                                                  : stated(value, quantity, m_language);
+        const bool whole = allowed == Allowed::whole || allowed == Allowed::counting;
+        return value && whole ? QString::number(*value, 'f', 0) : stated(value, quantity, m_language);
     };
     field->setReader([this, quantity, allowed, shown](const QString &typed) -> Field::Reading {
         const NumberEntry entry = enteredNumber(typed, quantity, m_language.units());
@@ -173,7 +177,9 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
             return {{}, tr("not greater than 0")};
         if (entry.value && allowed == Allowed::notNegative && *entry.value < 0)
             return {{}, tr("a negative number")};
-        if (entry.value && allowed == Allowed::whole &&
+        if (entry.value && allowed == Allowed::counting && !(*entry.value > 0))
+            return {{}, tr("not greater than 0")};
+        if (entry.value && (allowed == Allowed::whole || allowed == Allowed::counting) &&
             (std::trunc(*entry.value) != *entry.value || std::abs(*entry.value) > 1e9))
             return {{}, tr("not a whole number")};
         return {shown(entry.value), {}};
@@ -334,7 +340,7 @@ bool Form::isMissingHere(const char *key) const {
         return false;
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     return std::ranges::any_of(evaluation.findings, [&](const Finding &finding) {
-        return finding.id == key && finding.grade == Grade::requirement &&
+        return finding.id == key && (finding.grade == Grade::requirement || m_page == Page::uncertainty) &&
                pageOf(finding, evaluation.edition) == m_page;
     });
 }
@@ -447,13 +453,15 @@ bool Form::focusField(const QString &id) {
     const std::size_t place = placeOf(id);
     if (place == m_entries.size())
         return false;
-    const auto found = m_entries.begin() + static_cast<std::ptrdiff_t>(place);
-    m_scroll->ensureWidgetVisible(found->field);
-    // Again when a page that was built just now has its places.
-    QTimer::singleShot(0, found->field,
-                       [this, field = found->field] { m_scroll->ensureWidgetVisible(field); });
-    found->field->edit()->setFocus(Qt::OtherFocusReason);
+    focusPart(*m_entries[place].field);
     return true;
+}
+
+void Form::focusPart(Field &field) {
+    m_scroll->ensureWidgetVisible(&field);
+    // Again when a page that was built just now has its places.
+    QTimer::singleShot(0, &field, [this, shown = &field] { m_scroll->ensureWidgetVisible(shown); });
+    field.edit()->setFocus(Qt::OtherFocusReason);
 }
 
 void Form::follow(Selection &selection) {

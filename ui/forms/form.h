@@ -56,13 +56,15 @@ protected:
     using Amount = std::optional<double>;
     using Moment = std::optional<std::string>;
     /// What the file format demands of a number.
-    enum class Allowed { any, notNegative, positive, whole };
+    enum class Allowed { any, notNegative, positive, whole, counting };
 
     // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP
     // of the context.
     void addSection(const char *title, const QString &argument = {});
     /// A button at the right of the title added last.
     QPushButton *addSectionButton(const char *text, std::function<void()> pressed);
+    /// Something else at the right of the title added last.
+    void addToSection(QWidget *widget, int stretch = 0);
     /// Begins a row; its fields share the width by their weights.
     void beginRow();
     /// `key`: id of the findings that say it is missing, which is the key in the file; empty: never asked
@@ -84,6 +86,8 @@ protected:
     QPushButton *addButton(const char *text, std::function<void()> pressed);
     void addWidget(QWidget *widget, int weight = 1);
     void addStretch();
+    /// Brings a field into view and the focus to it.
+    void focusPart(Field &field);
     void addToBar(QWidget *widget); ///< at the right of the bar above the page
     void clear();                   ///< removes everything that was added but for the bar
 

@@ -2,6 +2,7 @@
 
 #include "document/savedocument.h"
 #include "figures/deviationfigure.h"
+#include "figures/driftfigure.h"
 #include "figures/linefigure.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/figurecanvas.h"
@@ -601,6 +602,10 @@ void ImportAssistant::showCurve() {
     } else if (std::holds_alternative<CircularMeasurement>(test.measurement)) {
         m_circleCanvas->show(evaluated, 0, {}, windowLanguage());
         m_curves->setCurrentWidget(m_circleCanvas);
+    } else {
+        m_curve = driftFigure(test, *evaluated.tests[0], windowLanguage());
+        m_curveCanvas->setFigure(*m_curve, {});
+        m_curves->setCurrentWidget(m_curveCanvas);
     }
 }
 

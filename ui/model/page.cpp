@@ -53,12 +53,37 @@ bool isOneOf(const std::array<std::string_view, size> &ids, std::string_view id)
 constexpr std::array<std::string_view, 4> ofMachine{"manufacturer", "model", "controller", "machine"};
 constexpr std::array<std::string_view, 3> ofInstruments{"instruments", "certificate", "calibrationDate"};
 constexpr std::array<std::string_view, 2> ofLimits{"limits", "decisionRule"};
+constexpr std::array<std::string_view, 13> ofBudget{"device",
+                                                    "misalignmentRange",
+                                                    "temperatureRange",
+                                                    "expansionRange",
+                                                    "environmentalVariation",
+                                                    "length",
+                                                    "displacement",
+                                                    "resolution",
+                                                    "pointNoise",
+                                                    "repeatability",
+                                                    "centring",
+                                                    "temperatureStandardUncertainty",
+                                                    "expansionStandardUncertainty"};
+constexpr std::array<std::string_view, 3> ofSimulation{"uncertaintyMethods", "monteCarlo", "monteCarloShift"};
 constexpr std::array<std::string_view, 30> ofConditions{
     "date",        "name",    "travel",          "positionFeedback",     "targetChoice", "toolOffset",
     "otherAxes",   "sensors", "workpieceOffset", "correctionTo20",       "expansion",    "airPressure",
     "airHumidity", "warmUp",  "gradientPerHour", "compensation",         "complete",     "levelled",
     "unloaded",    "feed",    "dwell",           "temperature",          "centre",       "startPoint",
     "stopPoint",   "cycle",   "smoothing",       "recentredBetweenRuns", "zone",         "ends"};
+
+/// Of an input of a budget, and no statement that the edition asks for.
+bool isOfBudget(const Finding &finding, const Edition *edition) {
+    return isOneOf(ofBudget, finding.id) && !missingStatement(finding, edition);
+}
+
+/// An input without which there is no uncertainty: named by the finding, which no clause asks for.
+bool isMissingInput(const Finding &finding, const Edition *edition) {
+    return isOfBudget(finding, edition) && finding.clause.empty() && !finding.message.arguments.empty() &&
+           std::holds_alternative<Text>(finding.message.arguments.back());
+}
 
 } // namespace
 
@@ -73,6 +98,8 @@ Page pageOf(const Finding &finding, const Edition *edition) {
         return Page::machine;
     if (isOneOf(ofInstruments, finding.id))
         return Page::instruments;
+    if (isOfBudget(finding, edition) || isOneOf(ofSimulation, finding.id))
+        return Page::uncertainty;
     if (isOneOf(ofLimits, finding.id))
         return Page::limits;
     if (isOneOf(ofConditions, finding.id))
@@ -81,7 +108,8 @@ Page pageOf(const Finding &finding, const Edition *edition) {
 }
 
 bool isMissing(const Finding &finding, const Edition *edition) {
-    return isAgreedPoint(finding) || missingStatement(finding, edition).has_value();
+    return isAgreedPoint(finding) || isMissingInput(finding, edition) ||
+           missingStatement(finding, edition).has_value();
 }
 
 int countMissing(const TestEvaluation &evaluation, Page page) {

@@ -10,8 +10,8 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr std::array pages{Page::readings,       Page::conditions, Page::agreedPoints, Page::limits,
-                           Page::identification, Page::machine,    Page::instruments};
+constexpr std::array pages{Page::readings,    Page::conditions,     Page::agreedPoints, Page::limits,
+                           Page::uncertainty, Page::identification, Page::machine,      Page::instruments};
 
 /// What a finding names: the point that is not agreed.
 QString nameIn(const Finding &finding, const Language &language) {
@@ -40,6 +40,8 @@ QString FindingsModel::pageName(Page page) {
         return tr("Agreed points");
     case Page::limits:
         return tr("Limits");
+    case Page::uncertainty:
+        return tr("Uncertainty");
     }
     return {};
 }

@@ -4,6 +4,7 @@
 #include "export/readingscsv.h"
 #include "figures/circlefigure.h"
 #include "figures/deviationfigure.h"
+#include "figures/driftfigure.h"
 #include "figures/figuredata.h"
 #include "ui/windowlanguage.h"
 
@@ -89,7 +90,7 @@ QByteArray exportedFigure(const EvaluatedDocument &evaluated, std::size_t test, 
         return figureCsv(deviationFigure(shown, evaluation, windowLanguage()), markOf(form));
     if (std::holds_alternative<CircularMeasurement>(shown.measurement))
         return figureCsv(circleFigure(shown, evaluation, windowLanguage()), markOf(form));
-    return {};
+    return figureCsv(driftFigure(shown, evaluation, windowLanguage()), markOf(form));
 }
 
 void askExportOfReadings(QWidget *window, const EvaluatedDocument &evaluated, std::size_t test,

@@ -15,7 +15,7 @@ enum class ExportForm { csvWithPoint, csvWithComma, json };
 /// Readings and results of a test as CSV, or of all tests as JSON; names in the language of the window.
 [[nodiscard]] QByteArray exportedReadings(const EvaluatedDocument &evaluated, std::size_t test,
                                           ExportForm form, const QString &fileName);
-/// The points of the figure of a test; of a drift test nothing.
+/// The points of the figure of a test.
 [[nodiscard]] QByteArray exportedFigure(const EvaluatedDocument &evaluated, std::size_t test,
                                         ExportForm form);
 

@@ -87,7 +87,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_notice(new NoticeBar(this))
     , m_stack(new QStackedWidget(this))
     , m_welcome(new WelcomePage(m_stack))
-    , m_workplace(new Workplace(m_model, m_stack)) {
+    , m_workplace(new Workplace(m_model, m_evaluator, m_stack)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
@@ -189,6 +189,7 @@ void MainWindow::makeActions() {
     m_addTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
     m_addCircleAction = addAction(m_testMenu, QStringLiteral("addCircle"));
     m_addCircleAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
+    m_addDriftAction = addAction(m_testMenu, QStringLiteral("addDrift"));
     m_renameTestAction = addAction(m_testMenu, QStringLiteral("renameTest"));
     m_duplicateTestAction = addAction(m_testMenu, QStringLiteral("duplicateTest"));
     m_repeatTestAction = addAction(m_testMenu, QStringLiteral("repeatTest"));
@@ -313,12 +314,13 @@ void MainWindow::connectParts() {
     connect(m_newCircleAction, &QAction::triggered, this, [this] { newFile(Kind::circular); });
     connect(m_addTestAction, &QAction::triggered, this, [this] { addTest(Kind::positioning); });
     connect(m_addCircleAction, &QAction::triggered, this, [this] { addTest(Kind::circular); });
+    connect(m_addDriftAction, &QAction::triggered, this, &MainWindow::addDriftTest);
     connect(m_renameTestAction, &QAction::triggered, this, &MainWindow::renameTest);
     connect(m_duplicateTestAction, &QAction::triggered, this, [this] { duplicateTest(true); });
     connect(m_repeatTestAction, &QAction::triggered, this, [this] { duplicateTest(false); });
     connect(m_deleteTestAction, &QAction::triggered, this, &MainWindow::deleteTest);
     m_workplace->setTestActions(
-        {m_addTestAction, m_addCircleAction},
+        {m_addTestAction, m_addCircleAction, m_addDriftAction},
         {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction});
     connect(&m_autosave, &Autosave::saved, this, [this] {
         m_autosavedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
@@ -366,7 +368,8 @@ void MainWindow::connectParts() {
     connect(m_ownEditionAction, &QAction::triggered, this,
             [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
     connect(m_feedAction, &QAction::triggered, this, &MainWindow::showFeed);
-    constexpr std::array pages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
+    constexpr std::array pages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits,
+                               Page::uncertainty};
     for (std::size_t i = 0; i < pages.size(); ++i)
         connect(m_pageActions[i], &QAction::triggered, this,
                 [this, page = pages[i]] { m_workplace->showPage(page); });
@@ -606,6 +609,21 @@ void MainWindow::addTest(Kind kind) {
     m_workplace->beginTyping();
 }
 
+/// A drift test of the axis in view: what it gives is for the tests of that axis.
+void MainWindow::addDriftTest() {
+    const Test *like = currentTest();
+    Axis axis;
+    if (const auto *positioning = like ? std::get_if<PositioningMeasurement>(&like->measurement) : nullptr)
+        axis = positioning->axis;
+    else if (const auto *drift = like ? std::get_if<DriftMeasurement>(&like->measurement) : nullptr)
+        axis = drift->axis;
+    const std::size_t place = m_model.document()->tests.size();
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "add a drift test"),
+                 [&](Document &document) { insertTest(document, place, newDriftTest(axis)); });
+    m_workplace->showTest(place);
+    m_workplace->showPage(Page::readings);
+}
+
 void MainWindow::renameTest() {
     const Test *test = currentTest();
     if (!test)
@@ -832,7 +850,7 @@ void MainWindow::showState() {
     m_planAction->setEnabled(m_open);
     const Test *current = test < evaluated.size() && !m_evaluator.isBusy() ? currentTest() : nullptr;
     m_exportReadingsAction->setEnabled(current);
-    m_exportFigureAction->setEnabled(current && evaluated[test]->edition);
+    m_exportFigureAction->setEnabled(current);
     m_compensationAction->setEnabled(current &&
                                      std::holds_alternative<PositioningMeasurement>(current->measurement));
     m_compareAction->setEnabled(current && evaluated[test]->edition);
@@ -840,6 +858,7 @@ void MainWindow::showState() {
     m_nextTestAction->setEnabled(test + 1 < tests);
     m_addTestAction->setEnabled(m_open);
     m_addCircleAction->setEnabled(m_open);
+    m_addDriftAction->setEnabled(m_open);
     for (QAction *action :
          {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction})
         action->setEnabled(test < tests);
@@ -1012,6 +1031,7 @@ void MainWindow::retranslate() {
     m_newAction->setIconText(tr("New"));
     m_addTestAction->setText(tr("&Add a positioning test…"));
     m_addCircleAction->setText(tr("Add a circular &test…"));
+    m_addDriftAction->setText(tr("Add a dri&ft test"));
     m_renameTestAction->setText(tr("Rena&me the test…"));
     m_duplicateTestAction->setText(tr("Dupli&cate the test"));
     m_repeatTestAction->setText(tr("Repeat the test, &without readings"));
@@ -1046,6 +1066,7 @@ void MainWindow::retranslate() {
     m_pageActions[1]->setText(tr("&Conditions"));
     m_pageActions[2]->setText(tr("&Agreed points"));
     m_pageActions[3]->setText(tr("&Limits"));
+    m_pageActions[4]->setText(tr("Uncertaint&y"));
     m_nextMissingAction->setText(tr("&Next missing statement"));
     m_previousMissingAction->setText(tr("&Previous missing statement"));
     m_maximiseAction->setText(tr("&Maximise the figure"));

@@ -90,6 +90,7 @@ private:
     [[nodiscard]] std::optional<Test> askForTest(Kind kind);
     void newFile(Kind kind);
     void addTest(Kind kind);
+    void addDriftTest();
     void renameTest();
     void duplicateTest(bool withReadings);
     void deleteTest();
@@ -165,6 +166,7 @@ private:
     QAction *m_redoAction;
     QAction *m_addTestAction;
     QAction *m_addCircleAction;
+    QAction *m_addDriftAction;
     QAction *m_renameTestAction;
     QAction *m_duplicateTestAction;
     QAction *m_repeatTestAction;
@@ -174,7 +176,7 @@ private:
     QAction *m_setEditionAction;
     QAction *m_ownEditionAction;
     QAction *m_feedAction;
-    std::array<QAction *, 4> m_pageActions{};
+    std::array<QAction *, 5> m_pageActions{};
     QAction *m_nextMissingAction;
     QAction *m_previousMissingAction;
     QAction *m_maximiseAction;

@@ -3,6 +3,7 @@
 #include "editing/measuringcycle.h"
 #include "ui/circles/arctexts.h"
 #include "ui/circles/circlespage.h"
+#include "ui/drift/driftpage.h"
 #include "ui/figures/figureview.h"
 #include "ui/forms/agreedpointspage.h"
 #include "ui/forms/conditionspage.h"
@@ -16,6 +17,7 @@
 #include "ui/results/findingspanel.h"
 #include "ui/results/resultspanel.h"
 #include "ui/theme.h"
+#include "ui/uncertainty/uncertaintypage.h"
 #include "ui/window/pagetabs.h"
 #include "ui/window/rightside.h"
 #include "ui/window/testhead.h"
@@ -45,7 +47,8 @@ constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
 constexpr int noKeysBelow = 740 - 99;
 
-constexpr std::array testPages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits};
+constexpr std::array testPages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits,
+                               Page::uncertainty};
 
 int tabOf(Page page) {
     const auto found = std::ranges::find(testPages, page);
@@ -54,9 +57,10 @@ int tabOf(Page page) {
 
 } // namespace
 
-Workplace::Workplace(DocumentModel &model, QWidget *parent)
+Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent)
     : QWidget(parent)
     , m_model(model)
+    , m_evaluator(evaluator)
     , m_outer(new ThinSplitter(Qt::Horizontal, this))
     , m_inner(new ThinSplitter(Qt::Horizontal, m_outer))
     , m_side(new QWidget(m_outer))
@@ -110,13 +114,16 @@ QWidget *Workplace::makeCentre() {
     m_readings = new ReadingsPage(m_model, m_selection, m_readingPages);
     m_circles = new CirclesPage(m_model, m_selection, m_readingPages);
     m_readingPages->addWidget(m_readings);
+    m_drift = new DriftPage(m_model, m_selection, m_readingPages);
     m_readingPages->addWidget(m_circles);
+    m_readingPages->addWidget(m_drift);
     m_conditions = new ConditionsPage(m_model, m_selection, m_pages);
     m_agreedPoints = new AgreedPointsPage(m_model, m_selection, m_pages);
     m_limits = new LimitsPage(m_model, m_selection, m_pages);
+    m_uncertainty = new UncertaintyPage(m_model, m_evaluator, m_selection, m_pages);
     m_reportPages = new ReportPages(m_model, m_selection, m_pages);
     for (QWidget *page : std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints,
-                                                          m_limits, m_reportPages})
+                                                          m_limits, m_uncertainty, m_reportPages})
         m_pages->addWidget(page);
     auto *card = new QFrame(centre);
     m_card = card;
@@ -186,7 +193,7 @@ void Workplace::connectParts() {
         showPage(page);
         m_selection.setField(id);
     });
-    for (Form *form : std::initializer_list<Form *>{m_conditions, m_limits})
+    for (Form *form : std::initializer_list<Form *>{m_conditions, m_limits, m_uncertainty})
         connect(form, &Form::nextWanted, this, [this] { showNextMissing(true); });
     connect(m_reportPages, &ReportPages::nextWanted, this, [this] { showNextMissing(true); });
     connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
@@ -208,6 +215,8 @@ void Workplace::show(const EvaluatedDocument &evaluated) {
 void Workplace::showPage(Page page) {
     if (tabOf(page) >= 0 && m_evaluated.tests.empty())
         return;
+    if (tabOf(page) > 0 && isDrift())
+        page = Page::readings;
     m_selection.setPage(page);
     presentPage(); // also where it was the page already and only a tab moved
 }
@@ -248,10 +257,19 @@ void Workplace::presentTest() {
     m_readings->show(m_evaluated, test);
     m_circles->show(m_evaluated, test);
     const bool circular = isCircular();
-    m_readingPages->setCurrentWidget(circular ? static_cast<QWidget *>(m_circles) : m_readings);
+    const bool drift = isDrift();
+    m_drift->show(m_evaluated, test);
+    m_readingPages->setCurrentWidget(drift      ? static_cast<QWidget *>(m_drift)
+                                     : circular ? static_cast<QWidget *>(m_circles)
+                                                : m_readings);
+    for (std::size_t i = 1; i < testPages.size(); ++i) // a drift test has readings and nothing else
+        m_tabs->setTabVisible(static_cast<int>(i), !drift);
+    if (drift && tabOf(m_selection.page()) > 0)
+        m_selection.setPage(Page::readings);
     m_conditions->show(m_evaluated, test);
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
+    m_uncertainty->show(m_evaluated, test);
     presentResults();
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->setCount(static_cast<int>(i), countMissing(*m_evaluated.tests[test], testPages.at(i)));
@@ -307,11 +325,11 @@ void Workplace::presentPage() {
 
 void Workplace::presentCard() {
     const bool explains = !m_selection.parameter().isEmpty();
-    const bool wanted = explains || (m_selection.page() == Page::readings && !isCircular());
+    const bool wanted = explains || (m_selection.page() == Page::readings && isPositioning());
     m_explanation->setVisible(explains);
     m_target->setVisible(!explains);
     m_card->setVisible(wanted && (explains || height() >= noCardBelow) && !m_maximised);
-    m_keys->setVisible(m_selection.page() == Page::readings && !isCircular() && height() >= noKeysBelow &&
+    m_keys->setVisible(m_selection.page() == Page::readings && isPositioning() && height() >= noKeysBelow &&
                        !m_maximised);
 }
 
@@ -324,7 +342,8 @@ void Workplace::presentStatus() {
         return presentCircularStatus(*circles);
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     if (!measurement) {
-        emit contentChanged({});
+        const auto &drift = std::get<DriftMeasurement>(test.measurement);
+        emit contentChanged(tr("%n reading(s)", nullptr, static_cast<int>(drift.times.size())));
         emit hintChanged({});
         return;
     }
@@ -465,6 +484,16 @@ bool Workplace::isCircular() const {
            std::holds_alternative<CircularMeasurement>(m_evaluated.document->tests[test]->measurement);
 }
 
+bool Workplace::isDrift() const {
+    const std::size_t test = m_selection.test();
+    return test < m_evaluated.tests.size() &&
+           std::holds_alternative<DriftMeasurement>(m_evaluated.document->tests[test]->measurement);
+}
+
+bool Workplace::isPositioning() const {
+    return !isCircular() && !isDrift();
+}
+
 QString Workplace::sizesKey() const {
     const bool circular = isCircular();
     return QStringLiteral("sizes/%1%2")
@@ -530,12 +559,15 @@ void Workplace::retranslate() {
     m_tabs->setTabText(1, tr("&Conditions"));
     m_tabs->setTabText(2, tr("&Agreed points"));
     m_tabs->setTabText(3, tr("&Limits"));
+    m_tabs->setTabText(4, tr("U&ncertainty"));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
     m_circles->setLanguage(language);
+    m_drift->setLanguage(language);
     m_conditions->setLanguage(language);
     m_agreedPoints->setLanguage(language);
     m_limits->setLanguage(language);
+    m_uncertainty->setLanguage(language);
     m_target->setLanguage(language);
     m_keys->setLanguage(language);
     m_explanation->setLanguage(language);

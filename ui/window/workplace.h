@@ -19,6 +19,8 @@ class AgreedPointsPage;
 class CirclesPage;
 class ConditionsPage;
 class DocumentModel;
+class DriftPage;
+class Evaluator;
 class ExplanationCard;
 class FigureView;
 class FindingsPanel;
@@ -32,6 +34,7 @@ class ResultsPanel;
 class RightSide;
 class TargetCard;
 class TestHead;
+class UncertaintyPage;
 
 /// A window with a document open: navigation, the pages of a test with the detail card below, and at the
 /// right figure, results and findings. Arranges them for the width and height there is.
@@ -39,7 +42,7 @@ class Workplace : public QWidget {
     Q_OBJECT
 
 public:
-    explicit Workplace(DocumentModel &model, QWidget *parent = nullptr);
+    Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent = nullptr);
 
     [[nodiscard]] Selection &selection() { return m_selection; }
     [[nodiscard]] ReadingsPage &readings() { return *m_readings; }
@@ -94,11 +97,14 @@ private:
     void keepSizes() const;
     void retranslate();
     [[nodiscard]] bool isCircular() const; ///< the test in view
+    [[nodiscard]] bool isDrift() const;
+    [[nodiscard]] bool isPositioning() const;
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] QString navigationKey() const;
     [[nodiscard]] bool isReportPage() const;
 
     DocumentModel &m_model;
+    Evaluator &m_evaluator;
     Selection m_selection;
     NavigationModel m_navigationModel;
     EvaluatedDocument m_evaluated;
@@ -117,6 +123,8 @@ private:
     ConditionsPage *m_conditions;
     AgreedPointsPage *m_agreedPoints;
     LimitsPage *m_limits;
+    UncertaintyPage *m_uncertainty;
+    DriftPage *m_drift;
     ReportPages *m_reportPages;
     QWidget *m_card;
     TargetCard *m_target;

@@ -66,6 +66,14 @@ struct Moments {
     }
 };
 
+/// How many chunks that follow one another are summed up together, of `chunks` in all: one until there are
+/// 4096 of them, then so many that there are never more than 4096 groups. Sums that are kept take a megabyte
+/// or so for any number of trials.
+[[nodiscard]] constexpr long long chunksInGroup(long long chunks) {
+    constexpr long long mostGroups = 4096;
+    return chunks <= mostGroups ? 1 : (chunks + mostGroups - 1) / mostGroups;
+}
+
 /// Runs the trials of a model on several threads and sums them up. `Model`: parameters(), chunk(),
 /// workplace(), run(first, workplace, values, stop) as PositioningTrials has them. Null when stopped.
 template <class Model>
@@ -144,27 +152,37 @@ private:
 
     [[nodiscard]] static std::size_t size_t(int number) { return static_cast<std::size_t>(number); }
 
-    /// Works the chunks off on all threads; `work(worker, chunk, first, trials)`. False when stopped.
+    /// Works the chunks off on all threads, a group of them in succession on one; `work(worker, group,
+    /// offset, trials)`. False when stopped. Which chunks make a group depends on the number of trials alone,
+    /// so that sums over a group are the same on any number of threads, and there are few of them for any
+    /// number of trials.
     template <class Work>
     bool onAllThreads(long long first, long long trials, Work work) {
         const long long chunks = (trials + m_chunk - 1) / m_chunk;
+        const long long together = chunksInGroup(chunks);
+        const long long groups = (chunks + together - 1) / together;
         std::atomic<long long> next = 0;
         std::atomic<long long> done = 0;
         const auto loop = [&](Worker &worker, bool reports) {
             while (!m_stop.stop_requested()) {
-                const long long chunk = next++;
-                if (chunk >= chunks)
+                const long long group = next++;
+                if (group >= groups)
                     return;
-                const long long offset = chunk * m_chunk;
-                m_model.run(first + offset, worker.place, worker.values, m_stop);
-                const long long count = std::min<long long>(m_chunk, trials - offset);
-                work(worker, size_t(static_cast<int>(chunk)), offset, count);
-                done += count;
-                if (reports && m_progress)
-                    m_progress({first + done, m_total});
+                const long long end = std::min(chunks, (group + 1) * together);
+                for (long long chunk = group * together; chunk < end; ++chunk) {
+                    if (m_stop.stop_requested())
+                        return;
+                    const long long offset = chunk * m_chunk;
+                    m_model.run(first + offset, worker.place, worker.values, m_stop);
+                    const long long count = std::min<long long>(m_chunk, trials - offset);
+                    work(worker, static_cast<std::size_t>(group), offset, count);
+                    done += count;
+                    if (reports && m_progress)
+                        m_progress({first + done, m_total});
+                }
             }
         };
-        const auto threads = std::min<long long>(static_cast<long long>(m_workers.size()), chunks);
+        const auto threads = std::min<long long>(static_cast<long long>(m_workers.size()), groups);
         std::vector<std::jthread> others;
         for (long long k = 1; k < threads; ++k)
             others.emplace_back([&, k] { loop(m_workers[static_cast<std::size_t>(k)], false); });
@@ -196,19 +214,19 @@ private:
     bool firstBlock(long long trials) {
         const auto n = static_cast<std::size_t>(trials);
         std::vector<double> values(m_parameters * n);
-        m_chunkMoments.assign(m_parameters * chunksOf(trials), {});
+        m_groupMoments.assign(m_parameters * groupsOf(trials), {});
         const bool ready = onAllThreads(
-            0, trials, [&](Worker &worker, std::size_t chunk, long long offset, long long count) {
+            0, trials, [&](Worker &worker, std::size_t group, long long offset, long long count) {
                 for (std::size_t p = 0; p < m_parameters; ++p) {
                     const auto of = deviations(worker, p, count);
-                    m_chunkMoments[chunk * m_parameters + p] = momentsOf(of);
+                    m_groupMoments[group * m_parameters + p].add(momentsOf(of));
                     std::ranges::copy(of, values.begin() + static_cast<std::ptrdiff_t>(p * n) + offset);
                 }
             });
         if (!ready)
             return false;
         m_block.assign(m_parameters, {});
-        sumChunks();
+        sumGroups();
         for (std::size_t p = 0; p < m_parameters; ++p) {
             FineCounts &fine = m_fine[p];
             const double u = m_block[p].deviation();
@@ -224,22 +242,24 @@ private:
     /// Further trials, counted at once.
     bool stage(long long first, long long trials) {
         finishBlock();
-        m_chunkMoments.assign(m_parameters * chunksOf(trials), {});
+        m_groupMoments.assign(m_parameters * groupsOf(trials), {});
         const bool ready =
-            onAllThreads(first, trials, [&](Worker &worker, std::size_t chunk, long long, long long number) {
+            onAllThreads(first, trials, [&](Worker &worker, std::size_t group, long long, long long number) {
                 for (std::size_t p = 0; p < m_parameters; ++p) {
                     const auto of = deviations(worker, p, number);
-                    m_chunkMoments[chunk * m_parameters + p] = momentsOf(of);
+                    m_groupMoments[group * m_parameters + p].add(momentsOf(of));
                     count(m_fine[p], of, counts(worker.counts, p));
                 }
             });
         if (ready)
-            sumChunks();
+            sumGroups();
         return ready;
     }
 
-    [[nodiscard]] std::size_t chunksOf(long long trials) const {
-        return static_cast<std::size_t>((trials + m_chunk - 1) / m_chunk);
+    [[nodiscard]] std::size_t groupsOf(long long trials) const {
+        const long long chunks = (trials + m_chunk - 1) / m_chunk;
+        const long long together = chunksInGroup(chunks);
+        return static_cast<std::size_t>((chunks + together - 1) / together);
     }
 
     static void count(const FineCounts &fine, std::span<const double> values, std::span<long long> into) {
@@ -253,10 +273,10 @@ private:
     }
 
     /// In the order of the trials, whichever thread they ran on.
-    void sumChunks() {
+    void sumGroups() {
         m_block.assign(m_parameters, {});
-        for (std::size_t k = 0; k < m_chunkMoments.size(); ++k)
-            m_block[k % m_parameters].add(m_chunkMoments[k]);
+        for (std::size_t k = 0; k < m_groupMoments.size(); ++k)
+            m_block[k % m_parameters].add(m_groupMoments[k]);
     }
 
     /// Adds the last block to the whole.
@@ -321,7 +341,7 @@ private:
     std::vector<long long> m_counts;
     std::vector<Moments> m_moments;
     std::vector<Moments> m_block;
-    std::vector<Moments> m_chunkMoments; ///< by chunk, then parameter
+    std::vector<Moments> m_groupMoments; ///< by group of chunks, then parameter
     std::vector<Averages> m_averages;
 };
 

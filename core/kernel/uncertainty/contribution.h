@@ -29,4 +29,15 @@ struct Contribution {
     bool operator==(const Contribution &) const = default;
 };
 
+/// The contributions of a budget, the largest first; the unknown ones before, those that do not apply last.
+[[nodiscard]] std::vector<const Contribution *> bySize(const std::vector<Contribution> &contributions);
+
+/// Part of a contribution in the sum of the squares of all, 0 … 1; 0 where nothing is known.
+[[nodiscard]] double shareOf(const Contribution &contribution,
+                             const std::vector<Contribution> &contributions);
+
+/// What is to be improved first: the largest of the known contributions, if it makes at least 5 % of the sum
+/// of the squares. Null: nothing stands out. Means something only for a budget that is complete.
+[[nodiscard]] const Contribution *toImproveFirst(const std::vector<Contribution> &contributions);
+
 } // namespace palmer

@@ -228,6 +228,21 @@ private slots:
         }
     }
 
+    void theGuardBandStandsAboutTheLimit() {
+        Test test = ballbarPair();
+        test.limits["G(b)"].value = 0.030;
+        test.decisionRule = {Rule::iso14253_1, 1};
+        auto &uncertainty = std::get<CircularMeasurement>(test.measurement).uncertainty;
+        uncertainty.method = UncertaintyMethod::direct;
+        uncertainty.expanded = {{"G(b)", 1.2}};
+        const Language english(Language::Id::english);
+        const CircleFigure guarded = circleFigure(test, evaluatedCircular(test), english);
+        QVERIFY(guarded.envelope->guard && std::abs(*guarded.envelope->guard - 1.2) < 1e-9);
+        test.decisionRule.rule = Rule::simpleAcceptance;
+        const CircleFigure simple = circleFigure(test, evaluatedCircular(test), english);
+        QVERIFY(simple.envelope->limit && !simple.envelope->guard);
+    }
+
     void limitsStandWhereTheyBelong() {
         Test test = ballbarPair();
         test.limits["G(b)"].value = 0.030;

@@ -98,6 +98,7 @@ private slots:
     void nothingMeasured();
     void otherRanges();
     void everythingLiesInTheRanges();
+    void limitsStandBesideTheirDimensions();
 };
 
 void DeviationFigure::workedExample() {
@@ -357,6 +358,34 @@ void DeviationFigure::everythingLiesInTheRanges() {
         QVERIFY(figure.x.ticks.size() >= 2);
         QVERIFY(figure.y.ticks.size() >= 4);
     }
+}
+
+void DeviationFigure::limitsStandBesideTheirDimensions() {
+    Test test = example1988("ISO 230-2:2006");
+    test.limits["R"].value = 0.007;
+    test.limits["A"].value = 0.032; // farther than the axis reaches
+    measurement(test).uncertainty.method = UncertaintyMethod::direct;
+    measurement(test).uncertainty.expanded = {{"A", 3}, {"R", 1.5}};
+    test.decisionRule = {Rule::iso14253_1, 0.83};
+    const CurveFigure guarded = figureOf(test);
+    const Dimension *r = dimension(guarded, "R");
+    QCOMPARE(r->limit, std::optional(7.0));
+    QVERIFY(r->guard && std::abs(*r->guard - 0.83 * 1.5) < 1e-9);
+    QVERIFY(!dimension(guarded, "A")->limit);
+    QVERIFY(!dimension(guarded, "E")->limit);
+    QCOMPARE(guarded.legend.back().sample, LegendSample::limit);
+    QCOMPARE(guarded.legend.back().text, u"limit ± g"_s);
+
+    test.decisionRule.rule = Rule::simpleAcceptance; // without a band
+    const CurveFigure simple = figureOf(test);
+    QVERIFY(dimension(simple, "R")->limit && !dimension(simple, "R")->guard);
+    QCOMPARE(simple.legend.back().text, u"limit"_s);
+
+    // Under another edition the limit does not hold.
+    const CurveFigure view =
+        deviationFigure(test, evaluated(test, "ISO 230-2:2014"), Language(Language::Id::english));
+    QVERIFY(!dimension(view, "R")->limit);
+    QVERIFY(view.legend.back().sample != LegendSample::limit);
 }
 
 QTEST_GUILESS_MAIN(DeviationFigure)

@@ -110,7 +110,7 @@ void checkMnemonics(const QWidget &window) {
 }
 
 constexpr Page pages[] = {Page::identification, Page::machine,      Page::instruments, Page::readings,
-                          Page::conditions,     Page::agreedPoints, Page::limits};
+                          Page::conditions,     Page::agreedPoints, Page::limits,      Page::uncertainty};
 
 } // namespace
 

@@ -37,6 +37,8 @@ private slots:
     void workedExampleIsShifted();
     void sameFiguresOnAnyNumberOfThreads_data();
     void sameFiguresOnAnyNumberOfThreads();
+    void fewSumsForAnyNumberOfTrials();
+    void sumsOfManyChunksAreTheSameOnAnyThreads();
     void seedsDiffer();
     void adaptiveIsStable();
     void fixedNumber();
@@ -353,6 +355,31 @@ void SimulatePositioning::sameFiguresOnAnyNumberOfThreads() {
     const Simulation one = simulated(test, trials, 1);
     QCOMPARE(simulated(test, trials, 2), one);
     QCOMPARE(simulated(test, trials, 8), one);
+}
+
+void SimulatePositioning::fewSumsForAnyNumberOfTrials() {
+    constexpr long long most = 4096;
+    for (const long long chunks :
+         {1LL, 2LL, most, most + 1, 2 * most, 2 * most + 1, 123'457LL, 2'000'000LL, 1'000'000'000'000LL}) {
+        const long long together = chunksInGroup(chunks);
+        const long long groups = (chunks + together - 1) / together;
+        QVERIFY(groups >= 1 && groups <= most);
+        QCOMPARE(together == 1, chunks <= most); // small numbers of trials are summed chunk by chunk
+        QVERIFY((groups - 1) * together < chunks);
+    }
+}
+
+void SimulatePositioning::sumsOfManyChunksAreTheSameOnAnyThreads() {
+    Test test = twoTargets(1);
+    measurement(test).uncertainty.device.perMetre = 3;
+    measurement(test).uncertainty.environmentalVariation = 1;
+    const long long trials = 4096LL * PositioningTrials::chunk() + 12345; // groups of two chunks
+    const Simulation one = simulated(test, trials, 1);
+    QCOMPARE(one.trials, trials);
+    QCOMPARE(simulated(test, trials, 3), one);
+    QCOMPARE(simulated(test, trials, 8), one);
+    // As few trials say, but for chance: 2 million against 10⁵.
+    COMPARE_RELATIVE(of(one, "E+").u, of(simulated(test), "E+").u, statistical);
 }
 
 void SimulatePositioning::seedsDiffer() {

@@ -1,0 +1,88 @@
+#include "figures/driftfigure.h"
+
+#include "figures/deviationfigure.h"
+#include "language/decimals.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+constexpr double margin = 0.06; ///< of the range of the values, above and below
+constexpr double longTest = 600;
+constexpr double veryLongTest = 36000;
+constexpr double minute = 60;
+constexpr double hour = 3600;
+
+/// A unit of time, and how many seconds it has.
+struct TimeUnit {
+    double seconds;
+    const char *symbol;
+};
+
+TimeUnit timeUnit(double duration) {
+    if (duration >= veryLongTest)
+        return {hour, "h"};
+    return duration >= longTest ? TimeUnit{minute, "min"} : TimeUnit{1, "s"};
+}
+
+/// From the least to the greatest with a margin; of equal values one unit on either side.
+Interval widened(double low, double high) {
+    const double space = high > low ? (high - low) * margin : 1;
+    return {low - space, high + space};
+}
+
+} // namespace
+
+CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, const Language &language) {
+    const auto &measurement = std::get<DriftMeasurement>(test.measurement);
+    const auto &results = std::get<DriftResults>(evaluation.results);
+    const Quantity quantity = deviationQuantity(measurement.axis);
+    const double scale = unitScale(quantity, language.units());
+    const std::size_t count = std::min(measurement.times.size(), measurement.deviations.size());
+    const double last =
+        count > 0 ? *std::max_element(measurement.times.begin(),
+                                      measurement.times.begin() + static_cast<std::ptrdiff_t>(count))
+                  : 0;
+    const TimeUnit unit = timeUnit(last);
+    CurveFigure figure;
+    figure.title = language.sentence(
+        {REPORT_TEXT("report", "Drift of the %1 axis"), {measurement.axis.name}, std::nullopt});
+    Curve curve{CurveRole::drift, {}};
+    for (std::size_t i = 0; i < count; ++i)
+        curve.points.push_back({measurement.times[i] / unit.seconds, measurement.deviations[i] * scale,
+                                static_cast<int>(i) + 1});
+    figure.x.quantity = language.text(REPORT_TEXT("report", "Time"));
+    figure.x.symbol = QStringLiteral("t");
+    figure.x.unit = QString::fromLatin1(unit.symbol);
+    figure.y.quantity = language.text(REPORT_TEXT("report", "Deviation at rest"));
+    figure.y.symbol = QStringLiteral("x");
+    figure.y.unit = language.unit(quantity);
+    if (curve.points.empty())
+        return withRanges(std::move(figure), {0, 1}, {-1, 1}, language);
+    const auto [least, most] = std::ranges::minmax_element(curve.points, {}, &FigurePoint::y);
+    const auto [begin, end] = std::ranges::minmax_element(curve.points, {}, &FigurePoint::x);
+    const Interval x = end->x > begin->x ? Interval{begin->x, end->x} : Interval{begin->x - 1, end->x + 1};
+    const Interval y = widened(least->y, most->y);
+    if (most->y > least->y) {
+        Dimension range;
+        range.label = QStringLiteral("E");
+        range.subscript = QStringLiteral("VE");
+        range.lower = least->y;
+        range.upper = most->y;
+        range.lowerPosition = least->x;
+        range.upperPosition = most->x;
+        figure.dimensions.push_back(std::move(range));
+    }
+    constexpr int decimals = 1;
+    figure.legend.push_back({LegendSample::drift,
+                             language.sentence({REPORT_TEXT("report", "deviation at rest, range %1"),
+                                                {Number{results.range.value_or(0), quantity, decimals}},
+                                                std::nullopt}),
+                             false});
+    figure.curves.push_back(std::move(curve));
+    return withRanges(std::move(figure), x, y, language);
+}
+
+} // namespace palmer

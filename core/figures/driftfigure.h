@@ -1,0 +1,17 @@
+#pragma once
+
+#include "figures/figure.h"
+#include "kernel/evaluation/testevaluation.h"
+#include "kernel/measurement/test.h"
+#include "language/language.h"
+
+namespace palmer {
+
+/// The curve of a drift test: deviations at rest (µm; rotary: arc seconds) over time (s, from 10 minutes on
+/// min, from 10 hours on h), with E_VE = max − min as a dimension between the two readings that make it.
+/// `test` holds a DriftMeasurement and `evaluation` is its evaluation; else std::bad_variant_access. Without
+/// readings an empty figure.
+[[nodiscard]] CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation,
+                                      const Language &language);
+
+} // namespace palmer

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "figures/figure.h"
+#include "kernel/evaluation/testevaluation.h"
+#include "kernel/measurement/test.h"
+#include "language/language.h"
+
+#include <optional>
+
+namespace palmer {
+
+/// What a simulation gave for a parameter: how often which value (µm; rotary: arc seconds), the shortest
+/// interval that holds 95.45 % of them, their mean, and the value evaluated from the readings. The axis
+/// reaches over the counted values and the evaluated one. Nothing for a parameter that was not simulated.
+[[nodiscard]] std::optional<HistogramFigure> histogramFigure(const Test &test,
+                                                             const TestEvaluation &evaluation,
+                                                             const Parameter &parameter,
+                                                             const Language &language);
+
+} // namespace palmer

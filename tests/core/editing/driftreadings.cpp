@@ -1,0 +1,83 @@
+#include "editing/driftreadings.h"
+
+#include "editing/newtest.h"
+
+#include <QTest>
+
+using namespace palmer;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const DriftMeasurement &drift(const Test &test) {
+    return std::get<DriftMeasurement>(test.measurement);
+}
+
+} // namespace
+
+/// Readings of drift tests, typed and pasted.
+class DriftReadings : public QObject {
+    Q_OBJECT
+
+private slots:
+    void replaceAndAppend() {
+        Test test = newDriftTest({});
+        setDriftReadings(test, 0, {{0, 0.001}, {10, 0.002}});
+        QCOMPARE(drift(test).times, (std::vector<double>{0, 10}));
+        setDriftReadings(test, 1, {{11, 0.003}, {20, 0.004}});
+        QCOMPARE(drift(test).times, (std::vector<double>{0, 11, 20}));
+        QCOMPARE(drift(test).deviations, (std::vector<double>{0.001, 0.003, 0.004}));
+        setDriftReadings(test, 99, {{30, 0}}); // behind the last
+        QCOMPARE(drift(test).times.size(), std::size_t{4});
+        removeDriftReadings(test, 1, 2);
+        QCOMPARE(drift(test).times, (std::vector<double>{0, 30}));
+        removeDriftReadings(test, 1, 99);
+        removeDriftReadings(test, 5, 1);
+        QCOMPARE(drift(test).times, std::vector<double>{0});
+        QCOMPARE(drift(test).deviations, std::vector<double>{0.001});
+    }
+
+    void otherTestsStayAsTheyAre() {
+        Test test;
+        const Test before = test;
+        setDriftReadings(test, 0, {{1, 1}});
+        removeDriftReadings(test, 0, 1);
+        QCOMPARE(test, before);
+    }
+
+    void pasted_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("readings"); // −1: refused
+        QTest::newRow("tabs") << u"0\t0\n10\t1.5\n"_s << 2;
+        QTest::newRow("semicolons and decimal commas") << u"0;0,1\r\n10;1,5"_s << 2;
+        QTest::newRow("blanks") << u"  0 0\n 10   1.5"_s << 2;
+        QTest::newRow("with a head") << u"t s\tx µm\n0\t0\n10\t1.5"_s << 2;
+        QTest::newRow("empty lines") << u"\n0\t0\n\n10\t1.5\n\n"_s << 2;
+        QTest::newRow("three columns") << u"0\t0\t0\n1\t1\t1"_s << -1;
+        QTest::newRow("one column") << u"0\n1"_s << -1;
+        QTest::newRow("words further down") << u"0\t0\nend\tof file"_s << -1;
+        QTest::newRow("half a reading first") << u"0\tnone\n1\t1"_s << -1;
+        QTest::newRow("infinite") << u"0\t0\n1\t1e999"_s << -1;
+        QTest::newRow("nothing") << QString() << -1;
+    }
+
+    void pasted() {
+        QFETCH(QString, text);
+        QFETCH(int, readings);
+        const auto found = driftReadingsFrom(text, Motion::linear);
+        QCOMPARE(found ? static_cast<int>(found->size()) : -1, readings);
+        if (readings == 2) {
+            QCOMPARE(found->back().time, 10.0);
+            QCOMPARE(found->back().deviation, 0.0015); // µm become mm exactly
+        }
+    }
+
+    void anglesAreArcSeconds() {
+        const auto found = driftReadingsFrom(u"0\t3.6", Motion::rotary);
+        QVERIFY(found);
+        QVERIFY(std::abs(found->front().deviation - 0.001) < 1e-12);
+    }
+};
+
+QTEST_APPLESS_MAIN(DriftReadings)
+#include "driftreadings.moc"

@@ -1,0 +1,188 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/drift/driftpage.h"
+#include "ui/drift/driftmodel.h"
+#include "ui/figures/figureview.h"
+#include "ui/navigation/navigationlist.h"
+#include "ui/window/pagetabs.h"
+#include "ui/window/shownwindow.h"
+
+#include <QAbstractItemModelTester>
+#include <QAction>
+#include <QClipboard>
+#include <QLabel>
+#include <QTableView>
+#include <QTest>
+#include <QUndoStack>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+namespace {
+
+Document withDrift() {
+    Test drift;
+    drift.id = "d1";
+    drift.title = "at rest";
+    DriftMeasurement readings;
+    readings.axis.name = "X";
+    readings.times = {0, 60, 120};
+    readings.deviations = {0.0, 0.0032, 0.001};
+    drift.measurement = readings;
+    Test positioning;
+    positioning.id = "x1";
+    positioning.edition = "ISO 230-2:2006";
+    PositioningMeasurement measurement;
+    measurement.axis.name = "X";
+    measurement.targets = {0, 100};
+    measurement.runs = {{Direction::positive, {0.001, 0.002}}};
+    measurement.uncertainty.driftTest = "d1";
+    positioning.measurement = measurement;
+    Document document;
+    document.tests.push_back(std::make_shared<const Test>(positioning));
+    document.tests.push_back(std::make_shared<const Test>(drift));
+    return document;
+}
+
+/// The page that edits a document, as in a window.
+struct Edited {
+    explicit Edited(Document document = withDrift())
+        : page(model, selection) {
+        QObject::connect(&model, &DocumentModel::changed, &page,
+                         [this] { page.show(evaluate(model.document()), 1); });
+        model.setDocument(std::move(document), {});
+        page.resize(500, 500);
+        page.QWidget::show();
+        table = page.findChild<QTableView *>("driftReadings");
+    }
+    const DriftMeasurement &drift() {
+        return std::get<DriftMeasurement>(model.document()->tests[1]->measurement);
+    }
+    QString label(const char *name) { return page.findChild<QLabel *>(name)->text(); }
+    bool enter(int row, int column, const QString &text) {
+        return table->model()->setData(table->model()->index(row, column), text, Qt::EditRole);
+    }
+
+    DocumentModel model;
+    Selection selection;
+    DriftPage page;
+    QTableView *table = nullptr;
+};
+
+} // namespace
+
+/// The page of a drift test, and the window around it.
+class DriftPageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        prepareApplication();
+        setWindowLanguage(Language::Id::english);
+    }
+
+    void showsTheRangeAndWhoTakesIt() {
+        Edited edited;
+        QVERIFY2(edited.label("driftRange").contains("3.20"), qPrintable(edited.label("driftRange")));
+        QVERIFY(edited.label("driftTakenBy").contains("X axis"));
+        QCOMPARE(edited.table->model()->rowCount(), 4); // and one for the next reading
+        QCOMPARE(edited.table->model()->index(1, 1).data().toString(), QString("3.2"));
+    }
+
+    void theModelIsWellBehaved() {
+        Edited edited;
+        QAbstractItemModelTester tester(edited.table->model(),
+                                        QAbstractItemModelTester::FailureReportingMode::Fatal);
+        edited.enter(1, 1, "5");
+        edited.enter(3, 0, "180");
+        edited.enter(3, 1, "1");
+        QCOMPARE(edited.table->model()->rowCount(), 5);
+    }
+
+    void aReadingIsChangedAndUndone() {
+        Edited edited;
+        QVERIFY(edited.enter(1, 1, "5,4"));
+        QCOMPARE(edited.drift().deviations[1], 0.0054);
+        QVERIFY(edited.label("driftRange").contains("5.40"));
+        edited.model.undoStack()->undo();
+        QCOMPARE(edited.drift().deviations[1], 0.0032);
+    }
+
+    void aNewReadingNeedsBothNumbers() {
+        Edited edited;
+        QVERIFY(edited.enter(3, 0, "180"));
+        QCOMPARE(edited.drift().times.size(), std::size_t{3});
+        QVERIFY(edited.enter(3, 1, "-2"));
+        QCOMPARE(edited.drift().times.back(), 180.0);
+        QCOMPARE(edited.drift().deviations.back(), -0.002);
+    }
+
+    void whatIsNoNumberIsRefusedInWords_data() {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("words") << "much";
+        QTest::newRow("infinite") << "1e999";
+        QTest::newRow("nothing") << "";
+    }
+
+    void whatIsNoNumberIsRefusedInWords() {
+        QFETCH(QString, text);
+        Edited edited;
+        const DriftMeasurement before = edited.drift();
+        QVERIFY(!edited.enter(1, 1, text));
+        QCOMPARE(edited.drift(), before);
+        auto *reason = edited.page.findChild<QLabel *>("driftReason");
+        QVERIFY(reason->isVisible() && !reason->text().isEmpty());
+        QVERIFY(edited.enter(1, 1, "1"));
+        QVERIFY(!reason->isVisible());
+    }
+
+    void readingsArePastedAndRemoved() {
+        Edited edited;
+        edited.table->setCurrentIndex(edited.table->model()->index(3, 0));
+        QGuiApplication::clipboard()->setText("180\t4\n240\t6");
+        QTest::keyClick(edited.table, Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(edited.drift().times, (std::vector<double>{0, 60, 120, 180, 240}));
+        QCOMPARE(edited.drift().deviations.back(), 0.006);
+        edited.table->selectAll();
+        QTest::keyClick(edited.table, Qt::Key_Delete);
+        QVERIFY(edited.drift().times.empty());
+        QVERIFY(edited.label("driftRange").contains("No readings"));
+        edited.model.undoStack()->undo();
+        QCOMPARE(edited.drift().times.size(), std::size_t{5});
+        QGuiApplication::clipboard()->setText("no numbers at all");
+        QTest::keyClick(edited.table, Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(edited.drift().times.size(), std::size_t{5});
+        QVERIFY(edited.page.findChild<QLabel *>("driftReason")->isVisible());
+    }
+
+    void theWindowShowsPageAndCurve() {
+        const ShownWindow shown(examplePath("long-axis-with-zone"));
+        Workplace &workplace = shown.window->workplace();
+        auto *tabs = shown.find<PageTabs>("pageTabs");
+        workplace.showTest(0);
+        workplace.showPage(Page::uncertainty);
+        QCOMPARE(tabs->currentIndex(), 4);
+        shown.find<QAction>("addDrift")->trigger();
+        auto *page = shown.find<DriftPage>("driftPage");
+        QVERIFY(page->isVisible());
+        // Readings and nothing else
+        for (int tab = 0; tab < tabs->count(); ++tab)
+            QCOMPARE(tabs->isTabVisible(tab), tab == 0);
+        workplace.showPage(Page::limits);
+        QCOMPARE(workplace.selection().page(), Page::readings);
+        QGuiApplication::clipboard()->setText("0\t0\n60\t3\n120\t1");
+        QTest::keyClick(page->findChild<QTableView *>("driftReadings"), Qt::Key_V, Qt::ControlModifier);
+        const auto figure = shown.find<FigureView>("figureView")->figure();
+        QVERIFY(figure);
+        QCOMPARE(figure->curves.size(), std::size_t{1});
+        QCOMPARE(figure->curves[0].points.size(), std::size_t{3});
+        QCOMPARE(figure->dimensions.size(), std::size_t{1});
+        // Back to a positioning test all pages are there again.
+        workplace.showTest(0);
+        for (int tab = 0; tab < tabs->count(); ++tab)
+            QVERIFY(tabs->isTabVisible(tab));
+    }
+};
+
+QTEST_MAIN(DriftPageTest)
+#include "driftpage.moc"

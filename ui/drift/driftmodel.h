@@ -1,0 +1,53 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "editing/driftreadings.h"
+#include "language/language.h"
+
+#include <QAbstractTableModel>
+#include <functional>
+#include <memory>
+
+namespace palmer::ui {
+
+/// The readings of a drift test in the order of the file: time and deviation. The row below the last takes a
+/// new reading, which is one as soon as both its numbers are there.
+class DriftModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { time, deviation, columns };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
+    /// How readings are put into the document: from this row on.
+    void setWriter(std::function<void(std::size_t row, const std::vector<DriftReading> &readings)> write) {
+        m_write = std::move(write);
+    }
+    [[nodiscard]] std::size_t readings() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role) override;
+
+signals:
+    /// What was typed cannot be read: why not.
+    void refused(const QString &reason);
+
+private:
+    [[nodiscard]] Quantity quantity(int column) const;
+    [[nodiscard]] std::optional<double> value(const QModelIndex &index) const;
+
+    std::shared_ptr<const Document> m_document; ///< owns the measurement
+    const DriftMeasurement *m_measurement = nullptr;
+    Language m_language{Language::Id::english};
+    std::optional<double> m_newTime; ///< of the reading that is being added
+    std::optional<double> m_newDeviation;
+    std::function<void(std::size_t, const std::vector<DriftReading> &)> m_write;
+};
+
+} // namespace palmer::ui

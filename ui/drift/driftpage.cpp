@@ -1,0 +1,273 @@
+#include "ui/drift/driftpage.h"
+
+#include "document/edits.h"
+#include "language/decimals.h"
+#include "ui/circles/quiettable.h"
+#include "ui/testname.h"
+#include "ui/theme.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QScrollBar>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <functional>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int pageMargin = 16;
+constexpr int heightOfRow = 26;
+constexpr int heightOfHead = 26;
+constexpr int columnWidth = 130;
+constexpr int rangeDecimals = 2;
+
+const std::optional<std::string> *driftOf(const Test &test) {
+    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
+        return &m->uncertainty.driftTest;
+    const auto *m = std::get_if<CircularMeasurement>(&test.measurement);
+    return m ? &m->uncertainty.driftTest : nullptr;
+}
+
+} // namespace
+
+DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent)
+    : QWidget(parent)
+    , m_model(model)
+    , m_selection(selection)
+    , m_range(new QLabel(this))
+    , m_explained(new QLabel(this))
+    , m_taken(new QLabel(this))
+    , m_reason(new QLabel(this))
+    , m_paste(new QToolButton(this))
+    , m_remove(new QToolButton(this))
+    , m_table(new QTableView(this)) {
+    setObjectName(QStringLiteral("driftPage"));
+    m_range->setObjectName(QStringLiteral("driftRange"));
+    m_taken->setObjectName(QStringLiteral("driftTakenBy"));
+    m_reason->setObjectName(QStringLiteral("driftReason"));
+    m_paste->setObjectName(QStringLiteral("pasteDrift"));
+    m_remove->setObjectName(QStringLiteral("removeDrift"));
+    m_table->setObjectName(QStringLiteral("driftReadings"));
+    for (QLabel *label : {m_explained, m_taken})
+        label->setProperty("secondary", true);
+    m_explained->setWordWrap(true);
+    m_taken->setWordWrap(true);
+    m_reason->setProperty("reason", true);
+    m_reason->setTextFormat(Qt::PlainText);
+    m_reason->hide();
+    m_paste->setIcon(lineIcon(QStringLiteral("paste")));
+    m_remove->setIcon(lineIcon(QStringLiteral("close")));
+    for (QToolButton *button : {m_paste, m_remove}) {
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setFocusPolicy(Qt::StrongFocus);
+    }
+    m_table->setModel(&m_readings);
+    m_table->setItemDelegate(new QuietDelegate(m_table));
+    m_table->setHorizontalHeader(new QuietHeader(m_table));
+    m_table->setShowGrid(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setTabKeyNavigation(false);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectItems);
+    m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                             QAbstractItemView::AnyKeyPressed);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(heightOfRow);
+    m_table->horizontalHeader()->setFixedHeight(heightOfHead);
+    m_table->horizontalHeader()->setDefaultSectionSize(columnWidth);
+    m_table->installEventFilter(this);
+    m_readings.setWriter([this](std::size_t row, const std::vector<DriftReading> &readings) {
+        write(row, readings, QT_TRANSLATE_NOOP("edits", "change a reading"));
+    });
+    connect(&m_readings, &DriftModel::refused, this, &DriftPage::showReason);
+    connect(m_paste, &QToolButton::clicked, this, &DriftPage::paste);
+    connect(m_remove, &QToolButton::clicked, this, &DriftPage::removeRows);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex &current) {
+                if (!m_following && static_cast<std::size_t>(current.row()) < m_readings.readings())
+                    m_selection.setReading(ReadingPlace{0, static_cast<std::size_t>(current.row())});
+            });
+    connect(&selection, &Selection::readingChanged, this, [this] {
+        const auto place = m_selection.reading();
+        if (!place || place->target >= m_readings.readings() || !isVisible())
+            return;
+        m_following = true;
+        const int column = std::max(0, m_table->currentIndex().column());
+        m_table->setCurrentIndex(m_readings.index(static_cast<int>(place->target), column));
+        m_following = false;
+    });
+
+    auto *bar = new QHBoxLayout;
+    bar->setContentsMargins(0, 0, 0, 0);
+    bar->addWidget(m_paste);
+    bar->addWidget(m_remove);
+    bar->addStretch();
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, 8);
+    layout->setSpacing(8);
+    layout->addWidget(m_range);
+    layout->addWidget(m_explained);
+    layout->addWidget(m_taken);
+    layout->addLayout(bar);
+    layout->addWidget(m_reason);
+    layout->addWidget(m_table, 1);
+    refresh();
+}
+
+DriftPage::~DriftPage() {
+    delete m_table;
+}
+
+void DriftPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
+    const QModelIndex current = test == m_test ? m_table->currentIndex() : QModelIndex();
+    const int row = current.row();
+    const int column = current.column();
+    const int scrolled = test == m_test ? m_table->verticalScrollBar()->value() : 0;
+    m_evaluated = evaluated;
+    m_test = test;
+    m_reason->hide();
+    m_readings.show(evaluated, test, m_language);
+    if (row >= 0 && row < m_readings.rowCount()) {
+        m_following = true;
+        m_table->setCurrentIndex(m_readings.index(row, column));
+        m_following = false;
+    }
+    m_table->verticalScrollBar()->setValue(scrolled);
+    refresh();
+}
+
+void DriftPage::setLanguage(const Language &language) {
+    m_language = language;
+    m_readings.show(m_evaluated, m_test, m_language);
+    refresh();
+}
+
+const Test *DriftPage::test() const {
+    if (m_test >= m_evaluated.tests.size())
+        return nullptr;
+    const Test &shown = *m_evaluated.document->tests[m_test];
+    return std::holds_alternative<DriftMeasurement>(shown.measurement) ? &shown : nullptr;
+}
+
+QString DriftPage::takenBy() const {
+    QStringList names;
+    for (const TestPointer &other : m_evaluated.document->tests) {
+        const auto *drift = driftOf(*other);
+        if (drift && *drift && **drift == test()->id)
+            names << testName(*other);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+void DriftPage::refresh() {
+    m_range->setFont(themeFont(TextSize::title));
+    m_explained->setFont(themeFont(TextSize::small));
+    m_taken->setFont(themeFont(TextSize::small));
+    m_paste->setText(tr("Paste"));
+    m_paste->setToolTip(tr("Paste times in s and deviations from a table (%1)")
+                            .arg(QKeySequence(QKeySequence::Paste).toString(QKeySequence::NativeText)));
+    m_paste->setAccessibleName(tr("Paste readings"));
+    m_remove->setText(tr("Remove rows"));
+    m_remove->setToolTip(tr("Remove the readings that are selected (%1)")
+                             .arg(QKeySequence(Qt::Key_Delete).toString(QKeySequence::NativeText)));
+    m_remove->setAccessibleName(tr("Remove the readings that are selected"));
+    m_table->setAccessibleName(tr("Readings of the drift test"));
+    m_explained->setText(
+        tr("Environmental variation error: the largest less the smallest deviation at rest"));
+    const Test *shown = test();
+    if (!shown)
+        return;
+    const auto &measurement = std::get<DriftMeasurement>(shown->measurement);
+    const auto &results = std::get<DriftResults>(m_evaluated.tests[m_test]->results);
+    m_range->setText(results.range
+                         ? tr("E_VE = %1")
+                               .arg(m_language.quantity(*results.range, deviationQuantity(measurement.axis),
+                                                        rangeDecimals))
+                         : tr("No readings yet"));
+    const QString taken = takenBy();
+    m_taken->setText(taken.isEmpty() ? tr("No test takes its E_VE from here yet: page “Uncertainty”.")
+                                     : tr("Taken by: %1").arg(taken));
+}
+
+void DriftPage::write(std::size_t row, const std::vector<DriftReading> &readings, const char *name) {
+    m_reason->hide();
+    m_model.edit(name, [&](Document &document) {
+        editTest(document, m_test, [&](Test &changed) { setDriftReadings(changed, row, readings); });
+    });
+}
+
+void DriftPage::paste() {
+    const Test *shown = test();
+    if (!shown)
+        return;
+    const auto readings =
+        driftReadingsFrom(QGuiApplication::clipboard()->text(),
+                          std::get<DriftMeasurement>(shown->measurement).axis.motion, m_language.units());
+    if (!readings) {
+        showReason(tr("Two columns are expected: time in s and deviation."));
+        return;
+    }
+    const QModelIndex current = m_table->currentIndex();
+    write(current.isValid() ? static_cast<std::size_t>(current.row()) : m_readings.readings(), *readings,
+          QT_TRANSLATE_NOOP("edits", "paste readings"));
+}
+
+void DriftPage::removeRows() {
+    std::vector<int> rows;
+    for (const QModelIndex &index : m_table->selectionModel()->selectedIndexes())
+        rows.push_back(index.row());
+    std::ranges::sort(rows, std::greater<>());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    if (rows.empty())
+        return;
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "remove readings"), [&](Document &document) {
+        editTest(document, m_test, [&](Test &changed) {
+            for (const int row : rows) // from the last, so that the others keep their places
+                removeDriftReadings(changed, static_cast<std::size_t>(row), 1);
+        });
+    });
+}
+
+void DriftPage::showReason(const QString &reason) {
+    QString text = reason;
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    m_reason->setText(text);
+    m_reason->show();
+}
+
+bool DriftPage::eventFilter(QObject *watched, QEvent *event) {
+    if (watched == m_table &&
+        (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride)) {
+        auto *key = static_cast<QKeyEvent *>(event);
+        const bool pastes = key->matches(QKeySequence::Paste);
+        const bool removes = key->matches(QKeySequence::Delete);
+        if (pastes || removes) {
+            // The window's shortcuts of the same keys are for the readings of other tests.
+            if (event->type() == QEvent::ShortcutOverride)
+                event->accept();
+            else if (pastes)
+                paste();
+            else
+                removeRows();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void DriftPage::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
+        refresh();
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

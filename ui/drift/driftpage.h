@@ -1,0 +1,57 @@
+#pragma once
+
+#include "ui/drift/driftmodel.h"
+#include "ui/model/documentmodel.h"
+#include "ui/model/selection.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTableView;
+class QToolButton;
+
+namespace palmer::ui {
+
+/// The page of a drift test: E_VE, which tests take it, and the readings, typed or pasted. Its curve is the
+/// figure beside it.
+class DriftPage : public QWidget {
+    Q_OBJECT
+
+public:
+    DriftPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
+    ~DriftPage() override; ///< the table goes before the model it looks at
+
+    /// Shows a drift test; nothing for any other.
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void refresh();
+    void paste();
+    void removeRows();
+    void showReason(const QString &reason);
+    void write(std::size_t row, const std::vector<DriftReading> &readings, const char *name);
+    [[nodiscard]] QString takenBy() const;
+    [[nodiscard]] const Test *test() const;
+
+    DocumentModel &m_model;
+    Selection &m_selection;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    Language m_language{Language::Id::english};
+    DriftModel m_readings;
+    QLabel *m_range;
+    QLabel *m_explained;
+    QLabel *m_taken;
+    QLabel *m_reason;
+    QToolButton *m_paste;
+    QToolButton *m_remove;
+    QTableView *m_table;
+    bool m_following = false; ///< the selection of the window is what moves the current cell
+};
+
+} // namespace palmer::ui

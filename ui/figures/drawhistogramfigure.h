@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ui/figures/drawfigure.h"
+
+namespace palmer::ui {
+
+/// Draws a histogram into `area` (points) over its axis: bars, darker inside the interval that holds 95.45 %
+/// of the values, the evaluated value as a line, the mean dashed, and what these are below.
+FigureTransform drawHistogramFigure(QPainter &painter, const QRectF &area, const HistogramFigure &figure,
+                                    Medium medium);
+
+/// The bars and the line of the evaluated value alone, as they fit into a row of a table. In whatever units
+/// the painter has; `line`: width of the line.
+void drawHistogramBars(QPainter &painter, const QRectF &plot, const HistogramFigure &figure, Medium medium,
+                       double line);
+
+} // namespace palmer::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "figures/figure.h"
+
+#include <QPixmap>
+#include <QWidget>
+#include <optional>
+
+namespace palmer::ui {
+
+/// A figure to look at, on the ground and in the colours of the theme.
+class FigureCard : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FigureCard(QWidget *parent = nullptr);
+
+    /// Nothing leaves the ground empty.
+    void setFigure(std::optional<Figure> figure);
+    [[nodiscard]] const std::optional<Figure> &figure() const { return m_figure; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    std::optional<Figure> m_figure;
+    QPixmap m_drawn; ///< null: to be drawn
+};
+
+} // namespace palmer::ui

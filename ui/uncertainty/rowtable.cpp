@@ -1,0 +1,208 @@
+#include "ui/uncertainty/rowtable.h"
+
+#include "ui/circles/quiettable.h"
+#include "ui/figures/drawbarfigure.h"
+#include "ui/figures/drawhistogramfigure.h"
+#include "ui/theme.h"
+
+#include <QHeaderView>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int heightOfRow = 22;
+constexpr int heightOfHead = 26;
+constexpr int padding = 6;
+constexpr double barHeight = 9;
+constexpr int markSize = 16;
+constexpr double widestHistogram = 180;
+
+/// What the mark and the words of a warning take at the right of a cell.
+int warningWidth(const QString &warning, const QFontMetrics &metrics) {
+    return warning.isEmpty() ? 0 : markSize + 4 + metrics.horizontalAdvance(warning) + padding;
+}
+
+/// Texts as QuietDelegate has them, bold where they are to be, and the pictures of the roles.
+class RowDelegate : public QuietDelegate {
+public:
+    explicit RowDelegate(RowTable *table)
+        : QuietDelegate(table)
+        , m_table(*table) {}
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override {
+        QStyleOptionViewItem shown = option;
+        if (const QVariant font = index.data(Qt::FontRole); font.isValid()) {
+            shown.font = font.value<QFont>();
+            shown.fontMetrics = QFontMetrics(shown.font);
+        }
+        shown.state &= ~QStyle::State_HasFocus; // the row is what is chosen
+        const QString warning = index.data(RowTable::warningRole).toString();
+        const QFont small = themeFont(TextSize::small);
+        const int room = warningWidth(warning, QFontMetrics(small));
+        QuietDelegate::paint(painter, shown, index);
+        painter->save();
+        const Medium medium = screenMedium(option.palette);
+        const QRectF inner = QRectF(option.rect).adjusted(padding, 0, -padding, -1);
+        if (const QVariant part = index.data(RowTable::barRole); part.isValid()) {
+            QRectF bar = inner;
+            bar.setHeight(barHeight);
+            bar.moveCenter(inner.center());
+            drawBar(*painter, bar, part.toDouble(), index.data(RowTable::firstRole).toBool(), medium);
+        }
+        if (const HistogramFigure *figure = m_table.histogram(index)) {
+            QRectF plot = inner.adjusted(0, 3, 0, -2);
+            plot.setWidth(std::min(plot.width(), widestHistogram));
+            painter->setRenderHint(QPainter::Antialiasing);
+            drawHistogramBars(*painter, plot, *figure, medium, 2);
+        }
+        if (room > 0) {
+            const QColor colour = token(Token::unsure, option.palette);
+            const QRect place = option.rect.adjusted(option.rect.width() - room - padding, 0, -padding, 0);
+            drawLineIcon(*painter, QRect(place.left(), place.top(), markSize, place.height()),
+                         QStringLiteral("warn"), colour);
+            painter->setPen(colour);
+            painter->setFont(small);
+            painter->drawText(place.adjusted(markSize + 4, 0, padding, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                              warning);
+        }
+        painter->restore();
+    }
+
+private:
+    const RowTable &m_table;
+};
+
+} // namespace
+
+Medium screenMedium(const QPalette &palette) {
+    return isDark(palette) ? Medium::screenDark : Medium::screenLight;
+}
+
+RowTable::RowTable(const char *name, int columns, QWidget *parent)
+    : QTableWidget(0, columns, parent) {
+    setObjectName(QString::fromLatin1(name));
+    setHorizontalHeader(new QuietHeader(this));
+    setItemDelegate(new RowDelegate(this));
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setTabKeyNavigation(false);
+    setShowGrid(false);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    verticalHeader()->hide();
+    verticalHeader()->setDefaultSectionSize(heightOfRow);
+    verticalHeader()->setMinimumSectionSize(heightOfRow);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setFixedHeight(heightOfHead);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setMinimumSectionSize(20);
+}
+
+void RowTable::setHead(int column, const QString &text, bool number) {
+    auto *item = new QTableWidgetItem(text);
+    item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    setHorizontalHeaderItem(column, item);
+}
+
+QTableWidgetItem *RowTable::setCell(int row, int column, const QString &text, bool number, bool bold) {
+    auto *item = new QTableWidgetItem(text);
+    item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (bold) {
+        QFont font = themeFont(TextSize::base);
+        font.setBold(true);
+        item->setFont(font);
+    }
+    setItem(row, column, item);
+    return item;
+}
+
+void RowTable::setHistograms(std::vector<HistogramFigure> histograms) {
+    m_histograms = std::move(histograms);
+}
+
+const HistogramFigure *RowTable::histogram(const QModelIndex &index) const {
+    const QVariant number = index.data(histogramRole);
+    if (!number.isValid() || number.toUInt() >= m_histograms.size())
+        return nullptr;
+    return &m_histograms[number.toUInt()];
+}
+
+int RowTable::wantedWidth(int column) const {
+    const QFontMetrics head(themeFont(TextSize::small));
+    const QTableWidgetItem *title = horizontalHeaderItem(column);
+    int width = title ? head.horizontalAdvance(title->text()) : 0;
+    for (int row = 0; row < rowCount(); ++row) {
+        const QTableWidgetItem *cell = item(row, column);
+        if (!cell)
+            continue;
+        const QVariant own = cell->data(Qt::FontRole);
+        const QFontMetrics metrics(own.isValid() ? own.value<QFont>() : font());
+        width = std::max(width, metrics.horizontalAdvance(cell->text()) +
+                                    warningWidth(cell->data(warningRole).toString(), head));
+    }
+    return width + 2 * padding + 2;
+}
+
+void RowTable::fitColumns() {
+    if (m_flexible < 0)
+        return;
+    std::vector<int> widths;
+    int left = viewport()->width();
+    for (int column = 0; column < columnCount(); ++column) {
+        widths.push_back(column == m_flexible ? 0 : wantedWidth(column));
+        left -= widths.back();
+    }
+    for (const int column : m_elided) { // the last ones give way first
+        int &width = widths.at(static_cast<std::size_t>(column));
+        const int taken = std::clamp(m_least - left, 0, width / 2);
+        width -= taken;
+        left += taken;
+    }
+    widths.at(static_cast<std::size_t>(m_flexible)) = std::max(left, 0);
+    for (int column = 0; column < columnCount(); ++column)
+        setColumnWidth(column, widths.at(static_cast<std::size_t>(column)));
+}
+
+void RowTable::fit(int flexible, int least, std::initializer_list<int> elided) {
+    setFixedHeight(heightOfHead + rowCount() * heightOfRow);
+    m_flexible = flexible;
+    m_least = least;
+    m_elided = elided;
+    fitColumns();
+}
+
+void RowTable::resizeEvent(QResizeEvent *event) {
+    QTableWidget::resizeEvent(event);
+    fitColumns();
+}
+
+QString RowTable::key(int row) const {
+    const QTableWidgetItem *first = item(row, 0);
+    return first ? first->data(keyRole).toString() : QString();
+}
+
+int RowTable::rowOf(const QString &wanted) const {
+    for (int row = 0; row < rowCount(); ++row) {
+        if (key(row) == wanted)
+            return row;
+    }
+    return -1;
+}
+
+QSize RowTable::minimumSizeHint() const {
+    return {0, heightOfHead};
+}
+
+/// All rows are in view: the page scrolls.
+void RowTable::wheelEvent(QWheelEvent *event) {
+    event->ignore();
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,99 @@
+#include "ui/uncertainty/simulationrow.h"
+
+#include "ui/elidedlabel.h"
+#include "ui/theme.h"
+
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QtMath>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int barWidth = 96;
+constexpr int barHeight = 4;
+constexpr int percent = 100;
+
+} // namespace
+
+SimulationRow::SimulationRow(Simulator &simulator, QWidget *parent)
+    : QWidget(parent)
+    , m_simulator(simulator)
+    , m_text(new ElidedLabel(this))
+    , m_bar(new QProgressBar(this))
+    , m_start(new QPushButton(this))
+    , m_cancel(new QPushButton(this)) {
+    m_text->setObjectName(QStringLiteral("simulationText"));
+    m_text->setProperty("secondary", true);
+    m_text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_bar->setTextVisible(false);
+    m_bar->setFixedSize(barWidth, barHeight);
+    m_start->setObjectName(QStringLiteral("simulate"));
+    m_cancel->setObjectName(QStringLiteral("cancelSimulation"));
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_text, 1);
+    row->addWidget(m_bar);
+    row->addWidget(m_start);
+    row->addWidget(m_cancel);
+    for (QPushButton *button : {m_start, m_cancel})
+        button->setAutoDefault(false);
+    connect(m_start, &QPushButton::clicked, this, [this] { m_simulator.start(m_evaluated, {m_test}); });
+    connect(m_cancel, &QPushButton::clicked, &simulator, &Simulator::cancel);
+    connect(&simulator, &Simulator::progressed, this, &SimulationRow::refresh);
+    connect(&simulator, &Simulator::finished, this, &SimulationRow::refresh);
+}
+
+void SimulationRow::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
+    m_evaluated = evaluated;
+    m_test = test;
+    m_language = language;
+    refresh();
+}
+
+void SimulationRow::refresh() {
+    if (m_test >= m_evaluated.tests.size())
+        return;
+    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
+    const auto trials = [this](long long count) {
+        return tr("%1 trials").arg(m_language.number(static_cast<double>(count), Quantity::count, 0));
+    };
+    const bool running = m_simulator.isRunning() && m_simulator.test() == m_test;
+    m_text->setFont(themeFont(TextSize::small));
+    m_start->setText(tr("Simulate"));
+    m_start->setToolTip(tr("Run the Monte Carlo simulation of this test"));
+    m_cancel->setText(tr("Cancel"));
+    m_cancel->setAccessibleName(tr("Cancel the simulation"));
+    m_bar->setAccessibleName(tr("Progress of the simulation"));
+    // Where the button in use goes away the focus goes to the one in its place.
+    const bool focused = m_start->hasFocus() || m_cancel->hasFocus();
+    m_start->setVisible(!running);
+    m_start->setEnabled(evaluation.uncertainty.wantsSimulation() && !evaluation.view);
+    m_cancel->setVisible(running);
+    m_bar->setVisible(running);
+    if (focused)
+        (running ? m_cancel : m_start)->setFocus(Qt::OtherFocusReason);
+    QStringList parts;
+    if (running) {
+        const SimulationProgress &progress = m_simulator.progress();
+        parts << trials(progress.trials);
+        if (const auto left = m_simulator.secondsLeft())
+            parts << tr("%1 s left").arg(qCeil(*left));
+        m_bar->setRange(0, progress.of ? percent : 0);
+        if (progress.of)
+            m_bar->setValue(static_cast<int>(percent * progress.trials / *progress.of));
+    } else if (const auto &simulation = evaluation.uncertainty.simulation) {
+        parts << trials(simulation->trials) << tr("seed %1").arg(simulation->seed);
+        if (evaluation.uncertainty.outdated)
+            parts << tr("outdated: edited since");
+    } else {
+        parts << (evaluation.uncertainty.wantsSimulation() ? tr("not simulated yet")
+                                                           : tr("needs a complete budget"));
+    }
+    m_text->setText(parts.join(QStringLiteral(" · ")));
+    m_text->setProperty("secondary", !evaluation.uncertainty.outdated);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,141 @@
+#include "ui/uncertainty/typicalvalues.h"
+
+#include "kernel/uncertainty/positioningbudget.h"
+#include "language/decimals.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double micrometresPerMm = 1000;
+constexpr double typicalExpansion = 1; ///< u of what has U = 2 at k = 2, µm/(m·°C)
+
+QString say(const char *source) {
+    return QCoreApplication::translate("palmer::ui::UncertaintyPage", source);
+}
+
+Motion motionOf(const Test &test) {
+    const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
+    return positioning ? positioning->axis.motion : Motion::linear;
+}
+
+std::optional<std::string> driftOf(const Test &test) {
+    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
+        return m->uncertainty.driftTest;
+    if (const auto *m = std::get_if<CircularMeasurement>(&test.measurement))
+        return m->uncertainty.driftTest;
+    return std::nullopt;
+}
+
+void addLinear(std::vector<TypicalValue> &values, const Language &language) {
+    values.push_back(
+        {say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, machine: %1"))
+             .arg(language.quantity(typicalExpansionRange, Quantity::expansion)),
+         say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage",
+                               "gives U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2")),
+         [](Test &test) {
+             std::get<PositioningMeasurement>(test.measurement).uncertainty.expansionRange.machine =
+                 typicalExpansionRange;
+         }});
+    values.push_back(
+        {say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Laser interferometer: α 0")),
+         say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "light has no material that expands")),
+         [](Test &test) {
+             auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+             measurement.conditions.common.expansion.instrument = 0;
+             measurement.uncertainty.temperatureRange.instrument = 0;
+             measurement.uncertainty.expansionRange.instrument = 0;
+         }});
+}
+
+void addCircular(std::vector<TypicalValue> &values, const Document &document, const Test &test,
+                 const Language &language) {
+    for (const Instrument &instrument : document.instruments) {
+        if (!instrument.resolution ||
+            std::ranges::find(test.instruments, instrument.id) == test.instruments.end())
+            continue;
+        const double step = *instrument.resolution * micrometresPerMm;
+        values.push_back(
+            {say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Resolution: %1"))
+                 .arg(language.quantity(step, Quantity::micrometres)),
+             say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "as stated for the instrument %1"))
+                 .arg(QString::fromStdString(instrument.description.empty() ? instrument.id
+                                                                            : instrument.description)),
+             [step](Test &changed) {
+                 std::get<CircularMeasurement>(changed.measurement).uncertainty.resolution = step;
+             }});
+    }
+    values.push_back({say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, machine: %1"))
+                          .arg(language.quantity(typicalExpansion, Quantity::expansion)),
+                      say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage",
+                                            "half of U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2")),
+                      [](Test &changed) {
+                          std::get<CircularMeasurement>(changed.measurement)
+                              .uncertainty.expansionStandardUncertainty.machine = typicalExpansion;
+                      }});
+}
+
+} // namespace
+
+QString driftTestName(const Test &drift) {
+    if (!drift.title.empty())
+        return QString::fromStdString(drift.title);
+    const auto &measurement = std::get<DriftMeasurement>(drift.measurement);
+    return say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "drift test %1"))
+        .arg(QString::fromStdString(measurement.axis.name.empty() ? drift.id : measurement.axis.name));
+}
+
+std::optional<double> rangeOfDrift(const Test &drift) {
+    const auto &deviations = std::get<DriftMeasurement>(drift.measurement).deviations;
+    if (deviations.empty())
+        return std::nullopt;
+    const auto [low, high] = std::ranges::minmax(deviations);
+    return high - low;
+}
+
+std::vector<TestPointer> driftTestsFor(const Document &document, const Test &test) {
+    std::vector<TestPointer> result;
+    for (const TestPointer &other : document.tests) {
+        const auto *drift = std::get_if<DriftMeasurement>(&other->measurement);
+        if (drift && !other->id.empty() &&
+            (drift->axis.motion == motionOf(test) || driftOf(test) == other->id))
+            result.push_back(other);
+    }
+    return result;
+}
+
+std::vector<TypicalValue> typicalValues(const Document &document, const Test &test,
+                                        const Language &language) {
+    std::vector<TypicalValue> values;
+    const bool positioning = std::holds_alternative<PositioningMeasurement>(test.measurement);
+    const bool linear = motionOf(test) == Motion::linear;
+    if (positioning && linear)
+        addLinear(values, language);
+    else if (!positioning)
+        addCircular(values, document, test, language);
+    for (const TestPointer &drift : driftTestsFor(document, test)) {
+        const auto range = rangeOfDrift(*drift);
+        const auto &axis = std::get<DriftMeasurement>(drift->measurement).axis;
+        if (!range || axis.motion != motionOf(test))
+            continue;
+        constexpr int decimals = 2;
+        values.push_back({say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "E_VE: %1"))
+                              .arg(language.quantity(*range, deviationQuantity(axis), decimals)),
+                          driftTestName(*drift), [id = drift->id](Test &changed) {
+                              std::visit(
+                                  [&](auto &measurement) {
+                                      if constexpr (requires { measurement.uncertainty.driftTest; }) {
+                                          measurement.uncertainty.driftTest = id;
+                                          measurement.uncertainty.environmentalVariation.reset();
+                                      }
+                                  },
+                                  changed.measurement);
+                          }});
+    }
+    return values;
+}
+
+} // namespace palmer::ui

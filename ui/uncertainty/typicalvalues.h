@@ -1,0 +1,34 @@
+#pragma once
+
+#include "document/document.h"
+#include "language/language.h"
+
+#include <QString>
+#include <functional>
+#include <vector>
+
+namespace palmer::ui {
+
+/// A value that a budget may take, and where it comes from.
+struct TypicalValue {
+    QString value;  ///< "R(α) of the machine 3.4 µm/(m·°C)"
+    QString source; ///< "the typical minimum of ISO 230-2"
+    std::function<void(Test &)> take;
+};
+
+/// What can be offered for the inputs of the budget of a test: what the standard gives, what the instruments
+/// of the test and its drift tests say. Never invented ones.
+[[nodiscard]] std::vector<TypicalValue> typicalValues(const Document &document, const Test &test,
+                                                      const Language &language);
+
+/// The drift tests of a document that E_VE of a test can be taken from: those of the same kind of axis, and
+/// the one it names already. In the order of the document.
+[[nodiscard]] std::vector<TestPointer> driftTestsFor(const Document &document, const Test &test);
+
+/// E_VE: the range of the deviations of a drift test, mm or degrees; null without readings.
+[[nodiscard]] std::optional<double> rangeOfDrift(const Test &drift);
+
+/// Title of a drift test, or the name of its axis.
+[[nodiscard]] QString driftTestName(const Test &drift);
+
+} // namespace palmer::ui

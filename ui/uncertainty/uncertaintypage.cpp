@@ -1,0 +1,913 @@
+#include "ui/uncertainty/uncertaintypage.h"
+
+#include "figures/budgetfigure.h"
+#include "figures/histogramfigure.h"
+#include "kernel/evaluation/decideuncertainty.h"
+#include "kernel/uncertainty/circularbudget.h"
+#include "kernel/uncertainty/positioningbudget.h"
+#include "language/rounding.h"
+#include "report/resultparts.h"
+#include "report/uncertaintyparts.h"
+#include "report/wording.h"
+#include "ui/model/editname.h"
+#include "ui/theme.h"
+#include "ui/uncertainty/figurecard.h"
+#include "ui/uncertainty/rowtable.h"
+#include "ui/uncertainty/simulationrow.h"
+#include "ui/uncertainty/typicalvalues.h"
+
+#include <QApplication>
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <algorithm>
+#include <array>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr char context[] = "palmer::ui::UncertaintyPage";
+constexpr int figureHeight = 210;
+constexpr std::array methods{UncertaintyMethod::budget, UncertaintyMethod::monteCarlo,
+                             UncertaintyMethod::direct, UncertaintyMethod::none};
+
+namespace contributionColumn {
+enum { name, calculation, size, expanded, count };
+}
+namespace resultColumn {
+enum { symbol, budget, simulation, interval, distribution, shift, difference, count };
+}
+
+template <class T>
+T &reach(T &whole) {
+    return whole;
+}
+template <class T, class Part, class... Rest>
+auto &reach(T &whole, Part part, Rest... rest) {
+    return reach(whole.*part, rest...);
+}
+
+template <auto... members>
+auto positioning() {
+    return ofTest([](auto &test) {
+        auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+        return measurement ? &reach(measurement->uncertainty, members...) : nullptr;
+    });
+}
+
+template <auto... members>
+auto circular() {
+    return ofTest([](auto &test) {
+        auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
+        return measurement ? &reach(measurement->uncertainty, members...) : nullptr;
+    });
+}
+
+using Amount = std::optional<double>;
+
+/// A factor that is always there: an emptied field is the k = 2 of certificates.
+Member<Amount> coverageOf(Member<double> member) {
+    return converted<Amount, double>(
+        std::move(member), [](const double &k) { return Amount(k); },
+        [](const Amount &k) { return k.value_or(2); });
+}
+
+Member<Amount> trialsOf(Member<std::optional<long long>> member) {
+    return converted<Amount, std::optional<long long>>(
+        std::move(member),
+        [](const std::optional<long long> &trials) {
+            return trials ? Amount(static_cast<double>(*trials)) : std::nullopt;
+        },
+        [](const Amount &trials) {
+            return trials ? std::optional(static_cast<long long>(*trials)) : std::nullopt;
+        });
+}
+
+Member<Amount> seedOf(Member<long long> member) {
+    return converted<Amount, long long>(
+        std::move(member), [](const long long &seed) { return Amount(static_cast<double>(seed)); },
+        [](const Amount &seed) { return static_cast<long long>(seed.value_or(1)); });
+}
+
+/// The U stated for a parameter; an emptied field takes it out.
+Member<Amount> statedFor(Member<ExpandedUncertainties> member, const std::string &id) {
+    return {[read = member.read, id](const FormSource &source) {
+                const ExpandedUncertainties all = read(source);
+                const auto found = all.find(id);
+                return found == all.end() ? std::nullopt : Amount(found->second);
+            },
+            [id](Document &document, std::size_t index, const Amount &value) {
+                editTest(document, index, [&](Test &test) {
+                    std::visit(
+                        [&](auto &measurement) {
+                            if constexpr (requires { measurement.uncertainty.expanded; }) {
+                                if (value)
+                                    measurement.uncertainty.expanded[id] = *value;
+                                else
+                                    measurement.uncertainty.expanded.erase(id);
+                            }
+                        },
+                        test.measurement);
+                });
+            }};
+}
+
+/// Where E_VE comes from: 0 typed in, else the number of a drift test. A number that was typed in wins.
+Member<int> environmentFrom(std::vector<std::string> drifts) {
+    return {[drifts](const FormSource &source) {
+                int choice = 0;
+                if (!source.test)
+                    return choice;
+                std::visit(
+                    [&](const auto &measurement) {
+                        if constexpr (requires { measurement.uncertainty.driftTest; }) {
+                            const auto &inputs = measurement.uncertainty;
+                            const auto found = std::ranges::find(drifts, inputs.driftTest.value_or(""));
+                            if (inputs.driftTest && !inputs.environmentalVariation && found != drifts.end())
+                                choice = static_cast<int>(found - drifts.begin()) + 1;
+                        }
+                    },
+                    source.test->measurement);
+                return choice;
+            },
+            [drifts](Document &document, std::size_t index, const int &choice) {
+                editTest(document, index, [&](Test &test) {
+                    std::visit(
+                        [&](auto &measurement) {
+                            if constexpr (requires { measurement.uncertainty.driftTest; }) {
+                                auto &inputs = measurement.uncertainty;
+                                if (choice <= 0) {
+                                    inputs.driftTest.reset();
+                                } else {
+                                    inputs.driftTest = drifts.at(static_cast<std::size_t>(choice) - 1);
+                                    inputs.environmentalVariation.reset();
+                                }
+                            }
+                        },
+                        test.measurement);
+                });
+            }};
+}
+
+const UncertaintyMethod *methodOf(const Test &test) {
+    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
+        return &m->uncertainty.method;
+    const auto *m = std::get_if<CircularMeasurement>(&test.measurement);
+    return m ? &m->uncertainty.method : nullptr;
+}
+
+/// A result whose U can be entered: its key in the file and its symbol.
+struct StatedResult {
+    std::string key;
+    QString symbol;
+};
+
+/// The results of a test, those with an index once (the key of limits), and what the file states besides.
+std::vector<StatedResult> statedResults(const Test &test, const TestEvaluation &evaluation) {
+    std::vector<StatedResult> results;
+    const auto add = [&](const std::string &key, const QString &symbol) {
+        if (std::ranges::find(results, key, &StatedResult::key) == results.end())
+            results.push_back({key, symbol});
+    };
+    for (const Parameter &parameter : evaluation.parameters) {
+        Parameter plain = parameter;
+        plain.index.clear();
+        add(parameter.term.id, QString::fromStdString(plainSymbol(plain)));
+    }
+    std::visit(
+        [&](const auto &measurement) {
+            if constexpr (requires { measurement.uncertainty.expanded; }) {
+                for (const auto &[key, value] : measurement.uncertainty.expanded)
+                    add(key, QString::fromStdString(key));
+            }
+        },
+        test.measurement);
+    return results;
+}
+
+/// As it stands within a sentence.
+QString lowered(QString name) {
+    if (!name.isEmpty())
+        name[0] = name[0].toLower();
+    return name;
+}
+
+bool usesInputs(UncertaintyMethod method) {
+    return method == UncertaintyMethod::budget || method == UncertaintyMethod::monteCarlo;
+}
+
+/// Between two parts of the page.
+QFrame *makeRule(QWidget *parent) {
+    auto *rule = new QFrame(parent);
+    rule->setProperty("rule", true);
+    rule->setFixedHeight(1);
+    return rule;
+}
+
+} // namespace
+
+/// What a contribution is called where there is little room: "Expansion, machine".
+QString UncertaintyPage::shortName(const Contribution &contribution) const {
+    struct Name {
+        const char *id;
+        const char *source;
+    };
+    static constexpr std::array names{
+        Name{deviceId, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument")},
+        Name{misalignmentId, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Misalignment")},
+        Name{"temperatureMachine", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Temperature, machine")},
+        Name{"temperatureInstrument",
+             QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Temperature, instrument")},
+        Name{"expansionMachine", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Expansion, machine")},
+        Name{"expansionInstrument",
+             QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Expansion, instrument")},
+        Name{environmentalVariationId,
+             QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Environmental variation")},
+        Name{displacementId, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Displacement")}};
+    const auto found = std::ranges::find_if(
+        names, [&](const Name &name) { return std::string_view(name.id) == contribution.id; });
+    return found == names.end() ? contributionName(contribution, language()) : word(found->source);
+}
+
+UncertaintyPage::UncertaintyPage(DocumentModel &model, Evaluator &evaluator, Selection &selection,
+                                 QWidget *parent)
+    : Form(context, Page::uncertainty, model, parent)
+    , m_simulator(evaluator) {
+    setObjectName(QStringLiteral("uncertaintyPage"));
+    follow(selection);
+    refresh();
+}
+
+Quantity UncertaintyPage::deviation() const {
+    const auto *measurement =
+        shownTest() ? std::get_if<PositioningMeasurement>(&shownTest()->measurement) : nullptr;
+    return measurement ? deviationQuantity(*measurement) : Quantity::deviation;
+}
+
+QString UncertaintyPage::missingText(int count) const {
+    return tr("%n input(s) of the budget missing", nullptr, count);
+}
+
+// ---- Building --------------------------------------------------------------------------------------------
+
+void UncertaintyPage::forgetParts() {
+    m_built.clear();
+    m_fields.clear();
+    m_methods = {};
+    m_methodNote = nullptr;
+    m_typical = nullptr;
+    m_perMetre = m_length = m_environment = m_repeatability = m_trials = nullptr;
+    m_advice = nullptr;
+    m_contributions = nullptr;
+    m_results = nullptr;
+    m_simulation = nullptr;
+    m_decides = nullptr;
+    m_distribution = nullptr;
+    m_distributionTitle = nullptr;
+    m_rule = nullptr;
+    clear();
+}
+
+void UncertaintyPage::prepare() {
+    const Test *shown = shownTest();
+    const Edition *edition = shown ? findEdition(shown->edition) : nullptr;
+    const UncertaintyMethod *method = shown ? methodOf(*shown) : nullptr;
+    if (!edition || !method) {
+        if (!m_built.isEmpty())
+            forgetParts();
+        return;
+    }
+    const auto *linear = std::get_if<PositioningMeasurement>(&shown->measurement);
+    const bool rotary = linear && linear->axis.motion == Motion::rotary;
+    // A rotary axis has no metres; what a file says of them is shown to be taken out.
+    const bool perMetre = linear && (!rotary || linear->uncertainty.device.perMetre.value_or(0) != 0);
+    const bool centring =
+        !linear && (std::get<CircularMeasurement>(shown->measurement).centring == Centring::instrument);
+    QStringList wanted{QString::fromUtf8(edition->word), rotary ? QStringLiteral("°") : QString(),
+                       perMetre ? QStringLiteral("/m") : QString(),
+                       centring ? QStringLiteral("+") : QString(),
+                       QString::number(static_cast<int>(*method))};
+    std::vector<QByteArray> driftNames;
+    std::vector<std::string> drifts;
+    for (const TestPointer &drift : driftTestsFor(*evaluated().document, *shown)) {
+        drifts.push_back(drift->id);
+        driftNames.push_back(driftTestName(*drift).toUtf8());
+        wanted << QString::fromStdString(drift->id) << QString::fromUtf8(driftNames.back());
+    }
+    if (*method == UncertaintyMethod::direct) {
+        for (const StatedResult &result : statedResults(*shown, *evaluated().tests[test()]))
+            wanted << QString::fromStdString(result.key);
+    }
+    // What is being emptied keeps its field until the page is shown anew.
+    const bool onlyLess =
+        wanted.size() < m_built.size() && isAncestorOf(QApplication::focusWidget()) &&
+        std::ranges::all_of(wanted, [&](const QString &word) { return m_built.contains(word); });
+    if (wanted == m_built || onlyLess)
+        return;
+    forgetParts();
+    m_built = wanted;
+    m_drifts = std::move(drifts);
+    m_driftNames = std::move(driftNames);
+    addMethods();
+    if (*method == UncertaintyMethod::direct) {
+        addStatedUncertainties(*edition, rotary);
+    } else if (usesInputs(*method)) {
+        if (linear)
+            addPositioningInputs(rotary, perMetre);
+        else
+            addCircularInputs(centring);
+        addContributions();
+        addResults(linear);
+    }
+    addDecision();
+    addStretch();
+}
+
+/// Which method decides, and values to take.
+void UncertaintyPage::addMethods() {
+    beginRow();
+    auto *bar = new QWidget(body());
+    auto *row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    auto *group = new QButtonGroup(bar);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        auto *button = new QToolButton(bar);
+        button->setObjectName(QStringLiteral("method%1").arg(static_cast<int>(methods[i])));
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setProperty("segment", i == 0                    ? QStringLiteral("first")
+                                       : i + 1 == methods.size() ? QStringLiteral("last")
+                                                                 : QStringLiteral("middle"));
+        group->addButton(button, static_cast<int>(i));
+        row->addWidget(button);
+        m_methods[i] = button;
+    }
+    connect(group, &QButtonGroup::idClicked, this,
+            [this](int id) { chooseMethod(methods.at(static_cast<std::size_t>(id))); });
+    m_methodNote = new QLabel(bar);
+    m_methodNote->setProperty("secondary", true);
+    m_typical = new QToolButton(bar);
+    m_typical->setObjectName(QStringLiteral("typicalValues"));
+    m_typical->setProperty("segment", QStringLiteral("only"));
+    m_typical->setPopupMode(QToolButton::InstantPopup);
+    m_typical->setFocusPolicy(Qt::StrongFocus);
+    m_typical->setMenu(new QMenu(m_typical));
+    connect(m_typical->menu(), &QMenu::aboutToShow, this, &UncertaintyPage::fillTypical);
+    row->addSpacing(12);
+    row->addWidget(m_methodNote, 1);
+    row->addWidget(m_typical);
+    addWidget(bar);
+}
+
+void UncertaintyPage::chooseMethod(UncertaintyMethod method) {
+    const QByteArray name =
+        changeOf(context, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Method of the uncertainty"));
+    edit(name.constData(), [this, method](Document &document) {
+        editTest(document, test(), [method](Test &changed) {
+            std::visit(
+                [method](auto &measurement) {
+                    if constexpr (requires { measurement.uncertainty.method; })
+                        measurement.uncertainty.method = method;
+                },
+                changed.measurement);
+        });
+    });
+}
+
+void UncertaintyPage::fillTypical() {
+    QMenu *menu = m_typical->menu();
+    menu->clear();
+    if (!shownTest())
+        return;
+    for (const TypicalValue &value : typicalValues(*evaluated().document, *shownTest(), language())) {
+        const QAction *action = menu->addAction(value.value + QStringLiteral(" – ") + value.source);
+        connect(action, &QAction::triggered, this, [this, take = value.take] {
+            edit(QT_TRANSLATE_NOOP("edits", "take a typical value"),
+                 [&](Document &document) { editTest(document, test(), take); });
+        });
+    }
+}
+
+/// What E_VE is and where it comes from; the choice only where there is one.
+void UncertaintyPage::addEnvironment(Quantity size, Member<Amount> member) {
+    m_environment = addNumber("environmentalVariation",
+                              QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Env. variation E_VE"), size,
+                              std::move(member), 1, Allowed::notNegative);
+    m_fields[environmentalVariationId] = m_environment;
+    if (m_drifts.empty())
+        return;
+    std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "typed in")};
+    for (const QByteArray &name : m_driftNames)
+        words.push_back(name.constData());
+    addChoice("driftTest", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "E_VE from"), words,
+              environmentFrom(m_drifts), false);
+}
+
+/// How the simulation is run.
+void UncertaintyPage::addTrials(Member<std::optional<long long>> trials, Member<long long> seed) {
+    m_trials = addNumber("trials", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Trials"),
+                         Quantity::count, trialsOf(std::move(trials)), 1, Allowed::counting);
+    addNumber("seed", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Seed"), Quantity::count,
+              seedOf(std::move(seed)), 1, Allowed::whole);
+}
+
+void UncertaintyPage::addPositioningInputs(bool rotary, bool perMetre) {
+    using Inputs = PositioningUncertaintyInputs;
+    using Both = MachineAndInstrument;
+    const Quantity size = rotary ? Quantity::arcSeconds : Quantity::micrometres;
+    beginRow();
+    addChoice("device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument by"),
+              {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "certificate"),
+               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "range of its error")},
+              choiceOf<DeviceKind>(positioning<&Inputs::device, &DeviceUncertainty::kind>(),
+                                   {DeviceKind::certificate, DeviceKind::range}),
+              false);
+    m_fields[deviceId] =
+        addNumber("device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, fixed part"), size,
+                  positioning<&Inputs::device, &DeviceUncertainty::fixed>(), 1, Allowed::notNegative);
+    if (perMetre)
+        m_perMetre = addNumber(
+            "device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, per metre"), size,
+            positioning<&Inputs::device, &DeviceUncertainty::perMetre>(), 1, Allowed::notNegative);
+    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the certificate"),
+              Quantity::number,
+              coverageOf(positioning<&Inputs::device, &DeviceUncertainty::coverageFactor>()), 1,
+              Allowed::positive);
+    beginRow();
+    if (!rotary) {
+        m_fields[misalignmentId] =
+            addNumber("misalignmentRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Misalignment"),
+                      Quantity::position, positioning<&Inputs::misalignmentRange>(), 1, Allowed::notNegative);
+        m_length = addNumber("length", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Length L"),
+                             Quantity::position, positioning<&Inputs::length>(), 1, Allowed::positive);
+    }
+    addEnvironment(size, positioning<&Inputs::environmentalVariation>());
+    if (!rotary) {
+        if (m_drifts.empty()) // the columns of the other rows
+            addWidget(new QWidget(body()));
+        beginRow();
+        m_fields["temperatureMachine"] = addNumber(
+            "temperatureRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of θ, machine"),
+            Quantity::temperature, positioning<&Inputs::temperatureRange, &Both::machine>(), 1,
+            Allowed::notNegative);
+        m_fields["temperatureInstrument"] = addNumber(
+            "temperatureRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of θ, instr."),
+            Quantity::temperature, positioning<&Inputs::temperatureRange, &Both::instrument>(), 1,
+            Allowed::notNegative);
+        m_fields["expansionMachine"] = addNumber(
+            "expansionRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, machine"),
+            Quantity::expansion, positioning<&Inputs::expansionRange, &Both::machine>(), 1,
+            Allowed::notNegative);
+        m_fields["expansionInstrument"] = addNumber(
+            "expansionRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, instr."),
+            Quantity::expansion, positioning<&Inputs::expansionRange, &Both::instrument>(), 1,
+            Allowed::notNegative);
+    }
+}
+
+void UncertaintyPage::addCircularInputs(bool centring) {
+    using Inputs = CircularUncertaintyInputs;
+    using Both = MachineAndInstrument;
+    constexpr Quantity size = Quantity::micrometres;
+    beginRow();
+    m_fields[displacementId] =
+        addNumber("displacement", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Displacement, U"), size,
+                  circular<&Inputs::displacement, &ExpandedValue::expanded>(), 1, Allowed::notNegative);
+    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the certificate"),
+              Quantity::number, coverageOf(circular<&Inputs::displacement, &ExpandedValue::coverageFactor>()),
+              1, Allowed::positive);
+    m_fields[referenceLengthId] =
+        addNumber("referenceLength", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Reference length, U"),
+                  size, ofTest([](auto &test) {
+                      auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
+                      return measurement ? &measurement->referenceLength.expandedUncertainty : nullptr;
+                  }),
+                  1, Allowed::notNegative);
+    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the certificate"),
+              Quantity::number, coverageOf(ofTest([](auto &test) {
+                  auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
+                  return measurement ? &measurement->referenceLength.coverageFactor : nullptr;
+              })),
+              1, Allowed::positive);
+    beginRow();
+    m_fields[resolutionId] =
+        addNumber("resolution", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Resolution"), size,
+                  circular<&Inputs::resolution>(), 1, Allowed::notNegative);
+    m_fields[pointNoiseId] =
+        addNumber("pointNoise", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Noise of a point, u"), size,
+                  circular<&Inputs::pointNoise>(), 1, Allowed::notNegative);
+    m_repeatability =
+        addNumber("repeatability", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Repeatability, u"), size,
+                  circular<&Inputs::repeatability>(), 1, Allowed::notNegative);
+    m_fields[repeatabilityId] = m_repeatability;
+    if (centring)
+        m_fields[centringId] =
+            addNumber("centring", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Centring, u"), size,
+                      circular<&Inputs::centring>(), 1, Allowed::notNegative);
+    beginRow();
+    addEnvironment(size, circular<&Inputs::environmentalVariation>());
+    addChoice("sameSensor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Temperature sensors"),
+              {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "one each"),
+               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "one for machine and instrument")},
+              choiceOf<bool>(circular<&Inputs::sameSensor>(), {false, true}), false);
+    beginRow();
+    m_fields[correctionId] = addNumber(
+        "temperatureStandardUncertainty", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of θ, machine"),
+        Quantity::temperature, circular<&Inputs::temperatureStandardUncertainty, &Both::machine>(), 1,
+        Allowed::notNegative);
+    addNumber("temperatureStandardUncertainty",
+              QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of θ, instr."), Quantity::temperature,
+              circular<&Inputs::temperatureStandardUncertainty, &Both::instrument>(), 1,
+              Allowed::notNegative);
+    addNumber("expansionStandardUncertainty",
+              QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, machine"), Quantity::expansion,
+              circular<&Inputs::expansionStandardUncertainty, &Both::machine>(), 1, Allowed::notNegative);
+    addNumber("expansionStandardUncertainty",
+              QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, instr."), Quantity::expansion,
+              circular<&Inputs::expansionStandardUncertainty, &Both::instrument>(), 1, Allowed::notNegative);
+}
+
+void UncertaintyPage::addStatedUncertainties(const Edition &edition, bool rotary) {
+    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Expanded uncertainties, k = 2"));
+    const Quantity size = rotary ? Quantity::arcSeconds : Quantity::micrometres;
+    constexpr int fieldsInRow = 4;
+    int count = 0;
+    for (const StatedResult &result : statedResults(*shownTest(), *evaluated().tests[test()])) {
+        if (count++ % fieldsInRow == 0)
+            beginRow();
+        Field *field =
+            addNumber("expanded", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "U of %1"), size,
+                      statedFor(edition.circles ? circular<&CircularUncertaintyInputs::expanded>()
+                                                : positioning<&PositioningUncertaintyInputs::expanded>(),
+                                result.key),
+                      1, Allowed::notNegative);
+        field->setLabelArgument(result.symbol);
+    }
+    for (; count % fieldsInRow != 0; ++count) // the last row has the columns of the others
+        addWidget(new QWidget(body()));
+}
+
+void UncertaintyPage::addContributions() {
+    beginRow();
+    addWidget(makeRule(body()));
+    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Contributions"));
+    m_advice = new QPushButton(body());
+    m_advice->setObjectName(QStringLiteral("advice"));
+    m_advice->setProperty("link", true);
+    m_advice->setAutoDefault(false);
+    connect(m_advice, &QPushButton::clicked, this, [this] { focusContribution(m_contributions->key(0)); });
+    addToSection(m_advice);
+    beginRow();
+    m_contributions = new RowTable("contributions", contributionColumn::count, body());
+    connect(m_contributions, &QTableWidget::activated, this,
+            [this](const QModelIndex &index) { focusContribution(m_contributions->key(index.row())); });
+    addWidget(m_contributions);
+}
+
+void UncertaintyPage::addResults(bool linear) {
+    using Positioning = PositioningUncertaintyInputs;
+    using Circular = CircularUncertaintyInputs;
+    beginRow();
+    addWidget(makeRule(body()));
+    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Results, %1"), language().unit(deviation()));
+    m_simulation = new SimulationRow(m_simulator, body());
+    addToSection(m_simulation, 1);
+    beginRow();
+    m_results = new RowTable("methods", resultColumn::count, body());
+    connect(m_results, &QTableWidget::currentCellChanged, this, [this](int row) {
+        if (row >= 0) {
+            m_chosen = m_results->key(row);
+            showDistribution();
+        }
+    });
+    addWidget(m_results);
+    beginRow();
+    m_decides = new QLabel(body());
+    m_decides->setObjectName(QStringLiteral("decides"));
+    m_decides->setWordWrap(true);
+    m_decides->setProperty("secondary", true);
+    addWidget(m_decides);
+    beginRow();
+    m_distributionTitle = new QLabel(body());
+    m_distributionTitle->setObjectName(QStringLiteral("distributionTitle"));
+    addWidget(m_distributionTitle);
+    beginRow();
+    m_distribution = new FigureCard(body());
+    m_distribution->setObjectName(QStringLiteral("distribution"));
+    m_distribution->setFixedHeight(figureHeight);
+    addWidget(m_distribution);
+    beginRow();
+    addWidget(makeRule(body()));
+    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Simulation"));
+    beginRow();
+    if (linear) {
+        addTrials(positioning<&Positioning::trials>(), positioning<&Positioning::seed>());
+        addChoice("driftModel", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Drift of the readings"),
+                  {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "independent"),
+                   QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "linear in time")},
+                  choiceOf<DriftModel>(positioning<&Positioning::driftModel>(),
+                                       {DriftModel::independent, DriftModel::linear}),
+                  false, 2);
+    } else {
+        addTrials(circular<&Circular::trials>(), circular<&Circular::seed>());
+    }
+}
+
+/// How U goes into the verdict; the same fields as on the page of the limits.
+void UncertaintyPage::addDecision() {
+    beginRow();
+    addWidget(makeRule(body()));
+    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Decision"));
+    beginRow();
+    addChoice("", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Rule"),
+              {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "simple acceptance"),
+               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "ISO 14253-1: conformity is to be proven"),
+               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "non-conformity is to be proven")},
+              choiceOf<Rule>(ofTest([](auto &test) { return &test.decisionRule.rule; }),
+                             {Rule::simpleAcceptance, Rule::iso14253_1, Rule::rejectionProven}),
+              false, 2);
+    Member<double> guard = ofTest([](auto &test) { return &test.decisionRule.guardFactor; });
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Guard band, times U"), Quantity::number,
+              converted<Amount, double>(
+                  std::move(guard), [](const double &factor) { return Amount(factor); },
+                  [](const Amount &factor) { return factor.value_or(DecisionRule().guardFactor); }),
+              1, Allowed::notNegative);
+    beginRow();
+    m_rule = new QLabel(body());
+    m_rule->setObjectName(QStringLiteral("decisionRuleText"));
+    m_rule->setWordWrap(true);
+    m_rule->setProperty("secondary", true);
+    addWidget(m_rule);
+}
+
+void UncertaintyPage::focusContribution(const QString &id) {
+    const auto found = m_fields.find(id.toStdString());
+    if (found != m_fields.end())
+        focusPart(*found->second);
+}
+
+// ---- Showing ---------------------------------------------------------------------------------------------
+
+void UncertaintyPage::refreshOthers() {
+    if (!m_methodNote || test() >= evaluated().tests.size())
+        return;
+    const TestEvaluation &evaluation = *evaluated().tests[test()];
+    showMethods(evaluation);
+    showPlaceholders(evaluation);
+    if (m_contributions)
+        showContributions(evaluation);
+    if (m_results) {
+        showResults(evaluation);
+        showDistribution();
+        m_simulation->show(evaluated(), test(), language());
+    }
+    const Writer write(language());
+    const TestPart part{write, evaluated(), *shownTest(), evaluation, test(), 1, 1};
+    m_rule->setFont(themeFont(TextSize::small));
+    m_rule->setText(decisionText(part));
+}
+
+void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
+    const bool linear = std::holds_alternative<PositioningMeasurement>(shownTest()->measurement);
+    const UncertaintyMethod method = *methodOf(*shownTest());
+    const std::array names{linear ? tr("Annex A") : tr("Budget"), tr("Monte Carlo"), tr("Direct"),
+                           tr("None")};
+    const std::array tips{
+        linear ? tr("The simplified budget after the model of ISO 230-2:2006 Annex A decides")
+               : tr("The simplified budget of the contributors of ISO 230-4, 4.6 decides"),
+        tr("The Monte Carlo simulation (GUM Supplement 1) decides"),
+        tr("The expanded uncertainty of every result is entered"), tr("No uncertainty is stated")};
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        m_methods[i]->setText(names.at(i));
+        m_methods[i]->setToolTip(tips.at(i));
+        m_methods[i]->setAccessibleName(tr("Method: %1").arg(names.at(i)));
+        m_methods[i]->setChecked(methods[i] == method);
+    }
+    m_methodNote->setFont(themeFont(TextSize::small));
+    m_methodNote->setText(evaluation.view ? tr("a view: see the edition") : tr("decides · k = 2"));
+    m_typical->setText(tr("Values"));
+    m_typical->setToolTip(tr("Take a typical value, with its source"));
+    m_typical->setAccessibleName(tr("Typical values with their source"));
+    m_typical->setVisible(usesInputs(method));
+}
+
+/// What is taken where a field is empty.
+void UncertaintyPage::showPlaceholders(const TestEvaluation &evaluation) {
+    if (m_perMetre)
+        m_perMetre->setUnit(tr("%1/m").arg(language().unit(
+            deviation() == Quantity::deviation ? Quantity::micrometres : Quantity::arcSeconds)));
+    if (m_trials)
+        m_trials->setPlaceholder(tr("adaptive"));
+    if (m_length && evaluation.uncertainty.length)
+        m_length->setPlaceholder(language().number(*evaluation.uncertainty.length, Quantity::position));
+    if (m_environment)
+        m_environment->setPlaceholder(driftPlaceholder());
+    if (m_repeatability) {
+        const auto &contributions = evaluation.uncertainty.contributions;
+        const auto found = std::ranges::find_if(
+            contributions, [](const Contribution &c) { return std::string_view(c.id) == repeatabilityId; });
+        const bool repeated = found != contributions.end() && found->expanded;
+        constexpr double coverage = 2;
+        m_repeatability->setPlaceholder(
+            repeated
+                ? language().number(*found->expanded / coverage, Quantity::deviation, contributionDecimals)
+                : QString());
+    }
+}
+
+/// E_VE of the drift test that is taken; empty where none is.
+QString UncertaintyPage::driftPlaceholder() const {
+    std::optional<std::string> id;
+    std::visit(
+        [&](const auto &measurement) {
+            if constexpr (requires { measurement.uncertainty.driftTest; })
+                id = measurement.uncertainty.driftTest;
+        },
+        shownTest()->measurement);
+    for (const TestPointer &drift : driftTestsFor(*evaluated().document, *shownTest())) {
+        if (id != drift->id)
+            continue;
+        const auto range = rangeOfDrift(*drift);
+        const auto &axis = std::get<DriftMeasurement>(drift->measurement).axis;
+        return range ? language().number(*range, deviationQuantity(axis), contributionDecimals) : QString();
+    }
+    return {};
+}
+
+void UncertaintyPage::showContributions(const TestEvaluation &evaluation) {
+    namespace column = contributionColumn;
+    const auto &contributions = evaluation.uncertainty.contributions;
+    const BarFigure figure = budgetFigure(*shownTest(), evaluation, language());
+    const auto ordered = bySize(contributions);
+    m_contributions->setAccessibleName(tr("Contributions to the uncertainty, the largest first"));
+    m_contributions->setHead(column::name, tr("Contribution"), false);
+    m_contributions->setHead(column::calculation, tr("Calculation"), false);
+    m_contributions->setHead(column::size, {}, false);
+    m_contributions->setHead(column::expanded, QStringLiteral("U ") + figure.x.unit, true);
+    m_contributions->setRowCount(static_cast<int>(figure.bars.size()));
+    for (std::size_t i = 0; i < figure.bars.size(); ++i) {
+        const Contribution &contribution = *ordered[i];
+        const Bar &bar = figure.bars[i];
+        const int row = static_cast<int>(i);
+        const QString share = tr("%1 % of U²").arg(bar.share);
+        auto *name = m_contributions->setCell(row, column::name, shortName(contribution), false);
+        name->setToolTip(contributionName(contribution, language()));
+        name->setData(RowTable::keyRole, bar.id);
+        name->setData(Qt::AccessibleTextRole,
+                      QStringLiteral("%1: %2 %3, %4").arg(name->text(), bar.value, figure.x.unit, share));
+        auto *calculation = m_contributions->setCell(
+            row, column::calculation,
+            contribution.expanded ? language().sentence(contribution.inputs) : tr("not stated"), false);
+        calculation->setFont(themeFont(TextSize::small));
+        calculation->setForeground(
+            token(contribution.expanded ? Token::secondaryText : Token::unsure, palette()));
+        calculation->setToolTip(calculation->text());
+        auto *size = m_contributions->setCell(row, column::size, {}, false);
+        size->setData(RowTable::barRole, bar.size / figure.x.to);
+        size->setData(RowTable::firstRole, bar.first);
+        size->setData(Qt::AccessibleTextRole, share);
+        size->setToolTip(share);
+        m_contributions->setCell(row, column::expanded, bar.value, true);
+    }
+    constexpr int leastBar = 120;
+    m_contributions->fit(column::size, leastBar, {column::calculation, column::name});
+    const Contribution *first = evaluation.uncertainty.complete ? toImproveFirst(contributions) : nullptr;
+    m_advice->setVisible(first);
+    if (first)
+        m_advice->setText(
+            tr("to improve first: %1, %2 % of U²")
+                .arg(lowered(shortName(*first)), shareText(shareOf(*first, contributions), language())));
+}
+
+void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
+    namespace column = resultColumn;
+    const Quantity quantity = deviation();
+    const auto resolution = finestResolution(*evaluated().document, *shownTest());
+    const QString none = QStringLiteral("–");
+    const auto expanded = [&](const std::optional<double> &value) {
+        return value ? QStringLiteral("± ") +
+                           language().uncertainty(*value, quantity,
+                                                  decimalsWithUncertainty(*value, quantity, resolution))
+                     : none;
+    };
+    const auto withSign = [&](double value, Quantity of, int decimals) {
+        const QString text = language().number(value, of, decimals);
+        return value > 0 ? QStringLiteral("+") + text : text;
+    };
+    m_results->setAccessibleName(tr("Expanded uncertainty of the results by both methods"));
+    const bool linear = std::holds_alternative<PositioningMeasurement>(shownTest()->measurement);
+    m_results->setHead(column::symbol, {}, false);
+    m_results->setHead(column::budget, linear ? tr("Annex A") : tr("Budget"), true);
+    m_results->setHead(column::simulation, tr("Monte Carlo"), true);
+    m_results->setHead(column::interval, tr("95.45 % interval"), true);
+    m_results->setHead(column::distribution, tr("distribution"), false);
+    m_results->setHead(column::shift, tr("shift"), true);
+    m_results->setHead(column::difference, tr("difference"), false);
+    std::vector<HistogramFigure> histograms;
+    const QSignalBlocker quiet(m_results);
+    m_results->setRowCount(0);
+    for (const Parameter &parameter : evaluation.parameters) {
+        if (!isPrinted(parameter, evaluated().document->report))
+            continue;
+        const int row = m_results->rowCount();
+        m_results->insertRow(row);
+        const bool byBudget = parameter.decidedBy == UncertaintyMethod::budget;
+        const bool bySimulation = parameter.decidedBy == UncertaintyMethod::monteCarlo;
+        const auto &simulated = parameter.simulated;
+        auto *symbol = m_results->setCell(row, column::symbol, QString::fromStdString(plainSymbol(parameter)),
+                                          false, true);
+        symbol->setData(RowTable::keyRole, QString::fromStdString(parameterId(parameter)));
+        auto *budget =
+            m_results->setCell(row, column::budget, expanded(parameter.budgetUncertainty), true, byBudget);
+        auto *simulation = m_results->setCell(
+            row, column::simulation,
+            expanded(simulated ? std::optional(simulated->expanded()) : std::nullopt), true, bySimulation);
+        if (byBudget)
+            budget->setData(Qt::AccessibleTextRole, tr("%1, decides").arg(budget->text()));
+        if (bySimulation)
+            simulation->setData(Qt::AccessibleTextRole, tr("%1, decides").arg(simulation->text()));
+        for (int empty = column::interval; empty < column::count; ++empty)
+            m_results->setCell(row, empty, empty == column::distribution ? QString() : none,
+                               empty != column::difference);
+        if (!simulated)
+            continue;
+        const int decimals = decimalsWithUncertainty(simulated->expanded(), quantity, resolution);
+        auto *interval =
+            m_results->setCell(row, column::interval,
+                               language().number(simulated->low, quantity, decimals) + QStringLiteral(" … ") +
+                                   language().number(simulated->high, quantity, decimals),
+                               true);
+        interval->setFont(themeFont(TextSize::small));
+        interval->setForeground(token(Token::secondaryText, palette()));
+        auto *shift =
+            m_results->setCell(row, column::shift, withSign(simulated->shift(), quantity, decimals), true);
+        shift->setFont(themeFont(TextSize::small));
+        if (simulated->largeShift()) {
+            shift->setForeground(token(Token::unsure, palette()));
+            shift->setToolTip(tr("More than a third of the U of the simulation: the budget decides"));
+        }
+        if (auto figure = histogramFigure(*shownTest(), evaluation, parameter, language())) {
+            auto *distribution = m_results->setCell(row, column::distribution, {}, false);
+            distribution->setData(RowTable::histogramRole, static_cast<int>(histograms.size()));
+            distribution->setData(Qt::AccessibleTextRole, figure->title);
+            distribution->setToolTip(figure->title);
+            histograms.push_back(std::move(*figure));
+        }
+        if (!parameter.budgetUncertainty || !(*parameter.budgetUncertainty > 0))
+            continue;
+        const double ratio = simulated->expanded() / *parameter.budgetUncertainty - 1;
+        constexpr double percent = 100;
+        auto *difference = m_results->setCell(row, column::difference,
+                                              tr("%1 %").arg(withSign(ratio * percent, Quantity::number, 0)),
+                                              false, methodsDiffer(parameter));
+        if (methodsDiffer(parameter)) {
+            difference->setData(RowTable::warningRole, tr("> 20 %"));
+            difference->setForeground(token(Token::unsure, palette()));
+            difference->setData(Qt::AccessibleTextRole, tr("%1, more than 20 %").arg(difference->text()));
+            difference->setToolTip(tr("The methods differ by more than 20 %: the findings give the reason"));
+        }
+    }
+    m_results->setHistograms(std::move(histograms));
+    constexpr int leastHistogram = 70;
+    m_results->fit(column::distribution, leastHistogram);
+    const int chosen = std::max(0, m_results->rowOf(m_chosen));
+    if (m_results->rowCount() > 0) {
+        m_results->setCurrentCell(chosen, 0);
+        m_chosen = m_results->key(chosen);
+    }
+    const Writer write(language());
+    const TestPart part{write, evaluated(), *shownTest(), evaluation, test(), 1, 1};
+    m_decides->setFont(themeFont(TextSize::small));
+    m_decides->setText(tr("Bold: the U that decides.") + u' ' + methodText(part));
+}
+
+/// The histogram of the result that is chosen in the table.
+void UncertaintyPage::showDistribution() {
+    if (!m_distribution || test() >= evaluated().tests.size())
+        return;
+    const TestEvaluation &evaluation = *evaluated().tests[test()];
+    std::optional<HistogramFigure> figure;
+    for (const Parameter &parameter : evaluation.parameters) {
+        if (QString::fromStdString(parameterId(parameter)) == m_chosen)
+            figure = histogramFigure(*shownTest(), evaluation, parameter, language());
+    }
+    m_distribution->setVisible(figure.has_value());
+    m_distributionTitle->setVisible(figure.has_value());
+    m_distributionTitle->setFont(themeFont(TextSize::head));
+    m_distributionTitle->setText(figure ? figure->title : QString());
+    m_distribution->setAccessibleName(figure ? figure->title : QString());
+    m_distribution->setAccessibleDescription(
+        figure ? QStringList{figure->evaluatedText, figure->meanText, figure->coverageText}.join(
+                     QStringLiteral(", "))
+               : QString());
+    m_distribution->setFigure(figure ? std::optional<Figure>(std::move(*figure)) : std::nullopt);
+}
+
+} // namespace palmer::ui

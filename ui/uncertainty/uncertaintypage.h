@@ -1,0 +1,86 @@
+#pragma once
+
+#include "ui/forms/form.h"
+#include "ui/model/simulator.h"
+
+#include <QByteArray>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace palmer::ui {
+
+class FigureCard;
+class RowTable;
+class SimulationRow;
+
+/// How the uncertainty of a test is found: the method that decides, its inputs, the contributions of the
+/// budget with the largest first, the U of each result by budget and simulation side by side with the
+/// distribution of the trials, and the decision rule. The simulation is started here, never by an edit.
+class UncertaintyPage : public Form {
+    Q_OBJECT
+
+public:
+    UncertaintyPage(DocumentModel &model, Evaluator &evaluator, Selection &selection,
+                    QWidget *parent = nullptr);
+
+protected:
+    void prepare() override;
+    void refreshOthers() override;
+    [[nodiscard]] QString missingText(int count) const override;
+
+private:
+    void forgetParts();
+    void addMethods();
+    void addPositioningInputs(bool rotary, bool perMetre);
+    void addCircularInputs(bool centring);
+    void addEnvironment(Quantity size, Member<Amount> member);
+    void addTrials(Member<std::optional<long long>> trials, Member<long long> seed);
+    void addStatedUncertainties(const Edition &edition, bool rotary);
+    void addContributions();
+    void addResults(bool linear);
+    void addDecision();
+    void chooseMethod(UncertaintyMethod method);
+    void fillTypical();
+    void focusContribution(const QString &id);
+
+    void showMethods(const TestEvaluation &evaluation);
+    void showPlaceholders(const TestEvaluation &evaluation);
+    void showContributions(const TestEvaluation &evaluation);
+    void showResults(const TestEvaluation &evaluation);
+    void showDistribution();
+    [[nodiscard]] QString shortName(const Contribution &contribution) const;
+    [[nodiscard]] QString driftPlaceholder() const;
+    [[nodiscard]] Quantity deviation() const;
+
+    Simulator m_simulator;
+    QStringList m_built;                  ///< for which kind of test, edition and method there are fields
+    QString m_chosen;                     ///< parameter whose distribution is shown
+    std::vector<std::string> m_drifts;    ///< ids of the drift tests offered
+    std::vector<QByteArray> m_driftNames; ///< likewise, UTF-8
+    // Parts that are made anew with the fields; null where the method has no use for them.
+    std::map<std::string, Field *> m_fields; ///< by contribution: where its size is entered
+    std::array<QToolButton *, 4> m_methods{};
+    QLabel *m_methodNote = nullptr;
+    QToolButton *m_typical = nullptr;
+    Field *m_perMetre = nullptr;
+    Field *m_length = nullptr;
+    Field *m_environment = nullptr;
+    Field *m_repeatability = nullptr;
+    Field *m_trials = nullptr;
+    QPushButton *m_advice = nullptr;
+    RowTable *m_contributions = nullptr;
+    RowTable *m_results = nullptr;
+    SimulationRow *m_simulation = nullptr;
+    QLabel *m_decides = nullptr;
+    QLabel *m_distributionTitle = nullptr;
+    FigureCard *m_distribution = nullptr;
+    QLabel *m_rule = nullptr;
+};
+
+} // namespace palmer::ui
