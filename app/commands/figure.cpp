@@ -7,6 +7,7 @@
 #include "figures/circlefigure.h"
 #include "figures/deviationfigure.h"
 #include "figures/driftfigure.h"
+#include "figures/figuredata.h"
 #include "ui/figures/exportfigure.h"
 
 #include <QFileInfo>
@@ -20,7 +21,8 @@ namespace palmer {
 namespace {
 
 constexpr std::array options{
-    Option{"o", "OUT.svg|png|pdf", REPORT_TEXT("report", "the picture to write; its ending says what it is")},
+    Option{"o", "OUT.svg|png|pdf|csv",
+           REPORT_TEXT("report", "the picture to write, or its points; the ending says which")},
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
     Option{"figure", "deviation|circle|counterclockwise|clockwise|budget",
            REPORT_TEXT("report", "which figure; without it that of the test")},
@@ -109,6 +111,8 @@ std::size_t testIndex(const Invocation &invocation, std::size_t count) {
 }
 
 QByteArray picture(const Figure &figure, const QString &title, const QString &ending) {
+    if (ending == QLatin1StringView("csv"))
+        return figureCsv(figure, '.');
     if (ending == QLatin1StringView("svg"))
         return ui::figureAsSvg(figure, title);
     if (ending == QLatin1StringView("png"))
@@ -120,9 +124,9 @@ int run(const Invocation &invocation) {
     const auto output = invocation.value(QLatin1StringView("o"));
     const QString ending = QFileInfo(output.value_or(QString())).suffix().toLower();
     if (ending != QLatin1StringView("svg") && ending != QLatin1StringView("png") &&
-        ending != QLatin1StringView("pdf"))
+        ending != QLatin1StringView("pdf") && ending != QLatin1StringView("csv"))
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("figure"), std::string("-o OUT.svg|png|pdf")}});
+                          {std::string("figure"), std::string("-o OUT.svg|png|pdf|csv")}});
     if (invocation.arguments.size() != 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("figure")}});
     const auto wanted = invocation.value(QLatin1StringView("figure"));

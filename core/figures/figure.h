@@ -2,6 +2,7 @@
 
 #include "kernel/measurement/circular.h"
 
+#include <QPointF>
 #include <QSizeF>
 #include <QString>
 #include <optional>
@@ -129,6 +130,28 @@ struct CurveFigure {
     std::vector<double> positions; ///< of all targets, ascending
 
     bool operator==(const CurveFigure &) const = default;
+};
+
+/// What a line of a line figure shows; what that looks like is the business of who draws.
+enum class LineRole { measuredUp, measuredDown, predictedUp, predictedDown, machine, instrument, air };
+
+struct FigureLine {
+    LineRole role = LineRole::machine;
+    QString label; ///< short, at the right end of the line; may be empty
+    QString name;  ///< of the legend
+    std::vector<QPointF> points;
+
+    bool operator==(const FigureLine &) const = default;
+};
+
+/// Lines over one axis: temperatures over time, means before and after a compensation.
+struct LineFigure {
+    QString title;
+    FigureAxis x;
+    FigureAxis y;
+    std::vector<FigureLine> lines;
+
+    bool operator==(const LineFigure &) const = default;
 };
 
 /// A point of a path about the centre the figure names: angle in degrees from the first axis towards the
@@ -305,6 +328,6 @@ struct HistogramFigure {
 };
 
 /// What can be drawn: content in the units and the language it is shown in, roles instead of colours.
-using Figure = std::variant<CurveFigure, CircleFigure, BarFigure, HistogramFigure>;
+using Figure = std::variant<CurveFigure, CircleFigure, LineFigure, BarFigure, HistogramFigure>;
 
 } // namespace palmer

@@ -3,7 +3,9 @@
 #include "document/documenterror.h"
 #include "document/place.h"
 #include "import/arcs.h"
+#include "import/decodetext.h"
 #include "import/numbercell.h"
+#include "import/sections.h"
 #include "import/units.h"
 
 #include <QDate>
@@ -47,7 +49,7 @@ const TypeUnit *typeUnit(QStringView type) {
 
 std::optional<double> numberOf(const QString &text) {
     const std::string plain = text.trimmed().toStdString();
-    const CellValue value = readCell(plain, DecimalMark::point);
+    const CellValue value = readCell(plain, decimalMarkIn(plain));
     return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;
 }
 
@@ -220,7 +222,7 @@ private:
         for (std::string_view rest = withoutBlanks(text); !rest.empty(); rest = withoutBlanks(rest)) {
             const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
             const std::string_view word = rest.substr(0, end);
-            const CellValue value = readCell(word, DecimalMark::point);
+            const CellValue value = readCell(word, decimalMarkIn(word));
             if (value.kind != CellKind::number)
                 throw Error(
                     Error::Kind::content,
@@ -438,6 +440,11 @@ bool isBallbarXml(QByteArrayView bytes) {
 
 void readBallbarXml(const ImportSource &source, Choices &choices, Imported &imported) {
     BallbarReader(source.bytes, choices, imported).read();
+    try {
+        imported.text = decodeText(source.bytes).text;
+    } catch (const Error &) {
+        imported.text.clear(); // in a code page that XML knows and the tables do not
+    }
     choices.settle("kind", "circular", Origin::recognised);
 }
 

@@ -13,7 +13,7 @@ namespace palmer {
 
 namespace {
 
-constexpr qint64 sizeLimit = qint64(1) << 30;
+constexpr qsizetype sizeLimit = qsizetype(1) << 30;
 
 constexpr std::array formats{
     ImportFormat{"workbook", isWorkbook, readWorkbook},
@@ -161,14 +161,10 @@ bool isTestFile(QByteArrayView bytes) {
     return at < bytes.size() && bytes[at] == '{';
 }
 
-void demandImportable(qint64 bytes) {
-    if (bytes > sizeLimit)
-        throw Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "the file is larger than 1 GiB")});
-}
-
 Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
     demandKnown(options);
-    demandImportable(bytes.size());
+    if (bytes.size() > sizeLimit)
+        throw Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "the file is larger than 1 GiB")});
     if (isTestFile(bytes))
         throw Error(
             Error::Kind::format,

@@ -16,9 +16,6 @@ namespace palmer {
 [[nodiscard]] Imported importMeasurement(QByteArrayView bytes, const QString &fileName,
                                          const ImportOptions &options = {});
 
-/// Throws Error(tooLarge) for a file of that many bytes, which need not be read for it.
-void demandImportable(qint64 bytes);
-
 /// Whether the bytes are a test file or a report, which are opened and not imported.
 [[nodiscard]] bool isTestFile(QByteArrayView bytes);
 

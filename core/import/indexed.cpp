@@ -4,6 +4,7 @@
 #include "document/place.h"
 #include "import/decodetext.h"
 #include "import/passes.h"
+#include "import/sections.h"
 
 #include <algorithm>
 #include <array>
@@ -142,9 +143,7 @@ private:
 
     bool take(const Assignment &assignment, std::size_t line) {
         const auto number = [&]() -> std::optional<double> {
-            const bool comma = assignment.value.find(',') != std::string_view::npos;
-            const CellValue value =
-                readCell(assignment.value, comma ? DecimalMark::comma : DecimalMark::point);
+            const CellValue value = readCell(assignment.value, decimalMarkIn(assignment.value));
             if (value.kind == CellKind::number)
                 return value.value;
             if (value.kind != CellKind::missing && value.kind != CellKind::empty)

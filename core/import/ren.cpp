@@ -28,7 +28,8 @@ std::optional<double> lastNumber(std::string_view line) {
     std::optional<double> found;
     for (std::size_t at = 0; at < line.size();) {
         const std::size_t end = std::min(line.find_first_of(" \t:=", at), line.size());
-        const LeadingNumber number = leadingNumber(line.substr(at, end - at), DecimalMark::point);
+        const LeadingNumber number =
+            leadingNumber(line.substr(at, end - at), decimalMarkIn(line.substr(at, end - at)));
         if (end > at && number.size > 0)
             found = number.value;
         at = end + 1;
@@ -58,6 +59,7 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
     Pass pass;
     bool table = false;
     std::size_t number = 0;
+    std::size_t ignored = 0;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
         const std::string_view line = withoutBlanks(text.substr(at, end - at));
@@ -77,8 +79,11 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
             unit && contains(line, "unit") && unit->kind == UnitKind::length)
             header.unit = unit;
         const auto numbers = numbersIn(line);
-        if (!table || !numbers)
+        if (!table || !numbers) {
+            ignored += !contains(line, "Compensation") && !contains(line, "unit") &&
+                       !contains(line, "Axis position");
             continue;
+        }
         if (numbers->size() < 3) {
             imported.remarks.push_back(
                 {RemarkGrade::problem,
@@ -114,6 +119,13 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
          0,
          0,
          "sign"});
+    if (ignored > 0)
+        imported.remarks.push_back({RemarkGrade::note,
+                                    {REPORT_TEXT("report", "Lines of text that were not used: %1."),
+                                     {Number{static_cast<double>(ignored), Quantity::count}}},
+                                    0,
+                                    0,
+                                    {}});
     PassForm form;
     form.sign = choices.settle("sign", "targetMinusActual", Origin::guessed).value;
     const auto unit = choices.settle("unit", header.unit ? header.unit->word : "um",

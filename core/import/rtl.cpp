@@ -33,7 +33,7 @@ std::optional<double> numberOf(std::optional<std::string_view> text) {
     if (!text)
         return {};
     const std::string_view first = text->substr(0, text->find_first_of(" \t"));
-    const CellValue value = readCell(first, DecimalMark::point);
+    const CellValue value = readCell(first, decimalMarkIn(first));
     return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;
 }
 

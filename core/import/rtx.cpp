@@ -7,6 +7,8 @@
 #include "import/units.h"
 
 #include <QtEndian>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer {
@@ -15,11 +17,14 @@ namespace {
 
 constexpr std::string_view dataMark = "Data:";
 constexpr double mostSamples = 1e7;
+constexpr std::array<std::string_view, 14> knownKeys{
+    "Owner", "Version no", "File Type", "Velocity", "Sample rate", "Sample no", "Actual sample rate",
+    "Flags", "Machine",    "Serial No", "Date",     "By",          "Axis",      "Location"};
 
 std::optional<double> numberOf(std::optional<std::string_view> text) {
     if (!text)
         return {};
-    const LeadingNumber number = leadingNumber(*text, DecimalMark::point);
+    const LeadingNumber number = leadingNumber(*text, decimalMarkIn(*text));
     return number.size > 0 ? std::optional(number.value) : std::nullopt;
 }
 
@@ -95,6 +100,13 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     remark(RemarkGrade::note,
            {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
             {Number{static_cast<double>(n), Quantity::count}, Number{drift.times.back(), Quantity::time}}});
+    std::size_t ignored = 0;
+    for (const SectionLine &line : header->lines)
+        ignored +=
+            std::ranges::none_of(knownKeys, [&](std::string_view key) { return sameWord(line.key, key); });
+    if (ignored > 0)
+        remark(RemarkGrade::note, {REPORT_TEXT("report", "Lines of text that were not used: %1."),
+                                   {Number{static_cast<double>(ignored), Quantity::count}}});
     Test test;
     if (const std::string date = text("Date"); !date.empty()) {
         test.remarks = date;

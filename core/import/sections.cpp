@@ -1,7 +1,5 @@
 #include "import/sections.h"
 
-#include "import/numbercell.h"
-
 #include <algorithm>
 
 namespace palmer {
@@ -48,7 +46,7 @@ std::optional<std::vector<double>> numbersIn(std::string_view text) {
     std::vector<double> numbers;
     for (text = withoutBlanks(text); !text.empty(); text = withoutBlanks(text)) {
         const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
-        const CellValue value = readCell(text.substr(0, end), DecimalMark::point);
+        const CellValue value = readCell(text.substr(0, end), decimalMarkIn(text.substr(0, end)));
         if (value.kind != CellKind::number)
             return {};
         numbers.push_back(value.value);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "import/numbercell.h"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -31,7 +33,13 @@ struct Section {
 /// The section of that name, or null.
 [[nodiscard]] const Section *findSection(const std::vector<Section> &sections, std::string_view name);
 
-/// The numbers of a line, separated by blanks; point as decimal mark. Nothing where something else stands.
+/// The decimal mark of a number that stands alone: instruments write no thousands separators, so a comma is
+/// a decimal comma, as under the regional settings of many countries.
+[[nodiscard]] inline DecimalMark decimalMarkIn(std::string_view number) {
+    return number.find(',') != std::string_view::npos ? DecimalMark::comma : DecimalMark::point;
+}
+
+/// The numbers of a line, separated by blanks; decimal point or comma. Nothing where something else stands.
 [[nodiscard]] std::optional<std::vector<double>> numbersIn(std::string_view text);
 
 } // namespace palmer

@@ -102,6 +102,14 @@ const Unit *unitOf(std::string_view word) {
     return nullptr;
 }
 
+const Unit *unitOfSign(std::string_view sign) {
+    for (const Unit &unit : units) {
+        if (unit.sign == sign)
+            return &unit;
+    }
+    return nullptr;
+}
+
 const Unit *unitIn(std::string_view text) {
     const std::string bare = plain(text.substr(0, 500));
     for (std::string_view rest = bare;;) {

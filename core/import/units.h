@@ -23,6 +23,9 @@ struct Unit {
 /// The unit of that word, or null.
 [[nodiscard]] const Unit *unitOf(std::string_view word);
 
+/// The unit that people read so: "µm"; null if there is none.
+[[nodiscard]] const Unit *unitOfSign(std::string_view sign);
+
 /// The unit a heading or comment names: "Dev (µm)", "P [mm]", "unité : µm", "Temp °C"; µ, μ, Âµ and u are
 /// one. Single letters count in brackets only. Null if there is none.
 [[nodiscard]] const Unit *unitIn(std::string_view text);

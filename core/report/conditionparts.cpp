@@ -1,5 +1,6 @@
 #include "report/conditionparts.h"
 
+#include "figures/linefigure.h"
 #include "report/uncertaintyparts.h"
 #include "report/wording.h"
 
@@ -321,6 +322,22 @@ void addSensors(std::vector<Block> &blocks, const Writer &write, const std::vect
     blocks.emplace_back(std::move(table));
 }
 
+constexpr double temperatureFigureHeight = 62; ///< mm
+
+/// The temperatures over time, where a sensor has a series and the curve is wanted.
+void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part,
+                         const std::vector<Sensor> &sensors) {
+    if (part.leavesOut(ReportPart::temperatureCurve))
+        return;
+    LineFigure figure = temperatureFigure(sensors, part.write.language());
+    if (figure.lines.empty())
+        return;
+    addHeading(blocks, figure.title);
+    FigureBlock block{std::move(figure)};
+    block.height = temperatureFigureHeight;
+    blocks.emplace_back(std::move(block));
+}
+
 } // namespace
 
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
@@ -337,6 +354,7 @@ void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
                       TextSize::small});
     blocks.emplace_back(std::move(both));
     addSensors(blocks, part.write, part.measurement.conditions.common.sensors);
+    addTemperatureCurve(blocks, part, part.measurement.conditions.common.sensors);
 }
 
 void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
@@ -348,7 +366,7 @@ void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
                               conditions.expansion.machine || conditions.expansion.instrument;
     if (!temperatures) {
         blocks.emplace_back(std::move(rows));
-        return;
+        return; // there are no sensors either
     }
     EnvironmentTable table(part, conditions);
     table.addExpansion(conditions.expansion);
@@ -362,6 +380,7 @@ void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
                                           TextSize::small});
     blocks.emplace_back(std::move(both));
     addSensors(blocks, write, conditions.sensors);
+    addTemperatureCurve(blocks, part, conditions.sensors);
 }
 
 void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {

@@ -129,6 +129,18 @@ private:
         cells(legend);
     }
 
+    void words(const LineFigure &figure) {
+        axis(figure.y);
+        axis(figure.x);
+        QStringList legend;
+        for (const FigureLine &line : figure.lines) {
+            if (!line.label.isEmpty())
+                cells({line.label});
+            legend << line.name;
+        }
+        cells(legend);
+    }
+
     void words(const BarFigure &figure) {
         axis(figure.x);
         for (const Bar &bar : figure.bars)

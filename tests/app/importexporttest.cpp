@@ -61,6 +61,7 @@ private slots:
     void readsMeasurementFilesWhereverFilesStand();
     void exportsEveryForm_data();
     void exportsEveryForm();
+    void writesThePointsOfAFigure();
     void refusesHugeFilesAtOnce();
 
 private:
@@ -172,6 +173,16 @@ void ImportExportTest::exportsEveryForm() {
     const Result saved = run(QStringList{"export", DATA "rtl/typical.rtl", "-o", at("out")} + options);
     QCOMPARE(QString::fromUtf8(contents(at("out"))), result.out);
     QVERIFY(saved.out.isEmpty());
+}
+
+void ImportExportTest::writesThePointsOfAFigure() {
+    const auto points = [this](const QString &file) {
+        const Result result = run({"figure", DATA + file, "-o", at("points.csv")});
+        return result.code == 0 ? QString::fromUtf8(contents(at("points.csv"))) : result.err;
+    };
+    QVERIFY(points("rtl/typical.rtl").contains("\nx̄↑,100,0.45\n"));
+    // Title, head, and all points of both paths.
+    QCOMPARE(points("b5r/typical-absolute.b5r").count('\n'), 2 + 18);
 }
 
 void ImportExportTest::refusesHugeFilesAtOnce() {

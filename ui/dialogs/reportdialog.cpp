@@ -299,6 +299,7 @@ void ReportDialog::addChoices(QVBoxLayout *column) {
     };
     part("partTargetTable", QT_TR_NOOP("Values per target"), ReportPart::targetTable);
     part("partReadings", QT_TR_NOOP("Readings"), ReportPart::readings);
+    part("partTemperatureCurve", QT_TR_NOOP("Temperature curve"), ReportPart::temperatureCurve);
     part("partFindings", QT_TR_NOOP("Findings"), ReportPart::findings);
     part("partSignatures", QT_TR_NOOP("Signatures"), ReportPart::signatures);
     extra("extraReadingMarks", QT_TR_NOOP("Single readings in the figure"), ReportExtra::readingMarks);

@@ -5,6 +5,7 @@
 #include "ui/figures/drawcirclefigure.h"
 #include "ui/figures/drawcurvefigure.h"
 #include "ui/figures/drawhistogramfigure.h"
+#include "ui/figures/drawlinefigure.h"
 #include "ui/fonts.h"
 
 #include <QPainter>
@@ -21,6 +22,14 @@ QSizeF sizeOf(const CurveFigure &) {
 
 QSizeF sizeOf(const CircleFigure &figure) {
     return printedSize(figure);
+}
+
+QSizeF sizeOf(const LineFigure &) {
+    return {175, 62};
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const LineFigure &figure, Medium medium) {
+    return drawLineFigure(painter, area, figure, medium);
 }
 
 QSizeF sizeOf(const BarFigure &figure) {

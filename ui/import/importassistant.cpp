@@ -1,8 +1,12 @@
 #include "ui/import/importassistant.h"
 
+#include "document/savedocument.h"
 #include "figures/deviationfigure.h"
+#include "figures/driftfigure.h"
+#include "figures/linefigure.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/figurecanvas.h"
+#include "ui/figures/lineview.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -21,6 +25,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -59,6 +64,38 @@ QWidget *part(QWidget *parent, QLabel *title, QLabel *size, QWidget *content) {
     return whole;
 }
 
+/// The mark before a remark: its shape says what its colour says.
+class GradeIcon : public QWidget {
+public:
+    GradeIcon(RemarkGrade grade, QWidget *parent)
+        : QWidget(parent)
+        , m_grade(grade) {
+        setFixedSize(16, 16);
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override {
+        QPainter painter(this);
+        const auto draw = [&](const char *icon, Token colour) {
+            drawLineIcon(painter, rect(), QLatin1StringView(icon), token(colour, palette()));
+        };
+        switch (m_grade) {
+        case RemarkGrade::problem:
+            draw("miss", Token::bad);
+            break;
+        case RemarkGrade::assumption:
+            draw("warn", Token::unsure);
+            break;
+        case RemarkGrade::note:
+            draw("info", Token::secondaryText);
+            break;
+        }
+    }
+
+private:
+    RemarkGrade m_grade;
+};
+
 QString profileSetting(const QString &fileName) {
     return QStringLiteral("import/profiles/") + QFileInfo(fileName).suffix().toLower();
 }
@@ -90,6 +127,7 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
     , m_curves(new QStackedWidget(this))
     , m_curveCanvas(new FigureCanvas(m_selection, m_curves))
     , m_circleCanvas(new CircleCanvas(m_selection, m_curves))
+    , m_lineView(new LineView(m_curves))
     , m_noCurve(new QLabel(m_curves))
     , m_remarksTitle(new QLabel(this))
     , m_remarks(new QVBoxLayout)
@@ -108,6 +146,7 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
         m_profiles.clear(); // a damaged file of profiles hinders no import; saving one says what is wrong
     }
     makeLayout();
+    m_rawView->setFocus();
     m_keep->setChecked(QSettings().value(QStringLiteral("import/keepBytes")).toBool());
     retranslate();
     useLastProfile();
@@ -146,6 +185,7 @@ void ImportAssistant::makeLayout() {
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
     m_table->horizontalHeader()->setDefaultSectionSize(72);
+    m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
     m_curveCanvas->setObjectName(QStringLiteral("importCurve"));
     m_circleCanvas->setObjectName(QStringLiteral("importCircle"));
     m_noCurve->setAlignment(Qt::AlignCenter);
@@ -153,6 +193,7 @@ void ImportAssistant::makeLayout() {
     m_noCurve->setProperty("secondary", true);
     m_curves->addWidget(m_curveCanvas);
     m_curves->addWidget(m_circleCanvas);
+    m_curves->addWidget(m_lineView);
     m_curves->addWidget(m_noCurve);
     auto *middle = new QSplitter(this);
     middle->setChildrenCollapsible(false);
@@ -265,13 +306,8 @@ void ImportAssistant::chooseOther() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
-        QFile file(path);
         try {
-            demandImportable(file.size());
-            if (!file.open(QIODevice::ReadOnly))
-                throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
-                                                      {file.errorString().toStdString()}});
-            takeFile(file.readAll(), path);
+            takeFile(readBytes(path), path);
         } catch (const Error &error) {
             refuse(error, QFileInfo(path).fileName());
             showRemarks();
@@ -379,6 +415,17 @@ bool ImportAssistant::saveProfile(const QString &name) {
     return true;
 }
 
+/// Those that matter for the file, in the order in which choices are shown.
+std::vector<ImportChoice> ImportAssistant::shownChoices() const {
+    std::vector<ImportChoice> shown;
+    for (const ImportKey &key : importKeys()) {
+        const auto found = std::ranges::find(m_imported.choices, key.key, &ImportChoice::key);
+        if (found != m_imported.choices.end())
+            shown.push_back(*found);
+    }
+    return shown;
+}
+
 void ImportAssistant::makeBoxes() {
     for (const Box &box : m_boxes)
         box.cell->deleteLater(); // one of them may be what asked for this
@@ -392,10 +439,8 @@ void ImportAssistant::makeBoxes() {
         m_choices->addLayout(cell, place / boxColumns, place % boxColumns);
         ++place;
     };
-    for (const ImportChoice &choice : m_imported.choices) {
+    for (const ImportChoice &choice : shownChoices()) {
         const ImportKey *key = findImportKey(choice.key);
-        if (!key)
-            continue;
         Box box{choice.key, new QWidget(this), nullptr, nullptr, nullptr, nullptr};
         box.name = new QLabel(windowLanguage().text(key->name), box.cell);
         box.badge = new QLabel(tr("guessed"), box.cell);
@@ -447,7 +492,7 @@ void ImportAssistant::makeBoxes() {
 }
 
 void ImportAssistant::showChoices() {
-    const bool same = std::ranges::equal(m_imported.choices, m_boxes, {}, &ImportChoice::key, &Box::key);
+    const bool same = std::ranges::equal(shownChoices(), m_boxes, {}, &ImportChoice::key, &Box::key);
     if (!same)
         makeBoxes();
     const QString unsure = token(Token::unsure, palette()).name();
@@ -473,16 +518,10 @@ void ImportAssistant::showChoices() {
 }
 
 void ImportAssistant::addRemark(const Remark &remark) {
-    const bool problem = remark.grade == RemarkGrade::problem;
-    const bool note = remark.grade == RemarkGrade::note;
     auto *row = new QWidget;
     auto *layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 2, 0, 2);
-    auto *icon = new QLabel(row);
-    icon->setPixmap(lineIcon(problem ? QStringLiteral("stop")
-                             : note  ? QStringLiteral("info")
-                                     : QStringLiteral("warn"))
-                        .pixmap(16, 16));
+    auto *icon = new GradeIcon(remark.grade, row);
     QString sentence = windowLanguage().sentence(remark.message);
     if (remark.line > 0 && remark.column > 0)
         sentence = tr("Line %1, column %2: %3").arg(remark.line).arg(remark.column).arg(sentence);
@@ -543,8 +582,13 @@ void ImportAssistant::showCurve() {
     m_curve.reset();
     m_noCurve->setText(tr("There is no curve of this measurement."));
     m_curves->setCurrentWidget(m_noCurve);
-    if (!m_imported.test)
+    if (!m_imported.test) {
+        const LineFigure temperatures = temperatureFigure(m_imported.sensors, windowLanguage());
+        m_lineView->setFigure(temperatures);
+        if (!temperatures.lines.empty())
+            m_curves->setCurrentWidget(m_lineView);
         return;
+    }
     auto document = std::make_shared<Document>();
     document->tests.push_back(std::make_shared<const Test>(*m_imported.test));
     const EvaluatedDocument evaluated = evaluate(document);
@@ -558,6 +602,10 @@ void ImportAssistant::showCurve() {
     } else if (std::holds_alternative<CircularMeasurement>(test.measurement)) {
         m_circleCanvas->show(evaluated, 0, {}, windowLanguage());
         m_curves->setCurrentWidget(m_circleCanvas);
+    } else {
+        m_curve = driftFigure(test, *evaluated.tests[0], windowLanguage());
+        m_curveCanvas->setFigure(*m_curve, {});
+        m_curves->setCurrentWidget(m_curveCanvas);
     }
 }
 
@@ -601,7 +649,7 @@ void ImportAssistant::refresh() {
     if (missing > 0)
         open << tr("%n missing reading(s)", nullptr, missing);
     if (guesses > 0)
-        open << tr("%n guess(es)", nullptr, static_cast<int>(guesses));
+        open << tr("%n assumption(s)", nullptr, static_cast<int>(guesses));
     m_open->setText(open.join(QStringLiteral(" · ")));
     m_open->setStyleSheet(QStringLiteral("color: %1;").arg(token(Token::unsure, palette()).name()));
 }
@@ -657,6 +705,7 @@ void ImportAssistant::retranslate() {
     m_curveTitle->setText(tr("Curve"));
     m_curveCanvas->setAccessibleName(m_curveTitle->text());
     m_circleCanvas->setAccessibleName(m_curveTitle->text());
+    m_lineView->setAccessibleName(m_curveTitle->text());
     m_remarksTitle->setText(tr("Remarks, to be read before the import"));
     m_keep->setText(tr("&Keep the original in the file"));
     m_saveProfile->setText(tr("&Save these choices as a profile…"));

@@ -26,6 +26,7 @@ namespace palmer::ui {
 
 class CircleCanvas;
 class FigureCanvas;
+class LineView;
 
 /// "Import…": what a measurement file says, before anything is accepted. The text as it was read, the table
 /// and the curve that come of it, every choice with how it came about, and the remarks. Another choice reads
@@ -78,6 +79,7 @@ private:
     void useProfile(const QString &name);
     void fillProfiles(const QString &current);
     void askProfileName();
+    [[nodiscard]] std::vector<ImportChoice> shownChoices() const;
     void makeBoxes();
     void showChoices();
     void showRemarks();
@@ -120,6 +122,7 @@ private:
     QStackedWidget *m_curves;
     FigureCanvas *m_curveCanvas;
     CircleCanvas *m_circleCanvas;
+    LineView *m_lineView;
     QLabel *m_noCurve;
     QLabel *m_remarksTitle;
     QVBoxLayout *m_remarks;

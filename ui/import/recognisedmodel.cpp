@@ -1,5 +1,6 @@
 #include "ui/import/recognisedmodel.h"
 
+#include "language/decimals.h"
 #include "ui/windowlanguage.h"
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 namespace palmer::ui {
 
 namespace {
+
+constexpr int mostDecimals = 4;
 
 std::vector<std::optional<double>> column(const std::vector<double> &values) {
     return {values.begin(), values.end()};
@@ -30,8 +33,14 @@ void RecognisedModel::show(const Imported *imported) {
         for (const Sensor &sensor : imported->sensors)
             addSensor(sensor);
     }
-    for (const Column &column : m_columns)
+    for (Column &column : m_columns) {
         m_rows = std::max(m_rows, column.values.size());
+        for (const auto &value : column.values) {
+            if (value && column.decimals < mostDecimals)
+                column.decimals =
+                    std::max(column.decimals, std::min(decimalsOf(*value, column.quantity), mostDecimals));
+        }
+    }
     endResetModel();
 }
 
@@ -76,7 +85,13 @@ void RecognisedModel::addSensor(const Sensor &sensor) {
     const QString name =
         sensor.position.empty() ? QStringLiteral("°C") : QString::fromStdString(sensor.position);
     if (sensor.series) {
-        m_columns.push_back({QStringLiteral("t s"), Quantity::time, {}, column(sensor.series->times)});
+        // Sensors of one table have their times in common.
+        auto times = column(sensor.series->times);
+        const bool same = std::ranges::any_of(m_columns, [&](const Column &known) {
+            return known.quantity == Quantity::time && known.values == times;
+        });
+        if (!same)
+            m_columns.push_back({QStringLiteral("t s"), Quantity::time, {}, std::move(times)});
         m_columns.push_back({name, Quantity::temperature, {}, column(sensor.series->temperatures)});
     } else {
         m_columns.push_back({name, Quantity::temperature, {}, {sensor.start, sensor.end}});
@@ -99,8 +114,9 @@ QVariant RecognisedModel::data(const QModelIndex &index, int role) const {
     if (role == Qt::TextAlignmentRole)
         return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::DisplayRole && row < column.values.size())
-        return column.values[row] ? windowLanguage().number(*column.values[row], column.quantity)
-                                  : QStringLiteral("–");
+        return column.values[row]
+                   ? windowLanguage().number(*column.values[row], column.quantity, column.decimals)
+                   : QStringLiteral("–");
     return {};
 }
 

@@ -31,6 +31,7 @@ private:
         Quantity quantity = Quantity::number;
         std::optional<Token> colour = {};
         std::vector<std::optional<double>> values = {};
+        int decimals = 0; ///< those the numbers have, within sense
     };
 
     void addPositioning(const PositioningMeasurement &measurement);

@@ -5,6 +5,7 @@
 #include "editing/newtest.h"
 #include "ui/circles/circlespage.h"
 #include "ui/dialogs/comparedialog.h"
+#include "ui/dialogs/compensationdialog.h"
 #include "ui/dialogs/feeddialog.h"
 #include "ui/dialogs/newcircledialog.h"
 #include "ui/dialogs/newtestdialog.h"
@@ -20,6 +21,7 @@
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
 #include "ui/welcome/welcomepage.h"
+#include "ui/window/exports.h"
 #include "ui/window/languageswitch.h"
 #include "ui/window/noticebar.h"
 #include "ui/window/workplace.h"
@@ -163,6 +165,10 @@ void MainWindow::makeActions() {
     m_fileMenu->addSeparator();
     m_reportAction = addAction(m_fileMenu, QStringLiteral("report"), QStringLiteral("report"));
     m_reportAction->setShortcut(QKeySequence::Print);
+    m_exportMenu = m_fileMenu->addMenu(QString());
+    m_exportReadingsAction = addAction(m_exportMenu, QStringLiteral("exportReadings"));
+    m_exportFigureAction = addAction(m_exportMenu, QStringLiteral("exportFigure"));
+    m_compensationAction = addAction(m_exportMenu, QStringLiteral("compensation"));
     m_fileMenu->addSeparator();
     m_newWindowAction = addAction(m_fileMenu, QStringLiteral("newWindow"));
     m_newWindowAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W));
@@ -334,6 +340,13 @@ void MainWindow::connectParts() {
     connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveAs);
     connect(m_reportAction, &QAction::triggered, this, &MainWindow::showReport);
     connect(m_planAction, &QAction::triggered, this, &MainWindow::showPlan);
+    connect(m_exportReadingsAction, &QAction::triggered, this, [this] {
+        askExportOfReadings(this, m_evaluator.current(), m_workplace->selection().test(),
+                            QFileInfo(m_model.path()).fileName());
+    });
+    connect(m_exportFigureAction, &QAction::triggered, this,
+            [this] { askExportOfFigure(this, m_evaluator.current(), m_workplace->selection().test()); });
+    connect(m_compensationAction, &QAction::triggered, this, &MainWindow::showCompensation);
     connect(m_compareAction, &QAction::triggered, this, &MainWindow::showComparison);
     connect(m_helpAction, &QAction::triggered, this, &MainWindow::showHelp);
     connect(m_newWindowAction, &QAction::triggered, this, [] { (new MainWindow)->show(); });
@@ -443,12 +456,7 @@ void MainWindow::importNext() {
     while (!m_assistant && !m_toImport.isEmpty()) {
         const QString path = m_toImport.takeFirst();
         try {
-            QFile file(path);
-            if (!file.open(QIODevice::ReadOnly))
-                throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
-                                                      {file.errorString().toStdString()}});
-            demandImportable(file.size());
-            showAssistant(file.readAll(), path);
+            showAssistant(readBytes(path), path);
         } catch (const Error &error) {
             showError(tr("%1 cannot be imported").arg(QFileInfo(path).fileName()), path, error);
         }
@@ -842,7 +850,12 @@ void MainWindow::showState() {
     m_saveAsAction->setEnabled(m_open);
     m_reportAction->setEnabled(m_open);
     m_planAction->setEnabled(m_open);
-    m_compareAction->setEnabled(test < evaluated.size() && evaluated[test]->edition && !m_evaluator.isBusy());
+    const Test *current = test < evaluated.size() && !m_evaluator.isBusy() ? currentTest() : nullptr;
+    m_exportReadingsAction->setEnabled(current);
+    m_exportFigureAction->setEnabled(current);
+    m_compensationAction->setEnabled(current &&
+                                     std::holds_alternative<PositioningMeasurement>(current->measurement));
+    m_compareAction->setEnabled(current && evaluated[test]->edition);
     m_previousTestAction->setEnabled(test > 0 && test < tests);
     m_nextTestAction->setEnabled(test + 1 < tests);
     m_addTestAction->setEnabled(m_open);
@@ -900,6 +913,12 @@ void MainWindow::showPlan() {
 void MainWindow::showComparison() {
     CompareDialog dialog(m_evaluator.current(), m_workplace->selection().test(), this);
     dialog.exec();
+}
+
+void MainWindow::showCompensation() {
+    auto *dialog = new CompensationDialog(m_evaluator.current(), m_workplace->selection().test(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 /// What has the focus decides where the help opens: a field, the edition of a result, else the workflow.
@@ -1029,6 +1048,10 @@ void MainWindow::retranslate() {
     m_saveAsAction->setText(tr("Save &as…"));
     m_reportAction->setText(tr("Re&port…"));
     m_reportAction->setIconText(tr("Report…"));
+    m_exportMenu->setTitle(tr("Expor&t"));
+    m_exportReadingsAction->setText(tr("&Readings and results…"));
+    m_exportFigureAction->setText(tr("&Data of the figure…"));
+    m_compensationAction->setText(tr("&Compensation table…"));
     m_newWindowAction->setText(tr("New &window"));
     m_closeAction->setText(tr("&Close"));
     m_quitAction->setText(tr("&Quit"));

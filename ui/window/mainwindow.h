@@ -106,6 +106,7 @@ private:
     void showReport();
     void showPlan();
     void showComparison();
+    void showCompensation();
     void showHelp();
     void showFeed();
     void about();
@@ -134,6 +135,7 @@ private:
     QMenu *m_fileMenu;
     QMenu *m_recentMenu;
     QMenu *m_examplesMenu;
+    QMenu *m_exportMenu;
     QMenu *m_editMenu;
     QMenu *m_testMenu;
     QMenu *m_viewMenu;
@@ -154,6 +156,9 @@ private:
     QAction *m_reportAction;
     QAction *m_planAction;
     QAction *m_compareAction;
+    QAction *m_exportReadingsAction;
+    QAction *m_exportFigureAction;
+    QAction *m_compensationAction;
     QAction *m_newWindowAction;
     QAction *m_closeAction;
     QAction *m_quitAction;

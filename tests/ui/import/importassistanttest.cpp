@@ -14,6 +14,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
 
@@ -82,7 +83,7 @@ private slots:
         const auto *table = dialog.findChild<QAbstractItemView *>("importTable")->model();
         QCOMPARE(table->rowCount(), 4);
         QCOMPARE(table->columnCount(), 7);
-        QCOMPARE(table->index(0, 1).data().toString(), QString("−3"));
+        QCOMPARE(table->index(0, 1).data().toString(), QString("−3.0"));
         QCOMPARE(table->index(3, 6).data().toString(), QString("–"));
     }
 
@@ -251,6 +252,19 @@ private slots:
             const auto *box = dialog.findChild<QWidget *>("import." + choice);
             QVERIFY2(box && box->isVisible() && box->isEnabled(), qPrintable(choice));
         }
+    }
+
+    void aHugeFileIsRefusedWithoutReadingIt() {
+        QTemporaryDir folder;
+        QFile huge(folder.filePath("huge.csv"));
+        QVERIFY(huge.open(QIODevice::WriteOnly));
+        if (!huge.resize(qint64(2) << 30))
+            QSKIP("no sparse files here");
+        huge.close();
+        const ShownWindow shown;
+        shown.window->importFiles({huge.fileName()});
+        QVERIFY(shown.window->findChild<QMessageBox *>("errorBox"));
+        QVERIFY(!shown.window->hasDocument());
     }
 
     void aRefusedFileIsOneSentence() {

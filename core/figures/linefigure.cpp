@@ -1,0 +1,195 @@
+#include "figures/linefigure.h"
+
+#include "figures/ticks.h"
+#include "language/decimals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palmer {
+
+namespace {
+
+constexpr double secondsPerHour = 3600;
+constexpr std::size_t partsOfTime = 500;
+constexpr double mostTimeTicks = 8;
+constexpr double mostPositionTicks = 6.5;
+constexpr double mostValueTicks = 8;
+constexpr double valueMargin = 0.07; ///< above and below the values, part of their span
+
+struct Bounds {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+
+    void include(double value) {
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+    }
+    /// With a margin; a range of its own where nothing or one value was included.
+    [[nodiscard]] Bounds widened(double margin, double least) const {
+        if (!(lowest <= highest))
+            return {0, 1};
+        const double span = std::max(highest - lowest, least);
+        const double middle = (lowest + highest) / 2;
+        return {middle - span * (0.5 + margin), middle + span * (0.5 + margin)};
+    }
+};
+
+/// First, least, greatest and last of each part of the range, in their order.
+std::vector<QPointF> thinned(std::vector<QPointF> points) {
+    if (points.size() <= 4 * partsOfTime)
+        return points;
+    std::vector<QPointF> kept;
+    const double from = points.front().x();
+    const double span = points.back().x() - from;
+    std::size_t begin = 0;
+    while (begin < points.size()) {
+        const auto partOf = [&](const QPointF &point) {
+            return span > 0 ? std::floor((point.x() - from) / span * partsOfTime) : 0.0;
+        };
+        std::size_t end = begin + 1;
+        while (end < points.size() && partOf(points[end]) == partOf(points[begin]))
+            ++end;
+        const auto [least, greatest] =
+            std::minmax_element(points.begin() + static_cast<std::ptrdiff_t>(begin),
+                                points.begin() + static_cast<std::ptrdiff_t>(end),
+                                [](const QPointF &a, const QPointF &b) { return a.y() < b.y(); });
+        std::vector<std::size_t> places{begin, static_cast<std::size_t>(least - points.begin()),
+                                        static_cast<std::size_t>(greatest - points.begin()), end - 1};
+        std::ranges::sort(places);
+        places.erase(std::unique(places.begin(), places.end()), places.end());
+        for (const std::size_t place : places)
+            kept.push_back(points[place]);
+        begin = end;
+    }
+    return kept;
+}
+
+LineRole roleOf(SensorMeasures measures) {
+    switch (measures) {
+    case SensorMeasures::instrument:
+        return LineRole::instrument;
+    case SensorMeasures::air:
+        return LineRole::air;
+    case SensorMeasures::machine:
+        break;
+    }
+    return LineRole::machine;
+}
+
+Text nameOf(SensorMeasures measures) {
+    switch (measures) {
+    case SensorMeasures::instrument:
+        return REPORT_TEXT("report", "instrument");
+    case SensorMeasures::air:
+        return REPORT_TEXT("report", "air");
+    case SensorMeasures::machine:
+        break;
+    }
+    return REPORT_TEXT("report", "machine");
+}
+
+} // namespace
+
+LineFigure temperatureFigure(const std::vector<Sensor> &sensors, const Language &language) {
+    LineFigure figure;
+    figure.title = language.text(REPORT_TEXT("report", "Temperatures over time"));
+    Bounds times;
+    Bounds temperatures;
+    const auto shown = [](const Sensor &sensor) { return sensor.series && sensor.series->times.size() > 1; };
+    const bool several = std::ranges::count_if(sensors, shown) > 1;
+    double first = std::numeric_limits<double>::infinity();
+    for (const Sensor &sensor : sensors) {
+        if (shown(sensor))
+            first = std::min(first, sensor.series->times.front());
+    }
+    const double scale = unitScale(Quantity::temperature, language.units());
+    for (const Sensor &sensor : sensors) {
+        if (!shown(sensor))
+            continue;
+        FigureLine line;
+        line.role = roleOf(sensor.measures);
+        line.name = language.text(nameOf(sensor.measures));
+        const QString position = QString::fromStdString(sensor.position);
+        if (!position.isEmpty() && position.compare(line.name, Qt::CaseInsensitive) != 0)
+            line.name += QStringLiteral(", ") + position;
+        if (several)
+            line.label = QString::number(figure.lines.size() + 1);
+        for (std::size_t i = 0; i < sensor.series->times.size(); ++i) {
+            line.points.emplace_back((sensor.series->times[i] - first) / secondsPerHour,
+                                     sensor.series->temperatures[i] * scale);
+            times.include(line.points.back().x());
+            temperatures.include(line.points.back().y());
+        }
+        line.points = thinned(std::move(line.points));
+        figure.lines.push_back(std::move(line));
+    }
+    figure.x.quantity = language.text(REPORT_TEXT("report", "Time"));
+    figure.x.symbol = QStringLiteral("t");
+    figure.x.unit = QStringLiteral("h");
+    figure.y.quantity = language.text(REPORT_TEXT("report", "Temperature"));
+    figure.y.symbol = QStringLiteral("θ");
+    figure.y.unit = language.unit(Quantity::temperature);
+    const Bounds x = times.widened(0, 1e-3);
+    const Bounds y = temperatures.widened(valueMargin, 0.1); // a steady line is no noise
+    setRange(figure.x, x.lowest, x.highest, mostTimeTicks, TickSteps::lengths, language);
+    setRange(figure.y, y.lowest, y.highest, mostValueTicks, TickSteps::values, language);
+    return figure;
+}
+
+LineFigure compensationFigure(const Test &test, const TestEvaluation &before, const TestEvaluation &after,
+                              const Language &language) {
+    const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+    const bool rotary = measurement.axis.motion == Motion::rotary;
+    const double along = unitScale(positionQuantity(measurement.axis), language.units());
+    const double across = unitScale(deviationQuantity(measurement.axis), language.units());
+    LineFigure figure;
+    figure.title = language.sentence(
+        {REPORT_TEXT("report", "Compensation of the %1 axis"), {measurement.axis.name}, std::nullopt});
+    Bounds positions;
+    Bounds values;
+    const auto add = [&](const TestEvaluation &evaluation, Direction direction, LineRole role,
+                         const Text &name) {
+        const auto &results = std::get<PositioningResults>(evaluation.results);
+        FigureLine line;
+        line.role = role;
+        const QString mean = direction == Direction::positive ? QStringLiteral("x̄↑") : QStringLiteral("x̄↓");
+        line.name = mean + QLatin1Char(' ') + language.text(name);
+        for (std::size_t i = 0; i < std::min(measurement.targets.size(), results.targets.size()); ++i) {
+            const double value =
+                (direction == Direction::positive ? results.targets[i].positive : results.targets[i].negative)
+                    .mean;
+            if (!std::isfinite(value))
+                continue;
+            line.points.emplace_back(measurement.targets[i] * along, value * across);
+            positions.include(line.points.back().x());
+            values.include(line.points.back().y());
+        }
+        if (!line.points.empty())
+            figure.lines.push_back(std::move(line));
+    };
+    const Text measured = REPORT_TEXT("report", "measured");
+    const Text predicted = REPORT_TEXT("report", "predicted");
+    add(before, Direction::positive, LineRole::measuredUp, measured);
+    add(before, Direction::negative, LineRole::measuredDown, measured);
+    add(after, Direction::positive, LineRole::predictedUp, predicted);
+    add(after, Direction::negative, LineRole::predictedDown, predicted);
+    figure.x.quantity = language.text(REPORT_TEXT("report", "Target position"));
+    figure.x.symbol = QStringLiteral("P");
+    figure.x.subscript = QStringLiteral("i");
+    figure.x.unit = language.unit(positionQuantity(measurement.axis));
+    figure.x.angle = rotary;
+    figure.y.quantity = language.text(REPORT_TEXT("report", "Mean deviation"));
+    figure.y.symbol = QStringLiteral("x̄");
+    figure.y.subscript = QStringLiteral("i");
+    figure.y.unit = language.unit(deviationQuantity(measurement.axis));
+    const Bounds x = positions.widened(0.03, 1e-6);
+    const Bounds y = values.widened(valueMargin, 1e-6);
+    setRange(figure.x, x.lowest, x.highest, mostPositionTicks,
+             rotary ? TickSteps::angles : TickSteps::lengths, language);
+    setRange(figure.y, y.lowest, y.highest, mostValueTicks, TickSteps::values, language);
+    return figure;
+}
+
+} // namespace palmer

@@ -1,0 +1,108 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "document/savedocument.h"
+#include "import/importmeasurement.h"
+#include "ui/import/importassistant.h"
+#include "ui/window/shownwindow.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+namespace {
+
+QByteArray run(const QStringList &arguments) {
+    QProcess process;
+    process.start(PALMER_CLI, arguments);
+    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+        qFatal("palmer-cli did not end by itself");
+    return process.readAllStandardOutput();
+}
+
+/// id → value, of all parameters of a test.
+QMap<QString, double> values(const TestEvaluation &evaluation) {
+    QMap<QString, double> map;
+    for (const Parameter &parameter : evaluation.parameters) {
+        if (parameter.value)
+            map[QString::fromStdString(parameterId(parameter))] = *parameter.value;
+    }
+    return map;
+}
+
+QMap<QString, double> values(const QJsonValue &test) {
+    QMap<QString, double> map;
+    for (const QJsonValue parameter : test["parameters"].toArray()) {
+        if (parameter["value"].isDouble())
+            map[parameter["id"].toString()] = parameter["value"].toDouble();
+    }
+    return map;
+}
+
+} // namespace
+
+/// The same numbers, to the last bit, whichever way they come in: a file in the window, the clipboard, the
+/// command line.
+class ThreeWaysTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareApplication(); }
+
+    void theSameNumbers_data() {
+        QTest::addColumn<QString>("name");
+        for (const char *name :
+             {"tables/typical.csv", "tables/bare-alternating.txt", "tables/list-arrows.csv",
+              "tables/runs-down.csv", "tables/two-blocks.csv", "tables/rotary.csv", "tables/inches.txt",
+              "tables/hundred-targets.csv", "tables/circle-both-senses.csv", "tables/circle-xy.csv",
+              "tables/drift.csv", "rtl/typical.rtl", "rtl/missing-and-shuffled.rtl",
+              "b5r/typical-absolute.b5r", "indexed/typical.txt", "ren/typical.ren"})
+            QTest::newRow(name) << name;
+    }
+
+    void theSameNumbers() {
+        QFETCH(QString, name);
+        const QString path = DATA + name;
+        const QByteArray bytes = readBytes(path);
+
+        const ShownWindow opened;
+        opened.window->importFiles({path});
+        accept(opened);
+        const Test file = *opened.window->model().document()->tests.at(0);
+
+        const ShownWindow pasted;
+        QGuiApplication::clipboard()->setText(QString::fromUtf8(bytes));
+        pasted.find<QAction>("importClipboard")->trigger();
+        accept(pasted);
+        const Test clipboard = *pasted.window->model().document()->tests.at(0);
+
+        QTemporaryDir folder;
+        run({"import", path, "-o", folder.filePath("x.palmer")});
+        const Test commandLine = *openDocument(folder.filePath("x.palmer")).tests.at(0);
+
+        QVERIFY(clipboard.measurement == file.measurement);
+        QVERIFY(commandLine.measurement == file.measurement);
+        const QJsonObject results = QJsonDocument::fromJson(run({"evaluate", "--json", path})).object();
+        const auto shown = values(*opened.window->evaluator().current().tests.at(0));
+        QCOMPARE(values(results["tests"][0]), shown);
+        QVERIFY(!shown.isEmpty() || std::holds_alternative<DriftMeasurement>(file.measurement));
+    }
+
+private:
+    static void accept(const ShownWindow &shown) {
+        auto *assistant = shown.find<ImportAssistant>("importAssistant");
+        assistant->findChild<QPushButton *>("acceptImport")->click();
+        QVERIFY(shown.window->hasDocument());
+    }
+};
+
+QTEST_MAIN(ThreeWaysTest)
+#include "threewaystest.moc"

@@ -1,0 +1,167 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/dialogs/compensationdialog.h"
+
+#include "kernel/evaluation/evaluatetest.h"
+#include "ui/figures/lineview.h"
+#include "ui/window/exports.h"
+#include "ui/window/shownwindow.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+namespace {
+
+EvaluatedDocument small(const char *edition = "ISO 230-2:2014") {
+    PositioningMeasurement m;
+    m.axis.name = "X";
+    m.targets = {0, 100, 200};
+    m.runs = {{Direction::positive, {-0.003, 0.0002, -0.005}},
+              {Direction::negative, {0.0023, 0.0054, -0.0015}},
+              {Direction::positive, {-0.003, 0.0002, -0.005}},
+              {Direction::negative, {0.0023, 0.0054, -0.0015}}};
+    Test test;
+    test.edition = edition;
+    test.measurement = std::move(m);
+    Document document;
+    document.tests.push_back(std::make_shared<const Test>(test));
+    return evaluate(std::make_shared<const Document>(document));
+}
+
+void choose(QDialog &dialog, const char *name, int index) {
+    auto *box = dialog.findChild<QComboBox *>(name);
+    if (!box)
+        qFatal("no %s", name);
+    box->setCurrentIndex(index);
+    emit box->activated(index);
+}
+
+QStringList row(const QDialog &dialog, const QString &symbol) {
+    const auto *table = dialog.findChild<QTableWidget *>("prediction");
+    for (int i = 0; i < table->rowCount(); ++i) {
+        if (table->item(i, 0)->text() == symbol)
+            return {table->item(i, 1)->text(), table->item(i, 2)->text()};
+    }
+    return {};
+}
+
+} // namespace
+
+/// The compensation table in the window, and the other exports.
+class CompensationDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareApplication(); }
+    void init() { setWindowLanguage(Language::Id::english); }
+
+    void predictsWhatTheTableWouldBring() {
+        CompensationDialog dialog(small(), 0);
+        dialog.show();
+        // The mean of both directions is taken out; their difference stays.
+        QCOMPARE(row(dialog, "M").value(1), QString("0.0\u00A0µm"));
+        QCOMPARE(row(dialog, "B").value(0), QString("5.3\u00A0µm"));
+        QCOMPARE(row(dialog, "B").value(1), QString("5.3\u00A0µm"));
+        QCOMPARE(dialog.findChild<LineView *>()->figure().lines.size(), std::size_t(4));
+        auto *each = dialog.findChild<QCheckBox *>("compensation.perDirection");
+        each->setChecked(true);
+        QCOMPARE(row(dialog, "B").value(1), QString("0.0\u00A0µm"));
+        QCOMPARE(row(dialog, "E").value(1), QString("0.0\u00A0µm"));
+        QVERIFY(dialog.findChild<QPlainTextEdit *>("compensationTable")
+                    ->toPlainText()
+                    .contains(QString::fromUtf8(dialog.written())));
+    }
+
+    void editionsWithoutMAreSeenUnderOneThatHasIt() {
+        CompensationDialog dialog(small("ISO 230-2:1988"), 0);
+        QVERIFY(!row(dialog, "M").isEmpty());
+        QVERIFY(!row(dialog, "E").isEmpty());
+    }
+
+    void asksOnlyWhatTheFormatCanSay() {
+        CompensationDialog dialog(small(), 0);
+        dialog.show();
+        const auto enabled = [&](const char *name) { return dialog.findChild<QWidget *>(name)->isEnabled(); };
+        QVERIFY(enabled("compensation.perDirection"));
+        QVERIFY(!enabled("compensation.incremental"));
+        choose(dialog, "compensation.format", 1);
+        QVERIFY(dialog.written().contains("$AA_ENC_COMP"));
+        QVERIFY(!enabled("compensation.perDirection"));
+        choose(dialog, "compensation.format", 2);
+        QVERIFY(enabled("compensation.incremental"));
+        choose(dialog, "compensation.decimalMark", 1);
+        QVERIFY(dialog.written().contains(';'));
+        const QByteArray corrections = dialog.written();
+        choose(dialog, "compensation.sign", 1);
+        QVERIFY(dialog.written() != corrections);
+        QCOMPARE(row(dialog, "M").value(1), QString("0.0\u00A0µm")); // whatever the sign is written with
+    }
+
+    void takesRangeAndInterval() {
+        CompensationDialog dialog(small(), 0);
+        dialog.show();
+        auto *interval = dialog.findChild<QLineEdit *>("compensation.interval");
+        interval->setFocus();
+        QTest::keyClicks(interval, "50");
+        QCOMPARE(readCompensation(dialog.written()).positions, (std::vector<double>{0, 50, 100, 150, 200}));
+        auto *from = dialog.findChild<QLineEdit *>("compensation.from");
+        from->setFocus();
+        QTest::keyClicks(from, "900");
+        QVERIFY(dialog.written().isEmpty()); // behind the end
+        QVERIFY(!dialog.findChild<QLabel *>("compensationReason")->text().isEmpty());
+        QVERIFY(!dialog.findChild<QPushButton *>("saveCompensation")->isEnabled());
+    }
+
+    void savesWhatIsShown() {
+        QTemporaryDir folder;
+        CompensationDialog dialog(small(), 0);
+        QVERIFY(dialog.saveTo(folder.filePath("x.comp")));
+        QFile file(folder.filePath("x.comp"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), dialog.written());
+        QVERIFY(!dialog.saveTo(folder.filePath("none/x.comp")));
+        QVERIFY(dialog.findChild<QMessageBox *>("errorBox"));
+    }
+
+    void theMenuOpensIt() {
+        const ShownWindow shown(examplePath("iso230-2-1988-example"));
+        auto *action = shown.find<QAction>("compensation");
+        QVERIFY(action->isEnabled());
+        action->trigger();
+        QVERIFY(shown.find<CompensationDialog>("compensationDialog")->isVisible());
+    }
+
+    void exportsReadingsAndFigures() {
+        const EvaluatedDocument evaluated = small();
+        QVERIFY(exportedReadings(evaluated, 0, ExportForm::csvWithPoint, "x").contains("100,0.0002,"));
+        QVERIFY(exportedReadings(evaluated, 0, ExportForm::csvWithComma, "x").contains("100;0,0002;"));
+        const auto json =
+            QJsonDocument::fromJson(exportedReadings(evaluated, 0, ExportForm::json, "x.palmer")).object();
+        QCOMPARE(json["file"].toString(), QString("x.palmer"));
+        QVERIFY(exportedFigure(evaluated, 0, ExportForm::csvWithComma).contains(";100;0,2\n"));
+    }
+
+    void speaksFrench() {
+        setWindowLanguage(Language::Id::french);
+        CompensationDialog dialog(small(), 0);
+        QCOMPARE(dialog.windowTitle(), QString("Table de compensation"));
+    }
+};
+
+QTEST_MAIN(CompensationDialogTest)
+#include "compensationdialogtest.moc"

@@ -1,0 +1,342 @@
+#include "ui/dialogs/compensationdialog.h"
+
+#include "document/savedocument.h"
+#include "figures/linefigure.h"
+#include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/evaluatetest.h"
+#include "language/decimals.h"
+#include "language/entry.h"
+#include "ui/figures/lineview.h"
+#include "ui/forms/field.h"
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableWidget>
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int fieldsWidth = 280;
+constexpr int margin = 16;
+constexpr int rowHeight = 24;
+constexpr int predictionRows = 6;
+constexpr const char *editionOfAll = "ISO 230-2:2014"; ///< has E, M and B
+constexpr std::array formats{CompensationFormat::linuxcnc, CompensationFormat::siemens,
+                             CompensationFormat::csv};
+constexpr std::array<std::string_view, 6> predicted{"A", "E", "M", "B", "Bmean", "R"};
+
+const Parameter *parameter(const TestEvaluation &evaluation, std::string_view id) {
+    const auto found = std::ranges::find_if(
+        evaluation.parameters, [&](const Parameter &each) { return each.term.id == id && each.value; });
+    return found == evaluation.parameters.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+CompensationDialog::CompensationDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent)
+    : QDialog(parent)
+    , m_evaluated(evaluated)
+    , m_test(test)
+    , m_format(addChoice("format"))
+    , m_perDirection(addSwitch("perDirection", &CompensationOptions::perDirection))
+    , m_sign(addChoice("sign"))
+    , m_incremental(addSwitch("incremental", &CompensationOptions::incremental))
+    , m_mark(addChoice("decimalMark"))
+    , m_reason(new QLabel(this))
+    , m_tableTitle(new QLabel(this))
+    , m_table(new QPlainTextEdit(this))
+    , m_curveTitle(new QLabel(this))
+    , m_curve(new LineView(this))
+    , m_predictionTitle(new QLabel(this))
+    , m_prediction(new QTableWidget(this))
+    , m_note(new QLabel(this))
+    , m_save(new QPushButton(this))
+    , m_close(new QPushButton(this)) {
+    setObjectName(QStringLiteral("compensationDialog"));
+    resize(1040, 680);
+    auto *fields = new QVBoxLayout;
+    fields->setSpacing(8);
+    fields->addWidget(m_format);
+    fields->addWidget(
+        addNumber("from", QT_TR_NOOP("From (empty: first target)"), &CompensationOptions::from));
+    fields->addWidget(addNumber("to", QT_TR_NOOP("To (empty: last target)"), &CompensationOptions::to));
+    fields->addWidget(
+        addNumber("interval", QT_TR_NOOP("Interval (empty: the targets)"), &CompensationOptions::interval));
+    fields->addWidget(m_sign);
+    fields->addWidget(m_mark);
+    fields->addWidget(m_perDirection);
+    fields->addWidget(m_incremental);
+    m_reason->setObjectName(QStringLiteral("compensationReason"));
+    m_reason->setProperty("reason", true);
+    m_reason->setTextFormat(Qt::PlainText);
+    m_reason->setWordWrap(true);
+    fields->addWidget(m_reason);
+    fields->addStretch(1);
+    auto *left = new QWidget(this);
+    left->setFixedWidth(fieldsWidth);
+    left->setLayout(fields);
+    fields->setContentsMargins(0, 0, 0, 0);
+
+    m_table->setObjectName(QStringLiteral("compensationTable"));
+    m_table->setReadOnly(true);
+    m_table->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_table->setTabChangesFocus(true);
+    QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    fixed.setPointSizeF(font().pointSizeF());
+    m_table->setFont(fixed);
+    m_curve->setObjectName(QStringLiteral("compensationCurve"));
+    m_prediction->setObjectName(QStringLiteral("prediction"));
+    m_prediction->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_prediction->setSelectionMode(QAbstractItemView::NoSelection);
+    m_prediction->setTabKeyNavigation(false);
+    m_prediction->verticalHeader()->hide();
+    m_prediction->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_prediction->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_prediction->setFixedHeight((predictionRows + 1) * rowHeight + 4);
+    m_note->setProperty("secondary", true);
+    m_note->setWordWrap(true);
+    for (QLabel *title : {m_tableTitle, m_curveTitle, m_predictionTitle})
+        title->setFont(themeFont(TextSize::head));
+
+    auto *right = new QVBoxLayout;
+    right->addWidget(m_curveTitle);
+    right->addWidget(m_curve, 1);
+    auto *below = new QHBoxLayout;
+    below->setSpacing(margin);
+    auto *prediction = new QVBoxLayout;
+    prediction->addWidget(m_predictionTitle);
+    prediction->addWidget(m_prediction);
+    prediction->addWidget(m_note);
+    prediction->addStretch();
+    auto *table = new QVBoxLayout;
+    table->addWidget(m_tableTitle);
+    table->addWidget(m_table);
+    below->addLayout(prediction, 1);
+    below->addLayout(table, 1);
+    right->addLayout(below);
+    auto *body = new QHBoxLayout;
+    body->setSpacing(margin);
+    body->addWidget(left);
+    body->addLayout(right, 1);
+    m_save->setObjectName(QStringLiteral("saveCompensation"));
+    m_save->setProperty("primary", true);
+    m_close->setObjectName(QStringLiteral("closeCompensation"));
+    auto *foot = new QHBoxLayout;
+    foot->addStretch();
+    foot->addWidget(m_close);
+    foot->addWidget(m_save);
+    for (QPushButton *button : {m_save, m_close})
+        button->setAutoDefault(false);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(margin);
+    layout->addLayout(body, 1);
+    layout->addLayout(foot);
+
+    connect(m_save, &QPushButton::clicked, this, &CompensationDialog::chooseFile);
+    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+    retranslate();
+}
+
+Field *CompensationDialog::addChoice(const char *name) {
+    auto *field = new Field(Field::Kind::choice, this);
+    field->edit()->setObjectName(QStringLiteral("compensation.") + QLatin1StringView(name));
+    connect(field, &Field::entered, this, &CompensationDialog::compute);
+    return field;
+}
+
+Field *CompensationDialog::addNumber(const char *name, const char *label,
+                                     std::optional<double> CompensationOptions::*value) {
+    auto *field = new Field(Field::Kind::number, this);
+    field->edit()->setObjectName(QStringLiteral("compensation.") + QLatin1StringView(name));
+    const auto &measurement =
+        std::get<PositioningMeasurement>(m_evaluated.document->tests[m_test]->measurement);
+    const Quantity quantity = positionQuantity(measurement.axis);
+    field->setReader([quantity](const QString &typed) -> Field::Reading {
+        const NumberEntry entry = enteredNumber(typed, quantity, windowLanguage().units());
+        if (entry.refusal)
+            return {{}, windowLanguage().text(*entry.refusal)};
+        return {entry.value ? windowLanguage().number(*entry.value, quantity) : QString(), {}};
+    });
+    connect(field, &Field::entered, this, [this, field, quantity, value] {
+        m_options.*value = enteredNumber(field->valueText(), quantity, windowLanguage().units()).value;
+        compute();
+    });
+    m_numbers.push_back({field, label, value});
+    return field;
+}
+
+QCheckBox *CompensationDialog::addSwitch(const char *name, bool CompensationOptions::*value) {
+    auto *box = new QCheckBox(this);
+    box->setObjectName(QStringLiteral("compensation.") + QLatin1StringView(name));
+    connect(box, &QCheckBox::toggled, this, [this, value](bool on) {
+        m_options.*value = on;
+        compute();
+    });
+    return box;
+}
+
+CompensationFormat CompensationDialog::format() const {
+    return formats.at(static_cast<std::size_t>(std::clamp(m_format->choice(), 0, 2)));
+}
+
+/// What a format cannot say is not asked.
+void CompensationDialog::compute() {
+    const CompensationFormat kind = format();
+    const bool csv = kind == CompensationFormat::csv;
+    m_perDirection->setEnabled(kind != CompensationFormat::siemens);
+    for (QWidget *widget : {static_cast<QWidget *>(m_sign), static_cast<QWidget *>(m_mark),
+                            static_cast<QWidget *>(m_incremental)})
+        widget->setEnabled(csv);
+    CompensationOptions options = m_options;
+    options.perDirection = options.perDirection && kind != CompensationFormat::siemens;
+    options.incremental = options.incremental && csv;
+    options.deviations = csv && m_sign->choice() == 1;
+    options.decimalMark = csv && m_mark->choice() == 1 ? ',' : '.';
+    const Test &test = *m_evaluated.document->tests[m_test];
+    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
+    m_written.clear();
+    m_before.reset();
+    m_after.reset();
+    m_refusal.reset();
+    try {
+        m_written = writeCompensation(compensationTable(test, evaluation, kind, options), kind, options);
+        Surroundings surroundings;
+        surroundings.machine = &m_evaluated.document->machine;
+        const Edition *edition = parameter(evaluation, "M") ? nullptr : findEdition(editionOfAll);
+        m_before = evaluateTest(test, surroundings, edition);
+        m_after = evaluateTest(compensated(test, readCompensation(m_written)), surroundings, edition);
+    } catch (const Error &error) {
+        m_written.clear();
+        m_refusal = error;
+    }
+    showPrediction();
+}
+
+void CompensationDialog::showPrediction() {
+    const Language &language = windowLanguage();
+    m_reason->setText(m_refusal ? language.sentence(m_refusal->message) : QString());
+    m_reason->setVisible(m_refusal.has_value());
+    m_table->setPlainText(QString::fromUtf8(m_written));
+    m_save->setEnabled(!m_written.isEmpty());
+    m_prediction->setRowCount(0);
+    m_curve->setVisible(m_after.has_value());
+    m_note->clear();
+    if (!m_after)
+        return;
+    m_curve->setFigure(
+        compensationFigure(*m_evaluated.document->tests[m_test], *m_before, *m_after, language));
+    for (const std::string_view id : predicted) {
+        const Parameter *before = parameter(*m_before, id);
+        const Parameter *after = parameter(*m_after, id);
+        if (!before || !after)
+            continue;
+        const int row = m_prediction->rowCount();
+        m_prediction->insertRow(row);
+        const std::array texts{QString::fromStdString(plainSymbol(*before)),
+                               language.quantity(*before->value, before->term.quantity, 1),
+                               language.quantity(*after->value, after->term.quantity, 1)};
+        for (std::size_t column = 0; column < texts.size(); ++column) {
+            auto *item = new QTableWidgetItem(texts[column]);
+            item->setTextAlignment(column == 0 ? Qt::AlignLeft | Qt::AlignVCenter
+                                               : Qt::AlignRight | Qt::AlignVCenter);
+            m_prediction->setItem(row, static_cast<int>(column), item);
+        }
+    }
+    m_note->setText(
+        tr("After %1, from the table as it is written.").arg(QString::fromUtf8(m_before->edition->word)));
+}
+
+void CompensationDialog::chooseFile() {
+    auto *dialog = new QFileDialog(this, tr("Save the compensation table"),
+                                   QSettings().value(QStringLiteral("window/exportFolder")).toString());
+    dialog->setObjectName(QStringLiteral("compensationFileDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    const auto kind = format();
+    dialog->setDefaultSuffix(kind == CompensationFormat::csv       ? QStringLiteral("csv")
+                             : kind == CompensationFormat::siemens ? QStringLiteral("mpf")
+                                                                   : QStringLiteral("comp"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
+        QSettings().setValue(QStringLiteral("window/exportFolder"), QFileInfo(path).absolutePath());
+        if (saveTo(path))
+            accept();
+    });
+    dialog->open();
+}
+
+bool CompensationDialog::saveTo(const QString &path) {
+    try {
+        saveBytes(m_written, path);
+    } catch (const Error &error) {
+        auto *box =
+            new QMessageBox(QMessageBox::Critical, windowTitle(),
+                            tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), QMessageBox::Ok, this);
+        box->setObjectName(QStringLiteral("errorBox"));
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->setInformativeText(windowLanguage().sentence(error.message));
+        box->open();
+        return false;
+    }
+    return true;
+}
+
+void CompensationDialog::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+void CompensationDialog::retranslate() {
+    const auto &measurement =
+        std::get<PositioningMeasurement>(m_evaluated.document->tests[m_test]->measurement);
+    const auto choices = [](Field *field, const QString &label, const QStringList &words) {
+        const int chosen = std::max(field->choice(), 0);
+        field->setLabel(label);
+        field->setChoices(words, false);
+        field->showChoice(chosen, false);
+    };
+    setWindowTitle(tr("Compensation table"));
+    choices(m_format, tr("Control"),
+            {QStringLiteral("LinuxCNC"), QStringLiteral("Siemens"), tr("any (CSV)")});
+    choices(m_sign, tr("Sign of the values"), {tr("corrections, added to the command"), tr("deviations")});
+    choices(m_mark, tr("Decimal mark"), {tr("point ."), tr("comma ,")});
+    for (const NumberField &number : m_numbers) {
+        number.field->setLabel(tr(number.label));
+        number.field->setUnit(windowLanguage().unit(positionQuantity(measurement.axis)));
+        const auto &value = m_options.*number.value;
+        number.field->show(
+            value ? windowLanguage().number(*value, positionQuantity(measurement.axis)) : QString(), false);
+    }
+    m_perDirection->setText(tr("&Each direction apart"));
+    m_incremental->setText(tr("&Incremental values"));
+    m_curveTitle->setText(tr("Means, measured and predicted"));
+    m_curve->setAccessibleName(m_curveTitle->text());
+    m_tableTitle->setText(tr("What is written"));
+    m_table->setAccessibleName(m_tableTitle->text());
+    m_predictionTitle->setText(tr("Prediction"));
+    m_prediction->setAccessibleName(m_predictionTitle->text());
+    m_prediction->setColumnCount(3);
+    m_prediction->setHorizontalHeaderLabels({tr("Quantity"), tr("measured"), tr("predicted")});
+    m_save->setText(tr("&Save the table…"));
+    m_close->setText(tr("&Close"));
+    compute();
+}
+
+} // namespace palmer::ui

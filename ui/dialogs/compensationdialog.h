@@ -1,0 +1,83 @@
+#pragma once
+
+#include "document/documenterror.h"
+#include "document/evaluateddocument.h"
+#include "export/compensation.h"
+
+#include <QDialog>
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace palmer::ui {
+
+class Field;
+class LineView;
+
+/// "Compensation table…": the table that takes out the systematic deviations of an axis, for a control. Shows
+/// what is written, and what the axis would be with it, read back from what is written: means over those
+/// measured, and A, E, M, B. Changes no document.
+class CompensationDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// `test` is the index of a positioning test.
+    CompensationDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent = nullptr);
+
+    [[nodiscard]] const QByteArray &written() const { return m_written; } ///< empty: there is no table
+    [[nodiscard]] CompensationFormat format() const;
+    /// Writes the table; false, and a message, when that fails.
+    bool saveTo(const QString &path);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    struct NumberField {
+        Field *field;
+        const char *label;
+        std::optional<double> CompensationOptions::*value;
+    };
+
+    Field *addChoice(const char *name);
+    Field *addNumber(const char *name, const char *label, std::optional<double> CompensationOptions::*value);
+    QCheckBox *addSwitch(const char *name, bool CompensationOptions::*value);
+    void compute();
+    void showPrediction();
+    void chooseFile();
+    void showError(const Error &error);
+    void retranslate();
+
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test;
+    CompensationOptions m_options;
+    QByteArray m_written;
+    std::optional<TestEvaluation> m_before; ///< under an edition that has E, M and B
+    std::optional<TestEvaluation> m_after;
+    std::optional<Error> m_refusal;
+    std::vector<NumberField> m_numbers;
+
+    Field *m_format;
+    QCheckBox *m_perDirection;
+    Field *m_sign;
+    QCheckBox *m_incremental;
+    Field *m_mark;
+    QLabel *m_reason;
+    QLabel *m_tableTitle;
+    QPlainTextEdit *m_table;
+    QLabel *m_curveTitle;
+    LineView *m_curve;
+    QLabel *m_predictionTitle;
+    QTableWidget *m_prediction;
+    QLabel *m_note;
+    QPushButton *m_save;
+    QPushButton *m_close;
+};
+
+} // namespace palmer::ui

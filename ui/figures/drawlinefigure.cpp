@@ -1,0 +1,215 @@
+#include "ui/figures/drawlinefigure.h"
+
+#include "ui/figures/drawtext.h"
+
+#include <QPainter>
+#include <QPolygonF>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double mm = pointsPerMillimetre;
+constexpr double tickLength = 1.2 * mm;
+constexpr double tickGap = 1.0 * mm;
+constexpr double titleCentre = 2.3 * mm;
+constexpr double tickRow = 3.5 * mm; ///< below the plot
+constexpr double titleRow = 7.4 * mm;
+constexpr double legendRow = 12 * mm; ///< the first
+constexpr double legendPitch = 4.2 * mm;
+constexpr double sampleWidth = 10 * mm;
+constexpr double sampleGap = 2 * mm;
+constexpr double entryGap = 7 * mm;
+constexpr double labelGap = 0.8 * mm;
+constexpr double topMargin = 1.6 * mm;
+constexpr double rightMargin = 6 * mm;
+
+FigureRole penRole(LineRole role) {
+    switch (role) {
+    case LineRole::measuredUp:
+        return FigureRole::upEdge;
+    case LineRole::measuredDown:
+        return FigureRole::downEdge;
+    case LineRole::predictedUp:
+    case LineRole::machine:
+        return FigureRole::up;
+    case LineRole::predictedDown:
+    case LineRole::instrument:
+        return FigureRole::down;
+    case LineRole::air:
+        break;
+    }
+    return FigureRole::mean;
+}
+
+class LineFigurePainter {
+public:
+    LineFigurePainter(QPainter &painter, const QRectF &area, const LineFigure &figure, Medium medium)
+        : p(painter)
+        , m_figure(figure)
+        , m_medium(medium)
+        , m_area(area) {
+        double widest = 0;
+        for (const Tick &tick : figure.y.ticks)
+            widest = std::max(widest, textWidth(tick.label));
+        const double left = titleCentre + figureTextSize + widest + tickGap + tickLength;
+        const double room = area.width() - left - rightMargin;
+        double used = 0;
+        for (const FigureLine &line : figure.lines) {
+            const double width = sampleWidth + sampleGap + textWidth(nameOf(line)) + entryGap;
+            if (used > 0 && used + width > room) {
+                ++m_rows;
+                used = 0;
+            }
+            used += width;
+        }
+        const double bottom = legendRow + m_rows * legendPitch;
+        m_plot = QRectF(area.left() + left, area.top() + topMargin, room, area.height() - topMargin - bottom);
+    }
+
+    FigureTransform draw() {
+        if (m_plot.width() <= 0 || m_plot.height() <= 0)
+            return {};
+        p.setRenderHint(QPainter::Antialiasing);
+        p.setRenderHint(QPainter::TextAntialiasing);
+        drawGrid();
+        p.save();
+        p.setClipRect(m_plot, Qt::IntersectClip);
+        for (const FigureLine &line : m_figure.lines)
+            drawLine(line);
+        p.restore();
+        drawLabels();
+        drawAxes();
+        drawLegend();
+        const double sx = m_plot.width() / (m_figure.x.to - m_figure.x.from);
+        const double sy = -m_plot.height() / (m_figure.y.to - m_figure.y.from);
+        return {m_plot,
+                QTransform(sx, 0, 0, sy, m_plot.left() - m_figure.x.from * sx,
+                           m_plot.bottom() - m_figure.y.from * sy),
+                0};
+    }
+
+private:
+    [[nodiscard]] static QString nameOf(const FigureLine &line) {
+        return line.label.isEmpty() ? line.name : line.label + QStringLiteral("  ") + line.name;
+    }
+    [[nodiscard]] double x(double value) const {
+        return m_plot.left() + (value - m_figure.x.from) / (m_figure.x.to - m_figure.x.from) * m_plot.width();
+    }
+    [[nodiscard]] double y(double value) const {
+        return m_plot.bottom() -
+               (value - m_figure.y.from) / (m_figure.y.to - m_figure.y.from) * m_plot.height();
+    }
+    [[nodiscard]] QPen pen(FigureRole role) const { return figurePen(role, m_medium); }
+    [[nodiscard]] QColor text() const { return figureColor(FigureRole::text, m_medium); }
+
+    void drawGrid() {
+        for (const Tick &tick : m_figure.y.ticks) {
+            p.setPen(pen(tick.value == 0 ? FigureRole::zeroLine : FigureRole::grid));
+            p.drawLine(QPointF(m_plot.left(), y(tick.value)), QPointF(m_plot.right(), y(tick.value)));
+        }
+    }
+
+    void drawLine(const FigureLine &line) {
+        QPolygonF points;
+        points.reserve(static_cast<qsizetype>(line.points.size()));
+        for (const QPointF &point : line.points)
+            points.append({x(point.x()), y(point.y())});
+        p.setBrush(Qt::NoBrush);
+        p.setPen(pen(penRole(line.role)));
+        p.drawPolyline(points);
+    }
+
+    /// At the ends of the lines; those at the edge apart from each other.
+    void drawLabels() {
+        struct Label {
+            double at;
+            QString text;
+        };
+        std::vector<Label> labels;
+        for (const FigureLine &line : m_figure.lines) {
+            if (line.label.isEmpty() || line.points.empty())
+                continue;
+            const QPointF end(x(line.points.back().x()) + labelGap, y(line.points.back().y()));
+            if (end.x() < m_plot.right() - figureTextSize) // ends earlier than the others
+                drawText(p, end, line.label, text());
+            else
+                labels.push_back({end.y(), line.label});
+        }
+        std::ranges::stable_sort(labels, {}, &Label::at);
+        double last = m_plot.top() - figureTextSize;
+        for (Label &label : labels) {
+            label.at = std::max(label.at, last + figureTextSize);
+            last = label.at;
+            drawText(p, {m_plot.right() + labelGap, label.at}, label.text, text());
+        }
+    }
+
+    void drawAxes() {
+        p.setPen(pen(FigureRole::axis));
+        p.drawLine(m_plot.topLeft(), m_plot.bottomLeft());
+        p.drawLine(m_plot.bottomLeft(), m_plot.bottomRight());
+        for (const Tick &tick : m_figure.x.ticks) {
+            p.setPen(pen(FigureRole::axis));
+            p.drawLine(QPointF(x(tick.value), m_plot.bottom()),
+                       QPointF(x(tick.value), m_plot.bottom() + tickLength));
+            drawText(p, {x(tick.value) - textWidth(tick.label) / 2, m_plot.bottom() + tickRow}, tick.label,
+                     text());
+        }
+        for (const Tick &tick : m_figure.y.ticks) {
+            p.setPen(pen(FigureRole::axis));
+            p.drawLine(QPointF(m_plot.left(), y(tick.value)),
+                       QPointF(m_plot.left() - tickLength, y(tick.value)));
+            drawText(p, {m_plot.left() - tickLength - tickGap - textWidth(tick.label), y(tick.value)},
+                     tick.label, text());
+        }
+        const TextLine across = titleOf(m_figure.x);
+        drawText(p, {m_plot.center().x() - textWidth(across) / 2, m_plot.bottom() + titleRow}, across,
+                 text());
+        const TextLine along = titleOf(m_figure.y);
+        p.save();
+        p.translate(m_area.left() + titleCentre, m_plot.center().y());
+        p.rotate(-90);
+        drawText(p, {-textWidth(along) / 2, 0}, along, text());
+        p.restore();
+    }
+
+    [[nodiscard]] static TextLine titleOf(const FigureAxis &axis) {
+        return {{axis.quantity + QLatin1Char(' ') + axis.symbol},
+                {axis.subscript, true},
+                {QStringLiteral(" (") + axis.unit + QLatin1Char(')')}};
+    }
+
+    void drawLegend() {
+        double left = m_plot.left();
+        double row = m_plot.bottom() + legendRow - 0.5 * mm;
+        for (const FigureLine &line : m_figure.lines) {
+            const double width = sampleWidth + sampleGap + textWidth(nameOf(line)) + entryGap;
+            if (left > m_plot.left() && left + width > m_plot.right()) {
+                left = m_plot.left();
+                row += legendPitch;
+            }
+            p.setPen(pen(penRole(line.role)));
+            p.drawLine(QPointF(left, row), QPointF(left + sampleWidth, row));
+            drawText(p, {left + sampleWidth + sampleGap, row}, nameOf(line), text());
+            left += width;
+        }
+    }
+
+    QPainter &p;
+    const LineFigure &m_figure;
+    Medium m_medium;
+    QRectF m_area;
+    QRectF m_plot;
+    int m_rows = 1;
+};
+
+} // namespace
+
+FigureTransform drawLineFigure(QPainter &painter, const QRectF &area, const LineFigure &figure,
+                               Medium medium) {
+    return LineFigurePainter(painter, area, figure, medium).draw();
+}
+
+} // namespace palmer::ui

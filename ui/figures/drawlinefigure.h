@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/figures/drawfigure.h"
+
+namespace palmer::ui {
+
+/// Draws a line figure into an area given in points; see drawFigure(). The legend takes as many rows as it
+/// needs.
+FigureTransform drawLineFigure(QPainter &painter, const QRectF &area, const LineFigure &figure,
+                               Medium medium);
+
+} // namespace palmer::ui

@@ -1,0 +1,20 @@
+#include "ui/figures/lineview.h"
+
+#include "ui/figures/drawfigure.h"
+#include "ui/theme.h"
+
+#include <QPainter>
+
+namespace palmer::ui {
+
+void LineView::setFigure(const LineFigure &figure) {
+    m_figure = figure;
+    update();
+}
+
+void LineView::paintEvent(QPaintEvent *) {
+    QPainter painter(this);
+    drawFigure(painter, rect(), m_figure, isDark(palette()) ? Medium::screenDark : Medium::screenLight);
+}
+
+} // namespace palmer::ui

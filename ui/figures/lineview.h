@@ -1,0 +1,29 @@
+#pragma once
+
+#include "figures/figure.h"
+
+#include <QWidget>
+
+namespace palmer::ui {
+
+/// A line figure on the screen, in its theme.
+class LineView : public QWidget {
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+
+    void setFigure(const LineFigure &figure);
+    [[nodiscard]] const LineFigure &figure() const { return m_figure; }
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
+    [[nodiscard]] QSize sizeHint() const override { return {480, 270}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    LineFigure m_figure;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,108 @@
+#include "ui/window/exports.h"
+
+#include "document/savedocument.h"
+#include "export/readingscsv.h"
+#include "figures/circlefigure.h"
+#include "figures/deviationfigure.h"
+#include "figures/driftfigure.h"
+#include "figures/figuredata.h"
+#include "ui/windowlanguage.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QSettings>
+#include <functional>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr const char *folderSetting = "window/exportFolder";
+
+QString say(const char *text) {
+    return QCoreApplication::translate("palmer::ui::Exports", text);
+}
+
+char markOf(ExportForm form) {
+    return form == ExportForm::csvWithComma ? ',' : '.';
+}
+
+void refuse(QWidget *window, const QString &path, const Error &error) {
+    auto *box = new QMessageBox(
+        QMessageBox::Critical, say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "Export")),
+        say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "%1 cannot be saved")).arg(QFileInfo(path).fileName()),
+        QMessageBox::Ok, window);
+    box->setObjectName(QStringLiteral("errorBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(windowLanguage().sentence(error.message));
+    box->open();
+}
+
+void ask(QWidget *window, const QString &title, const QStringList &forms,
+         const std::function<QByteArray(ExportForm)> &bytes) {
+    auto *dialog =
+        new QFileDialog(window, title, QSettings().value(QLatin1StringView(folderSetting)).toString());
+    dialog->setObjectName(QStringLiteral("exportDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters(forms);
+    const auto formOf = [forms, dialog] {
+        return static_cast<ExportForm>(std::max<qsizetype>(0, forms.indexOf(dialog->selectedNameFilter())));
+    };
+    const auto suffixOf = [](ExportForm form) {
+        return form == ExportForm::json ? QStringLiteral("json") : QStringLiteral("csv");
+    };
+    dialog->setDefaultSuffix(suffixOf(formOf()));
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog,
+                     [=] { dialog->setDefaultSuffix(suffixOf(formOf())); });
+    QObject::connect(dialog, &QFileDialog::fileSelected, window, [=](const QString &path) {
+        QSettings().setValue(QLatin1StringView(folderSetting), QFileInfo(path).absolutePath());
+        try {
+            saveBytes(bytes(formOf()), path);
+        } catch (const Error &error) {
+            refuse(window, path, error);
+        }
+    });
+    dialog->open();
+}
+
+QStringList csvForms() {
+    return {say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "CSV, decimal point (*.csv)")),
+            say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "CSV, decimal comma (*.csv)"))};
+}
+
+} // namespace
+
+QByteArray exportedReadings(const EvaluatedDocument &evaluated, std::size_t test, ExportForm form,
+                            const QString &fileName) {
+    if (form == ExportForm::json)
+        return readingsJson(evaluated, fileName, windowLanguage());
+    return readingsCsv(*evaluated.document->tests[test], *evaluated.tests[test], windowLanguage(),
+                       markOf(form));
+}
+
+QByteArray exportedFigure(const EvaluatedDocument &evaluated, std::size_t test, ExportForm form) {
+    const Test &shown = *evaluated.document->tests[test];
+    const TestEvaluation &evaluation = *evaluated.tests[test];
+    if (std::holds_alternative<PositioningMeasurement>(shown.measurement))
+        return figureCsv(deviationFigure(shown, evaluation, windowLanguage()), markOf(form));
+    if (std::holds_alternative<CircularMeasurement>(shown.measurement))
+        return figureCsv(circleFigure(shown, evaluation, windowLanguage()), markOf(form));
+    return figureCsv(driftFigure(shown, evaluation, windowLanguage()), markOf(form));
+}
+
+void askExportOfReadings(QWidget *window, const EvaluatedDocument &evaluated, std::size_t test,
+                         const QString &fileName) {
+    ask(window, say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "Export readings and results")),
+        csvForms() << say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "JSON, all tests (*.json)")),
+        [=](ExportForm form) { return exportedReadings(evaluated, test, form, fileName); });
+}
+
+void askExportOfFigure(QWidget *window, const EvaluatedDocument &evaluated, std::size_t test) {
+    ask(window, say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "Export the data of the figure")), csvForms(),
+        [=](ExportForm form) { return exportedFigure(evaluated, test, form); });
+}
+
+} // namespace palmer::ui
