@@ -2464,10 +2464,6 @@
         <translation>Essai de dérive de l’axe %1</translation>
     </message>
     <message>
-        <source>the picture to write; its ending says what it is</source>
-        <translation>l’image à écrire&#x202f;; son extension dit ce qu’elle est</translation>
-    </message>
-    <message>
         <source>which test of the file, from 1; without it the first</source>
         <translation>quel essai du fichier, à partir de 1&#x202f;; sans elle, le premier</translation>
     </message>
@@ -5260,6 +5256,42 @@
     <message>
         <source>U of the result with k = 2, as the laboratory determined it.</source>
         <translation>U du résultat avec k = 2, telle que le laboratoire l’a déterminée.</translation>
+    </message>
+    <message>
+        <source>Temperatures over time</source>
+        <translation>Températures au cours du temps</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Température</translation>
+    </message>
+    <message>
+        <source>Compensation of the %1 axis</source>
+        <translation>Compensation de l’axe %1</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>prévu</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Ici</translation>
+    </message>
+    <message>
+        <source>Value here</source>
+        <translation>Valeur ici</translation>
+    </message>
+    <message>
+        <source>Here − stated</source>
+        <translation>Ici − indiqué</translation>
+    </message>
+    <message>
+        <source>the picture to write, or its points; the ending says which</source>
+        <translation>la figure à écrire, ou ses points&#xa0;: l’extension dit lequel</translation>
     </message>
 </context>
 </TS>

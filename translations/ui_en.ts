@@ -146,9 +146,9 @@
             <numerusform>%n missing reading</numerusform><numerusform>%n missing readings</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>%n guess(es)</source>
+        <source>%n assumption(s)</source>
         <translation>
-            <numerusform>%n guess(es)</numerusform><numerusform>%n guess(es)</numerusform></translation>
+            <numerusform>%n assumption</numerusform><numerusform>%n assumptions</numerusform></translation>
     </message>
 </context>
 <context>

@@ -791,6 +791,109 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::CompensationDialog</name>
+    <message>
+        <source>From (empty: first target)</source>
+        <translation>De (vide : premier point visé)</translation>
+    </message>
+    <message>
+        <source>To (empty: last target)</source>
+        <translation>À (vide : dernier point visé)</translation>
+    </message>
+    <message>
+        <source>Interval (empty: the targets)</source>
+        <translation>Intervalle (vide : les points visés)</translation>
+    </message>
+    <message>
+        <source>After %1, from the table as it is written.</source>
+        <translation>Selon %1, d’après la table telle qu’elle est écrite.</translation>
+    </message>
+    <message>
+        <source>Save the compensation table</source>
+        <translation>Enregistrer la table de compensation</translation>
+    </message>
+    <message>
+        <source>%1 cannot be saved</source>
+        <translation>%1 ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>Compensation table</source>
+        <translation>Table de compensation</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>any (CSV)</source>
+        <translation>autre (CSV)</translation>
+    </message>
+    <message>
+        <source>Sign of the values</source>
+        <translation>Signe des valeurs</translation>
+    </message>
+    <message>
+        <source>corrections, added to the command</source>
+        <translation>corrections, ajoutées à la consigne</translation>
+    </message>
+    <message>
+        <source>deviations</source>
+        <translation>écarts</translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation>Décimales</translation>
+    </message>
+    <message>
+        <source>point .</source>
+        <translation>point .</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>virgule ,</translation>
+    </message>
+    <message>
+        <source>&amp;Each direction apart</source>
+        <translation>Chaque &amp;sens à part</translation>
+    </message>
+    <message>
+        <source>&amp;Incremental values</source>
+        <translation>Valeurs &amp;incrémentales</translation>
+    </message>
+    <message>
+        <source>Means, measured and predicted</source>
+        <translation>Moyennes mesurées et prévues</translation>
+    </message>
+    <message>
+        <source>What is written</source>
+        <translation>Ce qui est écrit</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Prévision</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>prévu</translation>
+    </message>
+    <message>
+        <source>&amp;Save the table…</source>
+        <translation>&amp;Enregistrer la table…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ConditionsPage</name>
     <message>
         <source>chosen freely</source>
@@ -1256,6 +1359,37 @@
     <message>
         <source>Close the explanation</source>
         <translation>Fermer l’explication</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::Exports</name>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>%1 cannot be saved</source>
+        <translation>%1 ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>CSV, decimal point (*.csv)</source>
+        <translation>CSV, point décimal (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV, decimal comma (*.csv)</source>
+        <translation>CSV, virgule décimale (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export readings and results</source>
+        <translation>Exporter relevés et résultats</translation>
+    </message>
+    <message>
+        <source>JSON, all tests (*.json)</source>
+        <translation>JSON, tous les essais (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the data of the figure</source>
+        <translation>Exporter les données de la figure</translation>
     </message>
 </context>
 <context>
@@ -1793,13 +1927,6 @@
         <translation>
             <numerusform>%n relevé manquant</numerusform><numerusform>%n relevés manquants</numerusform></translation>
     </message>
-    <message numerus="yes">
-        <source>%n guess(es)</source>
-        <translation>
-            <numerusform>%n supposition</numerusform>
-            <numerusform>%n suppositions</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Import</source>
         <translation>Importer</translation>
@@ -1859,6 +1986,11 @@
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Annuler</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n assumption(s)</source>
+        <translation>
+            <numerusform>%n supposition</numerusform><numerusform>%n suppositions</numerusform></translation>
     </message>
 </context>
 <context>
@@ -2450,7 +2582,7 @@
     </message>
     <message>
         <source>Add a circular &amp;test…</source>
-        <translation>A&amp;jouter un essai de circularité…</translation>
+        <translation>Ajouter un essai de circularit&amp;é…</translation>
     </message>
     <message>
         <source>Add a dri&amp;ft test</source>
@@ -2459,6 +2591,22 @@
     <message>
         <source>Uncertaint&amp;y</source>
         <translation>&amp;Incertitude</translation>
+    </message>
+    <message>
+        <source>Expor&amp;t</source>
+        <translation>Expor&amp;ter</translation>
+    </message>
+    <message>
+        <source>&amp;Readings and results…</source>
+        <translation>&amp;Relevés et résultats…</translation>
+    </message>
+    <message>
+        <source>&amp;Data of the figure…</source>
+        <translation>&amp;Données de la figure…</translation>
+    </message>
+    <message>
+        <source>&amp;Compensation table…</source>
+        <translation>&amp;Table de compensation…</translation>
     </message>
 </context>
 <context>
@@ -3254,6 +3402,10 @@
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Temperature curve</source>
+        <translation>Courbe des températures</translation>
     </message>
 </context>
 <context>
