@@ -1048,7 +1048,7 @@ void MainWindow::retranslate() {
     m_saveAsAction->setText(tr("Save &as…"));
     m_reportAction->setText(tr("Re&port…"));
     m_reportAction->setIconText(tr("Report…"));
-    m_exportMenu->setTitle(tr("Expor&t"));
+    m_exportMenu->setTitle(tr("&Export"));
     m_exportReadingsAction->setText(tr("&Readings and results…"));
     m_exportFigureAction->setText(tr("&Data of the figure…"));
     m_compensationAction->setText(tr("&Compensation table…"));
