@@ -141,7 +141,7 @@
     </message>
     <message>
         <source>No reading at %1 (%n in all): the statistics use the readings that exist.</source>
-        <translation>Aucun relevé en %1 (%n au total)&#xa0;: la statistique emploie les relevés existants.</translation>
+        <translation>Aucun relevé en %1 (%n au total)&#xa0;: la statistique emploie les relevés existants. || Aucun relevé en %1 (%n au total)&#xa0;: la statistique emploie les relevés existants.</translation>
     </message>
     <message>
         <source>Approaches in the positive direction: %1, in the negative: %2; 5 each way are required.</source>
@@ -165,11 +165,11 @@
     </message>
     <message>
         <source>Readings set aside (%n): %1. The standard knows no rejection of readings.</source>
-        <translation>Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés.</translation>
+        <translation>Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés. || Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés.</translation>
     </message>
     <message>
         <source>Readings set aside without a reason: %n.</source>
-        <translation>Relevés écartés sans motif&#xa0;: %n.</translation>
+        <translation>Relevés écartés sans motif&#xa0;: %n. || Relevés écartés sans motif&#xa0;: %n.</translation>
     </message>
     <message>
         <source>The range method for s belongs to ISO 230-2:1988 only: s is calculated here.</source>
@@ -3696,7 +3696,7 @@
     </message>
     <message>
         <source>Readings that are no numbers (%n), hence missing: %1.</source>
-        <translation>Relevés qui ne sont pas des nombres (%n), donc manquants&#xa0;: %1.</translation>
+        <translation>Relevés qui ne sont pas des nombres (%n), donc manquants&#xa0;: %1. || Relevés qui ne sont pas des nombres (%n), donc manquants&#xa0;: %1.</translation>
     </message>
     <message>
         <source>resolution of the instrument</source>
@@ -5081,6 +5081,173 @@
     <message>
         <source>Computed otherwise in %1 than in %2.</source>
         <translation>Calculé autrement dans %1 que dans %2.</translation>
+    </message>
+    <message>
+        <source>%1 lines have no number: without angles every point is needed</source>
+        <translation>%1 lignes sont sans nombre&#xa0;: sans angles, il faut tous les points</translation>
+    </message>
+    <message>
+        <source>No angles: the points are put at equal steps from %1 to %2.</source>
+        <translation>Pas d’angles&#xa0;: les points sont placés à pas égaux de %1 à %2.</translation>
+    </message>
+    <message>
+        <source>Sense: nothing in the table says it; taken as anticlockwise.</source>
+        <translation>Sens&#xa0;: rien dans le tableau ne le dit&#x202f;; pris comme antihoraire.</translation>
+    </message>
+    <message>
+        <source>a target needs a position</source>
+        <translation>un point visé a besoin d’une position</translation>
+    </message>
+    <message>
+        <source>not above the target before, %1</source>
+        <translation>pas au-dessus du point précédent, %1</translation>
+    </message>
+    <message>
+        <source>not below the next target, %1</source>
+        <translation>pas au-dessous du point suivant, %1</translation>
+    </message>
+    <message>
+        <source>limit ± g</source>
+        <comment>of a figure</comment>
+        <translation>limite ± g</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <comment>of a figure</comment>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>Drift of the %1 axis</source>
+        <translation>Dérive de l’axe %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Deviation at rest</source>
+        <translation>Écart au repos</translation>
+    </message>
+    <message>
+        <source>deviation at rest, range %1</source>
+        <translation>écart au repos, étendue %1</translation>
+    </message>
+    <message>
+        <source>Distribution of %1 in %2 trials</source>
+        <translation>Répartition de %1 sur %2 tirages</translation>
+    </message>
+    <message>
+        <source>evaluated %1</source>
+        <translation>évalué %1</translation>
+    </message>
+    <message>
+        <source>mean of the trials %1</source>
+        <translation>moyenne des tirages %1</translation>
+    </message>
+    <message>
+        <source>95.45 %: %1 to %2</source>
+        <translation>95,45&#x202f;%&#xa0;: %1 à %2</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Radial deviation</source>
+        <translation>Écart radial</translation>
+    </message>
+    <message>
+        <source>As its certificate states it: a fixed part and a part that grows with the length, brought to k = 2. Or the full width of the range its error lies in.</source>
+        <translation>Comme l’indique son certificat&#xa0;: une part fixe et une part qui croît avec la longueur, ramenées à k = 2. Ou l’étendue totale de son erreur.</translation>
+    </message>
+    <message>
+        <source>Misalignment</source>
+        <translation>Désalignement</translation>
+    </message>
+    <message>
+        <source>The largest distance by which the measuring line may have left the axis over the travel, in mm: it enters as a cosine error.</source>
+        <translation>La plus grande distance, en mm, dont la ligne de mesure peut s’être écartée de l’axe sur la course&#xa0;: elle compte comme erreur de cosinus.</translation>
+    </message>
+    <message>
+        <source>Range of the temperature</source>
+        <translation>Étendue de la température</translation>
+    </message>
+    <message>
+        <source>The full width in which the mean temperature of machine or instrument is sure to lie: sensors, their places, changes between start and end.</source>
+        <translation>L’étendue totale dans laquelle se trouve sûrement la température moyenne de la machine ou de l’instrument&#xa0;: capteurs, emplacements, variations entre début et fin.</translation>
+    </message>
+    <message>
+        <source>Range of the expansion coefficient</source>
+        <translation>Étendue du coefficient de dilatation</translation>
+    </message>
+    <message>
+        <source>The full width in which α is sure to lie. 3.4 µm/(m·°C) gives U(α) = 2 µm/(m·°C), which ISO 230-2 calls the typical minimum.</source>
+        <translation>L’étendue totale dans laquelle se trouve sûrement α. 3,4&#xa0;µm/(m·°C) donne U(α) = 2&#xa0;µm/(m·°C), que l’ISO 230-2 appelle le minimum usuel.</translation>
+    </message>
+    <message>
+        <source>Environmental variation E_VE</source>
+        <translation>Variation environnementale E_VE</translation>
+    </message>
+    <message>
+        <source>The largest less the smallest reading of a drift test at rest, over the time of the test. Typed in, or taken from a drift test of the file.</source>
+        <translation>Le plus grand moins le plus petit relevé d’un essai de dérive au repos, sur la durée de l’essai. Saisie, ou reprise d’un essai de dérive du fichier.</translation>
+    </message>
+    <message>
+        <source>Length L</source>
+        <translation>Longueur L</translation>
+    </message>
+    <message>
+        <source>What the contributions grow with; empty: the measurement travel.</source>
+        <translation>Ce avec quoi croissent les contributions&#x202f;; vide&#xa0;: la course de mesurage.</translation>
+    </message>
+    <message>
+        <source>Calibration of displacement</source>
+        <translation>Étalonnage du déplacement</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty of the instrument&apos;s displacement, from its certificate.</source>
+        <translation>Incertitude élargie du déplacement de l’instrument, d’après son certificat.</translation>
+    </message>
+    <message>
+        <source>Noise of a point</source>
+        <translation>Bruit d’un point</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a single point, from readings at rest. G grows with it and with the number of points.</source>
+        <translation>Incertitude type d’un seul point, d’après des relevés au repos. G croît avec lui et avec le nombre de points.</translation>
+    </message>
+    <message>
+        <source>Repeatability</source>
+        <translation>Répétabilité</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the result from repeated circles; empty: from the repetitions of the file.</source>
+        <translation>Incertitude type du résultat d’après des cercles répétés&#x202f;; vide&#xa0;: d’après les répétitions du fichier.</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Tirages</translation>
+    </message>
+    <message>
+        <source>How many times the test is evaluated anew with other errors; empty: as many as two digits of the uncertainty need.</source>
+        <translation>Combien de fois l’essai est évalué à nouveau avec d’autres erreurs&#x202f;; vide&#xa0;: autant qu’il en faut pour deux chiffres de l’incertitude.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <comment>of a simulation</comment>
+        <translation>Germe</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same figures, on any computer.</source>
+        <translation>Le même germe donne les mêmes chiffres, sur tout ordinateur.</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty</source>
+        <translation>Incertitude élargie</translation>
+    </message>
+    <message>
+        <source>U of the result with k = 2, as the laboratory determined it.</source>
+        <translation>U du résultat avec k = 2, telle que le laboratoire l’a déterminée.</translation>
     </message>
 </context>
 </TS>

@@ -43,6 +43,19 @@
         <translation>
             <numerusform>cut %n reading</numerusform><numerusform>cut %n readings</numerusform></translation>
     </message>
+    <message numerus="yes">
+        <source>add %n arc(s)</source>
+        <translation>
+            <numerusform>add %n arc</numerusform><numerusform>add %n arcs</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ArcDialog</name>
+    <message numerus="yes">
+        <source>&amp;Add %n point(s)</source>
+        <translation>
+            <numerusform>&amp;Add %n point</numerusform><numerusform>&amp;Add %n points</numerusform></translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::FindingsModel</name>
@@ -182,6 +195,14 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::UncertaintyPage</name>
+    <message numerus="yes">
+        <source>%n input(s) of the budget missing</source>
+        <translation>
+            <numerusform>%n input of the budget missing</numerusform><numerusform>%n inputs of the budget missing</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::Workplace</name>
     <message numerus="yes">
         <source>%n target(s)</source>
@@ -197,6 +218,11 @@
         <source>%n arc(s)</source>
         <translation>
             <numerusform>%n arc</numerusform><numerusform>%n arcs</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s)</source>
+        <translation>
+            <numerusform>%n reading</numerusform><numerusform>%n readings</numerusform></translation>
     </message>
 </context>
 </TS>

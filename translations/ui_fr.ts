@@ -191,6 +191,39 @@
         <source>import a measurement file</source>
         <translation>importer un fichier de mesure</translation>
     </message>
+    <message numerus="yes">
+        <source>add %n arc(s)</source>
+        <translation>
+            <numerusform>ajout de %n arc</numerusform><numerusform>ajout de %n arcs</numerusform></translation>
+    </message>
+    <message>
+        <source>change a point</source>
+        <translation>modification d’un point</translation>
+    </message>
+    <message>
+        <source>delete an arc</source>
+        <translation>suppression d’un arc</translation>
+    </message>
+    <message>
+        <source>change a reading</source>
+        <translation>modifier un relevé</translation>
+    </message>
+    <message>
+        <source>paste readings</source>
+        <translation>coller des relevés</translation>
+    </message>
+    <message>
+        <source>remove readings</source>
+        <translation>supprimer des relevés</translation>
+    </message>
+    <message>
+        <source>take a typical value</source>
+        <translation>reprendre une valeur usuelle</translation>
+    </message>
+    <message>
+        <source>add a drift test</source>
+        <translation>ajouter un essai de dérive</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -278,6 +311,111 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::ArcDialog</name>
+    <message>
+        <source>New arc</source>
+        <translation>Nouvel arc</translation>
+    </message>
+    <message>
+        <source>One point a line, for example angle and radial deviation:</source>
+        <translation>Un point par ligne, par exemple angle et écart radial :</translation>
+    </message>
+    <message>
+        <source>Headings may name columns, units and sense.</source>
+        <translation>Des titres peuvent nommer les colonnes, les unités et le sens.</translation>
+    </message>
+    <message>
+        <source>&amp;Table of points</source>
+        <translation>&amp;Tableau des points</translation>
+    </message>
+    <message>
+        <source>as recognised</source>
+        <translation>comme reconnu</translation>
+    </message>
+    <message>
+        <source>Co&amp;lumns</source>
+        <translation>&amp;Colonnes</translation>
+    </message>
+    <message>
+        <source>angle, radial deviation</source>
+        <translation>angle, écart radial</translation>
+    </message>
+    <message>
+        <source>angle, radius</source>
+        <translation>angle, rayon</translation>
+    </message>
+    <message>
+        <source>x, y</source>
+        <translation>x, y</translation>
+    </message>
+    <message>
+        <source>radial deviations alone</source>
+        <translation>écarts radiaux seuls</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Unité</translation>
+    </message>
+    <message>
+        <source>&amp;Decimal mark</source>
+        <translation>Marque &amp;décimale</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>point</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>virgule</translation>
+    </message>
+    <message>
+        <source>&amp;Sense</source>
+        <translation>&amp;Sens</translation>
+    </message>
+    <message>
+        <source>An&amp;gles</source>
+        <translation>An&amp;gles</translation>
+    </message>
+    <message>
+        <source>of the point (polar)</source>
+        <translation>du point (polaire)</translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation>commandé</translation>
+    </message>
+    <message>
+        <source>Sta&amp;rt angle</source>
+        <translation>Angle de dépa&amp;rt</translation>
+    </message>
+    <message>
+        <source>&amp;Extent of the arc</source>
+        <translation>&amp;Étendue de l’arc</translation>
+    </message>
+    <message>
+        <source>The extent of an arc is a number of degrees above 0.</source>
+        <translation>L’étendue d’un arc est un nombre de degrés supérieur à 0.</translation>
+    </message>
+    <message>
+        <source>%1, %2 points: %3 … %4</source>
+        <comment>sense of a path</comment>
+        <translation>%1, %2 points : %3 … %4</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Add %n point(s)</source>
+        <translation>
+            <numerusform>&amp;Ajouter %n point</numerusform><numerusform>&amp;Ajouter %n points</numerusform></translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Ajouter</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ArcsModel</name>
     <message>
         <source>repetition</source>
@@ -320,12 +458,13 @@
         <translation>coupé</translation>
     </message>
     <message>
-        <source>R LSC − R µm</source>
-        <translation>R LSC − R µm</translation>
-    </message>
-    <message>
         <source>use</source>
         <translation>emploi</translation>
+    </message>
+    <message>
+        <source>R LSC − R %1</source>
+        <comment>unit</comment>
+        <translation>R LSC − R %1</translation>
     </message>
 </context>
 <context>
@@ -502,14 +641,6 @@
         <translation>Descendre l’arc : il a été mesuré plus tard</translation>
     </message>
     <message>
-        <source>Coordinates mm</source>
-        <translation>Coordonnées mm</translation>
-    </message>
-    <message>
-        <source>Lengths mm</source>
-        <translation>Longueurs mm</translation>
-    </message>
-    <message>
         <source>Show radial deviations</source>
         <translation>Afficher les écarts radiaux</translation>
     </message>
@@ -537,6 +668,48 @@
         <source>The handles set the evaluated range of the current arc; the fields above set it by number</source>
         <translation>Les poignées règlent l’étendue évaluée de l’arc courant ; les champs au-dessus la règlent par nombre</translation>
     </message>
+    <message>
+        <source>a point needs a number</source>
+        <translation>il faut un nombre pour un point</translation>
+    </message>
+    <message>
+        <source>Paste &amp;or type an arc…</source>
+        <translation>Ajouter un arc (&amp;tableau)…</translation>
+    </message>
+    <message>
+        <source>Delete t&amp;he arc</source>
+        <translation>Supprimer l’arc c&amp;hoisi</translation>
+    </message>
+    <message>
+        <source>New arc…</source>
+        <translation>Nouvel arc…</translation>
+    </message>
+    <message>
+        <source>New arc</source>
+        <translation>Nouvel arc</translation>
+    </message>
+    <message>
+        <source>Add arcs from a table, typed or pasted (%1)</source>
+        <translation>Ajouter des arcs depuis un tableau, saisi ou collé (%1)</translation>
+    </message>
+    <message>
+        <source>No arc yet. Copy the points in a spreadsheet and press %1, or type them with “New arc…”.</source>
+        <translation>Pas encore d’arc. Copiez les points dans un tableur et appuyez sur %1, ou saisissez-les par « Nouvel arc… ».</translation>
+    </message>
+    <message>
+        <source>Delete the arc (%1)</source>
+        <translation>Supprimer l’arc (%1)</translation>
+    </message>
+    <message>
+        <source>Coordinates %1</source>
+        <comment>unit</comment>
+        <translation>Coordonnées %1</translation>
+    </message>
+    <message>
+        <source>Lengths %1</source>
+        <comment>unit</comment>
+        <translation>Longueurs %1</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::CompareDialog</name>
@@ -559,10 +732,6 @@
     <message>
         <source>Compare with the tests of a file</source>
         <translation>Comparer aux essais d’un fichier</translation>
-    </message>
-    <message>
-        <source>Test files (*.palmer)</source>
-        <translation>Fichiers d’essai (*.palmer)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -613,8 +782,12 @@
         <translation>Résultats par essai</translation>
     </message>
     <message>
-        <source>Mean deviations</source>
-        <translation>Écarts moyens</translation>
+        <source>Tests and measurements (*.palmer *.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.ren)</source>
+        <translation>Essais et mesures (*.palmer *.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.ren)</translation>
+    </message>
+    <message>
+        <source>Deviations of the tests over one another</source>
+        <translation>Écarts des essais superposés</translation>
     </message>
 </context>
 <context>
@@ -989,6 +1162,76 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::DriftModel</name>
+    <message>
+        <source>time %1</source>
+        <translation>temps %1</translation>
+    </message>
+    <message>
+        <source>deviation %1</source>
+        <translation>écart %1</translation>
+    </message>
+    <message>
+        <source>a reading has both numbers; remove the row instead</source>
+        <translation>un relevé a ses deux nombres ; supprimer plutôt la ligne</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::DriftPage</name>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Paste times in s and deviations from a table (%1)</source>
+        <translation>Coller des temps en s et des écarts d’un tableau (%1)</translation>
+    </message>
+    <message>
+        <source>Paste readings</source>
+        <translation>Coller des relevés</translation>
+    </message>
+    <message>
+        <source>Remove rows</source>
+        <translation>Supprimer les lignes</translation>
+    </message>
+    <message>
+        <source>Remove the readings that are selected (%1)</source>
+        <translation>Supprimer les relevés sélectionnés (%1)</translation>
+    </message>
+    <message>
+        <source>Remove the readings that are selected</source>
+        <translation>Supprimer les relevés sélectionnés</translation>
+    </message>
+    <message>
+        <source>Readings of the drift test</source>
+        <translation>Relevés de l’essai de dérive</translation>
+    </message>
+    <message>
+        <source>Environmental variation error: the largest less the smallest deviation at rest</source>
+        <translation>Erreur de variation environnementale : le plus grand moins le plus petit écart au repos</translation>
+    </message>
+    <message>
+        <source>E_VE = %1</source>
+        <translation>E_VE = %1</translation>
+    </message>
+    <message>
+        <source>No readings yet</source>
+        <translation>Pas encore de relevés</translation>
+    </message>
+    <message>
+        <source>No test takes its E_VE from here yet: page “Uncertainty”.</source>
+        <translation>Aucun essai ne prend encore son E_VE ici : page « Incertitude ».</translation>
+    </message>
+    <message>
+        <source>Taken by: %1</source>
+        <translation>Repris par : %1</translation>
+    </message>
+    <message>
+        <source>Two columns are expected: time in s and deviation.</source>
+        <translation>Deux colonnes sont attendues : temps en s et écart.</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ExplanationCard</name>
     <message>
         <source>Explanation of %1</source>
@@ -1212,6 +1455,10 @@
     <message>
         <source>Not agreed: %1</source>
         <translation>Non convenu : %1</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Incertitude</translation>
     </message>
 </context>
 <context>
@@ -1549,7 +1796,9 @@
     <message numerus="yes">
         <source>%n guess(es)</source>
         <translation>
-            <numerusform>%n supposition</numerusform><numerusform>%n suppositions</numerusform></translation>
+            <numerusform>%n supposition</numerusform>
+            <numerusform>%n suppositions</numerusform>
+        </translation>
     </message>
     <message>
         <source>Import</source>
@@ -2096,10 +2345,6 @@
         <translation>Enregistré automatiquement à %1</translation>
     </message>
     <message>
-        <source>&amp;New…</source>
-        <translation>&amp;Nouveau…</translation>
-    </message>
-    <message>
         <source>New</source>
         <translation>Nouveau</translation>
     </message>
@@ -2195,6 +2440,26 @@
         <source>Import from the clip&amp;board…</source>
         <translation>Importer &amp;depuis le presse-papiers…</translation>
     </message>
+    <message>
+        <source>&amp;New positioning test…</source>
+        <translation>&amp;Nouvel essai de positionnement…</translation>
+    </message>
+    <message>
+        <source>New circular &amp;test…</source>
+        <translation>Nouvel essai de circu&amp;larité…</translation>
+    </message>
+    <message>
+        <source>Add a circular &amp;test…</source>
+        <translation>A&amp;jouter un essai de circularité…</translation>
+    </message>
+    <message>
+        <source>Add a dri&amp;ft test</source>
+        <translation>A&amp;jouter un essai de dérive</translation>
+    </message>
+    <message>
+        <source>Uncertaint&amp;y</source>
+        <translation>&amp;Incertitude</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NavigationList</name>
@@ -2238,6 +2503,61 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::NewCircleDialog</name>
+    <message>
+        <source>New circular test</source>
+        <translation>Nouvel essai de circularité</translation>
+    </message>
+    <message>
+        <source>external</source>
+        <translation>externe</translation>
+    </message>
+    <message>
+        <source>feedback signal</source>
+        <translation>signal de retour</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>&amp;Plane</source>
+        <translation>&amp;Plan</translation>
+    </message>
+    <message>
+        <source>Nominal &amp;radius</source>
+        <translation>&amp;Rayon nominal</translation>
+    </message>
+    <message>
+        <source>Contouring &amp;feed</source>
+        <translation>&amp;Vitesse d’avance de contournage</translation>
+    </message>
+    <message>
+        <source>&amp;Source of the signal</source>
+        <translation>&amp;Source du signal</translation>
+    </message>
+    <message>
+        <source>&amp;Edition</source>
+        <translation>&amp;Édition</translation>
+    </message>
+    <message>
+        <source>The arcs are typed or pasted afterwards, as tables.</source>
+        <translation>Les arcs se saisissent ou se collent ensuite, en tableaux.</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>&amp;Créer</translation>
+    </message>
+    <message>
+        <source>The nominal radius is a number above 0.</source>
+        <translation>Le rayon nominal est un nombre supérieur à 0.</translation>
+    </message>
+    <message>
+        <source>The feed is a number above 0, or not stated.</source>
+        <translation>L’avance est un nombre supérieur à 0, ou non indiquée.</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::NewTestDialog</name>
     <message>
         <source>New positioning test</source>
@@ -2273,7 +2593,7 @@
     </message>
     <message>
         <source>&amp;Travel</source>
-        <translation>&amp;Course</translation>
+        <translation>Co&amp;urse</translation>
     </message>
     <message>
         <source>&amp;Edition</source>
@@ -2322,6 +2642,10 @@
     <message>
         <source>The target positions have to ascend.</source>
         <translation>Les positions visées doivent être croissantes.</translation>
+    </message>
+    <message>
+        <source>The travel is a number above 0.</source>
+        <translation>La course est un nombre supérieur à 0.</translation>
     </message>
 </context>
 <context>
@@ -2994,6 +3318,53 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::SimulationRow</name>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 tirages</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simuler</translation>
+    </message>
+    <message>
+        <source>Run the Monte Carlo simulation of this test</source>
+        <translation>Lancer la simulation de Monte-Carlo de cet essai</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cancel the simulation</source>
+        <translation>Annuler la simulation</translation>
+    </message>
+    <message>
+        <source>Progress of the simulation</source>
+        <translation>Avancement de la simulation</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>encore %1 s</translation>
+    </message>
+    <message>
+        <source>seed %1</source>
+        <translation>germe %1</translation>
+    </message>
+    <message>
+        <source>outdated: edited since</source>
+        <translation>périmée : modifié depuis</translation>
+    </message>
+    <message>
+        <source>not simulated yet</source>
+        <translation>pas encore simulé</translation>
+    </message>
+    <message>
+        <source>needs a complete budget</source>
+        <translation>demande un budget complet</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::TargetCard</name>
     <message>
         <source>Target %1</source>
@@ -3160,6 +3531,406 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::UncertaintyPage</name>
+    <message>
+        <source>Range of α, machine: %1</source>
+        <translation>Étendue α machine : %1</translation>
+    </message>
+    <message>
+        <source>gives U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2</source>
+        <translation>donne U(α) = 2 µm/(m·°C), le minimum usuel selon l’ISO 230-2</translation>
+    </message>
+    <message>
+        <source>Laser interferometer: α 0</source>
+        <translation>Interféromètre laser : α 0</translation>
+    </message>
+    <message>
+        <source>light has no material that expands</source>
+        <translation>la lumière n’a pas de matière qui se dilate</translation>
+    </message>
+    <message>
+        <source>Resolution: %1</source>
+        <translation>Résolution : %1</translation>
+    </message>
+    <message>
+        <source>as stated for the instrument %1</source>
+        <translation>indiquée pour l’instrument %1</translation>
+    </message>
+    <message>
+        <source>u of α, machine: %1</source>
+        <translation>u de α machine : %1</translation>
+    </message>
+    <message>
+        <source>half of U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2</source>
+        <translation>moitié de U(α) = 2 µm/(m·°C), le minimum usuel selon l’ISO 230-2</translation>
+    </message>
+    <message>
+        <source>drift test %1</source>
+        <translation>essai de dérive %1</translation>
+    </message>
+    <message>
+        <source>E_VE: %1</source>
+        <translation>E_VE : %1</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Instrument</translation>
+    </message>
+    <message>
+        <source>Misalignment</source>
+        <translation>Désalignement</translation>
+    </message>
+    <message>
+        <source>Temperature, machine</source>
+        <translation>Température, machine</translation>
+    </message>
+    <message>
+        <source>Temperature, instrument</source>
+        <translation>Température, instrument</translation>
+    </message>
+    <message>
+        <source>Expansion, machine</source>
+        <translation>Dilatation, machine</translation>
+    </message>
+    <message>
+        <source>Expansion, instrument</source>
+        <translation>Dilatation, instrument</translation>
+    </message>
+    <message>
+        <source>Environmental variation</source>
+        <translation>Variation environnementale</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n input(s) of the budget missing</source>
+        <translation>
+            <numerusform>%n donnée du budget manque</numerusform><numerusform>%n données du budget manquent</numerusform></translation>
+    </message>
+    <message>
+        <source>Method of the uncertainty</source>
+        <translation>Méthode de l’incertitude</translation>
+    </message>
+    <message>
+        <source>Env. variation E_VE</source>
+        <translation>Var. environn. E_VE</translation>
+    </message>
+    <message>
+        <source>typed in</source>
+        <translation>valeur saisie</translation>
+    </message>
+    <message>
+        <source>E_VE from</source>
+        <translation>E_VE selon</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Tirages</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Germe</translation>
+    </message>
+    <message>
+        <source>Instrument by</source>
+        <translation>Instrument selon</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>certificat</translation>
+    </message>
+    <message>
+        <source>range of its error</source>
+        <translation>étendue de son erreur</translation>
+    </message>
+    <message>
+        <source>Instrument, fixed part</source>
+        <translation>Instrument, part fixe</translation>
+    </message>
+    <message>
+        <source>Instrument, per metre</source>
+        <translation>Instrument, par mètre</translation>
+    </message>
+    <message>
+        <source>k of the certificate</source>
+        <translation>k du certificat</translation>
+    </message>
+    <message>
+        <source>Length L</source>
+        <translation>Longueur L</translation>
+    </message>
+    <message>
+        <source>Range of θ, machine</source>
+        <translation>Étendue θ machine</translation>
+    </message>
+    <message>
+        <source>Range of θ, instr.</source>
+        <translation>Étendue θ instr.</translation>
+    </message>
+    <message>
+        <source>Range of α, machine</source>
+        <translation>Étendue α machine</translation>
+    </message>
+    <message>
+        <source>Range of α, instr.</source>
+        <translation>Étendue α instr.</translation>
+    </message>
+    <message>
+        <source>Displacement, U</source>
+        <translation>Déplacement, U</translation>
+    </message>
+    <message>
+        <source>Reference length, U</source>
+        <translation>Longueur de réf., U</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Noise of a point, u</source>
+        <translation>Bruit d’un point, u</translation>
+    </message>
+    <message>
+        <source>Repeatability, u</source>
+        <translation>Répétabilité, u</translation>
+    </message>
+    <message>
+        <source>Centring, u</source>
+        <translation>Centrage, u</translation>
+    </message>
+    <message>
+        <source>Temperature sensors</source>
+        <translation>Capteurs de température</translation>
+    </message>
+    <message>
+        <source>one each</source>
+        <translation>un chacun</translation>
+    </message>
+    <message>
+        <source>one for machine and instrument</source>
+        <translation>un seul pour machine et instrument</translation>
+    </message>
+    <message>
+        <source>u of θ, machine</source>
+        <translation>u de θ machine</translation>
+    </message>
+    <message>
+        <source>u of θ, instr.</source>
+        <translation>u de θ instr.</translation>
+    </message>
+    <message>
+        <source>u of α, machine</source>
+        <translation>u de α machine</translation>
+    </message>
+    <message>
+        <source>u of α, instr.</source>
+        <translation>u de α instr.</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainties, k = 2</source>
+        <translation>Incertitudes élargies, k = 2</translation>
+    </message>
+    <message>
+        <source>U of %1</source>
+        <translation>U de %1</translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation>Contributions</translation>
+    </message>
+    <message>
+        <source>Results, %1</source>
+        <translation>Résultats, %1</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Drift of the readings</source>
+        <translation>Dérive des relevés</translation>
+    </message>
+    <message>
+        <source>independent</source>
+        <translation>indépendante</translation>
+    </message>
+    <message>
+        <source>linear in time</source>
+        <translation>linéaire dans le temps</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Décision</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>simple acceptance</source>
+        <translation>acceptation simple</translation>
+    </message>
+    <message>
+        <source>ISO 14253-1: conformity is to be proven</source>
+        <translation>ISO 14253-1 : conformité à prouver</translation>
+    </message>
+    <message>
+        <source>non-conformity is to be proven</source>
+        <translation>non-conformité à prouver</translation>
+    </message>
+    <message>
+        <source>Guard band, times U</source>
+        <translation>Bande de garde, fois U</translation>
+    </message>
+    <message>
+        <source>Annex A</source>
+        <translation>Annexe A</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>Budget</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Monte-Carlo</translation>
+    </message>
+    <message>
+        <source>Direct</source>
+        <translation>Directe</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>The simplified budget after the model of ISO 230-2:2006 Annex A decides</source>
+        <translation>Le budget simplifié selon le modèle de l’annexe A de l’ISO 230-2:2006 décide</translation>
+    </message>
+    <message>
+        <source>The simplified budget of the contributors of ISO 230-4, 4.6 decides</source>
+        <translation>Le budget simplifié des contributions de l’ISO 230-4, 4.6 décide</translation>
+    </message>
+    <message>
+        <source>The Monte Carlo simulation (GUM Supplement 1) decides</source>
+        <translation>La simulation de Monte-Carlo (supplément 1 du GUM) décide</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty of every result is entered</source>
+        <translation>L’incertitude élargie de chaque résultat est saisie</translation>
+    </message>
+    <message>
+        <source>No uncertainty is stated</source>
+        <translation>Aucune incertitude n’est indiquée</translation>
+    </message>
+    <message>
+        <source>Method: %1</source>
+        <translation>Méthode : %1</translation>
+    </message>
+    <message>
+        <source>a view: see the edition</source>
+        <translation>vue sous une autre édition</translation>
+    </message>
+    <message>
+        <source>decides · k = 2</source>
+        <translation>décide · k = 2</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Take a typical value, with its source</source>
+        <translation>Reprendre une valeur usuelle, avec sa source</translation>
+    </message>
+    <message>
+        <source>Typical values with their source</source>
+        <translation>Valeurs usuelles avec leur source</translation>
+    </message>
+    <message>
+        <source>%1/m</source>
+        <translation>%1/m</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>adaptatif</translation>
+    </message>
+    <message>
+        <source>Contributions to the uncertainty, the largest first</source>
+        <translation>Contributions à l’incertitude, la plus grande d’abord</translation>
+    </message>
+    <message>
+        <source>Contribution</source>
+        <translation>Contribution</translation>
+    </message>
+    <message>
+        <source>Calculation</source>
+        <translation>Calcul</translation>
+    </message>
+    <message>
+        <source>%1 % of U²</source>
+        <translation>%1 % de U²</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>to improve first: %1, %2 % of U²</source>
+        <translation>à améliorer d’abord : %1, %2 % de U²</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty of the results by both methods</source>
+        <translation>Incertitude élargie des résultats selon les deux méthodes</translation>
+    </message>
+    <message>
+        <source>95.45 % interval</source>
+        <translation>intervalle 95,45 %</translation>
+    </message>
+    <message>
+        <source>distribution</source>
+        <translation>répartition</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>décalage</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>écart</translation>
+    </message>
+    <message>
+        <source>%1, decides</source>
+        <translation>%1, décide</translation>
+    </message>
+    <message>
+        <source>More than a third of the U of the simulation: the budget decides</source>
+        <translation>Plus du tiers de l’U de la simulation : le budget décide</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>&gt; 20 %</source>
+        <translation>&gt; 20 %</translation>
+    </message>
+    <message>
+        <source>%1, more than 20 %</source>
+        <translation>%1, plus de 20 %</translation>
+    </message>
+    <message>
+        <source>The methods differ by more than 20 %: the findings give the reason</source>
+        <translation>Les méthodes diffèrent de plus de 20 % : les constats en donnent la raison</translation>
+    </message>
+    <message>
+        <source>Bold: the U that decides.</source>
+        <translation>En gras : l’U qui décide.</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::WelcomePage</name>
     <message>
         <source>Welcome</source>
@@ -3212,6 +3983,14 @@
     <message>
         <source>or drop files into the window — .palmer, .csv, .xlsx, .rtl, .b5r …</source>
         <translation>ou déposez des fichiers dans la fenêtre — .palmer, .csv, .xlsx, .rtl, .b5r …</translation>
+    </message>
+    <message>
+        <source>New &amp;circular test…</source>
+        <translation>Nouvel essai de &amp;circularité…</translation>
+    </message>
+    <message>
+        <source>type or paste the points of the arcs</source>
+        <translation>saisir ou coller les points des arcs</translation>
     </message>
 </context>
 <context>
@@ -3282,6 +4061,15 @@
     <message>
         <source>Add a test</source>
         <translation>Ajouter un essai</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s)</source>
+        <translation>
+            <numerusform>%n relevé</numerusform><numerusform>%n relevés</numerusform></translation>
+    </message>
+    <message>
+        <source>U&amp;ncertainty</source>
+        <translation>&amp;Incertitude</translation>
     </message>
 </context>
 <context>

@@ -122,6 +122,12 @@ QPushButton:hover { background: @hover; }
 QPushButton:pressed, QPushButton:checked { background: @selected; border-color: @accent; }
 QPushButton:disabled { color: @disabled; border-color: @line; }
 QPushButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 11px; }
+QPushButton::menu-indicator, QToolButton::menu-indicator { image: url(:/icons/down-@kind.svg); width: 12px;
+    height: 12px; subcontrol-origin: padding; subcontrol-position: center right; right: 6px; }
+QToolButton[popupMode="1"] { padding-right: 20px; }
+QToolButton::menu-button { border: none; width: 18px; }
+QToolButton::menu-arrow { image: url(:/icons/down-@kind.svg); width: 12px; height: 12px; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton[primary="true"] { background: @accent; color: @onAccent; border-color: @accent; }
 QPushButton[primary="true"]:hover { background: @accentHover; }
 QPushButton[primary="true"]:focus { border-color: @text; }
@@ -138,7 +144,7 @@ QToolButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 6px;
 QToolButton[iconOnly="true"]:focus { padding: 0 4px; }
 QToolButton[segment="first"], QToolButton[segment="middle"], QToolButton[segment="last"] {
     background: @base; border: 1px solid @field; border-radius: 0; padding: 0 9px; min-height: 24px; }
-QToolButton[segment="only"] { background: @base; border: 1px solid @field; padding: 0 18px 0 9px; min-height: 26px; }
+QToolButton[segment="only"] { background: @base; border: 1px solid @field; padding: 0 22px 0 9px; min-height: 24px; }
 QToolButton[segment="first"] { border-top-left-radius: 4px; border-bottom-left-radius: 4px; }
 QToolButton[segment="middle"], QToolButton[segment="last"] { margin-left: -1px; }
 QToolButton[segment="last"] { border-top-right-radius: 4px; border-bottom-right-radius: 4px; }
@@ -172,7 +178,7 @@ QString filledStyleSheet(const QPalette &palette) {
     const QColor base = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::WindowText);
     const QColor accent = token(Token::accent, palette);
-    const std::array<std::pair<const char *, QString>, 16> values{{
+    const std::array<std::pair<const char *, QString>, 17> values{{
         // longer names first: one is the beginning of another
         {"@accentHover", mixed(accent, text, 0.85).name()},
         {"@accent", accent.name()},
@@ -180,6 +186,7 @@ QString filledStyleSheet(const QPalette &palette) {
         {"@selected", mixed(accent, base, isDark(palette) ? 0.3 : 0.13).name()},
         {"@secondary", token(Token::secondaryText, palette).name()},
         {"@unsureGround", token(Token::unsureGround, palette).name()},
+        {"@unsure", token(Token::unsure, palette).name()},
         {"@badGround", token(Token::badGround, palette).name()},
         {"@bad", token(Token::bad, palette).name()},
         {"@window", window.name()},

@@ -211,6 +211,10 @@ EvaluatedDocument awaitingResults(std::shared_ptr<const Document> document,
             if (place) {
                 awaiting.findings = previous.tests[*place]->findings;
                 awaiting.verdict = previous.tests[*place]->verdict;
+                if (previous.tests[*place]->edition == used) {
+                    awaiting.parameters = previous.tests[*place]->parameters;
+                    awaiting.uncertainty = previous.tests[*place]->uncertainty;
+                }
             }
             evaluation = std::make_shared<const TestEvaluation>(std::move(awaiting));
             result.pending.push_back(i);

@@ -51,8 +51,9 @@ struct EvaluatedDocument {
                                               const EvaluatedDocument *previous = nullptr);
 
 /// The document at once, for whoever edits it while it is evaluated: tests that `previous` has evaluated keep
-/// their evaluation; the others are pending. A pending test has no parameters and no statistics, yet as many
-/// targets as the document; findings and verdict are those it had before, if it had any.
+/// their evaluation; the others are pending. A pending test has no statistics, yet as many targets as the
+/// document; findings and verdict are those it had before, parameters and their uncertainty, too, if that was
+/// under the same edition: pages that ask for what belongs to them keep their fields.
 [[nodiscard]] EvaluatedDocument awaitingResults(std::shared_ptr<const Document> document,
                                                 std::span<const std::string> editions,
                                                 const EvaluatedDocument &previous);

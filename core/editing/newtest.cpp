@@ -49,6 +49,7 @@ Test newTest(const NewPositioningTest &wanted) {
     measurement.axis = wanted.axis;
     measurement.cycle = wanted.cycle;
     measurement.targets = wanted.targets;
+    measurement.targetChoice = wanted.targetChoice;
     for (int run = 0; run < wanted.runs; ++run) {
         for (const Direction approach : {Direction::positive, Direction::negative}) {
             if (approach == Direction::positive || wanted.bothDirections)
@@ -56,6 +57,18 @@ Test newTest(const NewPositioningTest &wanted) {
                     {approach, std::vector<std::optional<double>>(wanted.targets.size())});
         }
     }
+    Test test;
+    test.edition = wanted.edition;
+    test.measurement = std::move(measurement);
+    return test;
+}
+
+Test newTest(const NewCircularTest &wanted) {
+    CircularMeasurement measurement;
+    measurement.plane = wanted.plane;
+    measurement.nominalRadius = wanted.nominalRadius;
+    measurement.feed = wanted.feed;
+    measurement.source = wanted.source;
     Test test;
     test.edition = wanted.edition;
     test.measurement = std::move(measurement);
@@ -129,12 +142,19 @@ std::size_t insertTest(Document &document, std::size_t index, Test test) {
 
 std::size_t duplicateTest(Document &document, std::size_t index, bool withReadings) {
     Test copy = *document.tests.at(index);
-    auto *measurement = std::get_if<PositioningMeasurement>(&copy.measurement);
-    if (!withReadings && measurement) {
-        for (Run &run : measurement->runs)
-            std::ranges::fill(run.deviations, std::nullopt);
-        measurement->excluded.clear();
-        measurement->refused.clear();
+    if (!withReadings) {
+        if (auto *measurement = std::get_if<PositioningMeasurement>(&copy.measurement)) {
+            for (Run &run : measurement->runs)
+                std::ranges::fill(run.deviations, std::nullopt);
+            measurement->excluded.clear();
+            measurement->refused.clear();
+        } else if (auto *circles = std::get_if<CircularMeasurement>(&copy.measurement)) {
+            circles->arcs.clear();
+        } else {
+            auto &drift = std::get<DriftMeasurement>(copy.measurement);
+            drift.times.clear();
+            drift.deviations.clear();
+        }
         copy.imports.clear();
         copy.date.reset();
         copy.time.reset();

@@ -3,6 +3,7 @@
 #include "document/document.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,21 @@ struct NewPositioningTest {
     std::string edition = "ISO 230-2:2014";
     Cycle cycle = Cycle::standard;
     std::vector<double> targets; ///< mm, rotary: degrees; strictly ascending
+    TargetChoice targetChoice;   ///< how they came about
     int runs = 5;                ///< a direction
     bool bothDirections = true;
 };
+
+/// What a new circular test begins with; its arcs come later.
+struct NewCircularTest {
+    Plane plane{"X", "Y"};
+    double nominalRadius = 150; ///< mm
+    std::optional<double> feed; ///< mm/min
+    SignalSource source = SignalSource::external;
+    std::string edition = "ISO 230-4:2005";
+};
+
+[[nodiscard]] Test newTest(const NewCircularTest &wanted);
 
 /// A test with a place for every reading and no reading yet: ↑ and ↓ in turn.
 [[nodiscard]] Test newTest(const NewPositioningTest &wanted);
@@ -39,8 +52,8 @@ struct NewPositioningTest {
 /// Puts a test behind `index` (the last for the number of tests), with an id of its own. Returns its index.
 std::size_t insertTest(Document &document, std::size_t index, Test test);
 
-/// A copy of a test behind it, with its title and, unless `withReadings`, without readings: the same test
-/// again.
+/// A copy of a test behind it, with its title and, unless `withReadings`, without readings or arcs: the same
+/// test again.
 std::size_t duplicateTest(Document &document, std::size_t index, bool withReadings);
 
 /// Removes a test. What other tests say of it (their drift test) goes with it: a file that names a test which

@@ -1,5 +1,6 @@
 #include "editing/typedreading.h"
 
+#include "editing/editreadings.h"
 #include "language/decimals.h"
 
 #include <cmath>
@@ -21,6 +22,31 @@ NumberEntry typedReading(QStringView text, const Axis &axis, const DisplayUnits 
     if (target && entry.value)
         entry.value = deviationFrom(*target, *entry.value);
     return entry;
+}
+
+TargetEntry typedTarget(QStringView text, const PositioningMeasurement &measurement, std::size_t target,
+                        const DisplayUnits &units) {
+    const Quantity quantity = positionQuantity(measurement.axis);
+    const NumberEntry typed = enteredNumber(text, quantity, units);
+    if (typed.refusal)
+        return {{}, Message{*typed.refusal}};
+    if (!typed.value)
+        return {{}, Message{REPORT_TEXT("report", "a target needs a position")}};
+    switch (problemOfTarget(measurement, target, *typed.value)) {
+    case TargetProblem::notFinite:
+        return {{}, Message{REPORT_TEXT("report", "not a number")}};
+    case TargetProblem::notAbovePrevious:
+        return {{},
+                Message{REPORT_TEXT("report", "not above the target before, %1"),
+                        {Number{measurement.targets[target - 1], quantity}}}};
+    case TargetProblem::notBelowNext:
+        return {{},
+                Message{REPORT_TEXT("report", "not below the next target, %1"),
+                        {Number{measurement.targets[target + 1], quantity}}}};
+    case TargetProblem::none:
+        break;
+    }
+    return {typed.value, {}};
 }
 
 } // namespace palmer

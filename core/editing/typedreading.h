@@ -1,6 +1,7 @@
 #pragma once
 
-#include "kernel/measurement/axis.h"
+#include "kernel/measurement/positioning.h"
+#include "kernel/words/message.h"
 #include "language/entry.h"
 
 namespace palmer {
@@ -10,6 +11,16 @@ namespace palmer {
 /// target. A dash alone says, as it does where it is shown, that there is no reading.
 [[nodiscard]] NumberEntry typedReading(QStringView text, const Axis &axis, const DisplayUnits &units,
                                        std::optional<double> target = std::nullopt);
+
+/// A target position as it is typed: its value, or why it cannot be one.
+struct TargetEntry {
+    std::optional<double> value; ///< mm or degrees
+    std::optional<Message> refusal;
+};
+
+/// Reads the position of a target, in the unit positions are shown in; it has to lie between its neighbours.
+[[nodiscard]] TargetEntry typedTarget(QStringView text, const PositioningMeasurement &measurement,
+                                      std::size_t target, const DisplayUnits &units);
 
 /// The deviation of an actual position from its target, without the rounding errors of the difference: to a
 /// millionth of a micrometre.

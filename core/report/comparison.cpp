@@ -1,6 +1,7 @@
 #include "report/comparison.h"
 
 #include "document/filewords.h"
+#include "figures/circlefigure.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "language/decimals.h"
@@ -19,7 +20,9 @@ constexpr double positionMargin = 0.03;
 constexpr double valueMargin = 0.07;
 constexpr double mostPositionTicks = 6.5;
 constexpr double mostValueTicks = 10;
-constexpr int circularDecimals = 2; // 0.01 µm
+constexpr int circularDecimals = 2;   // 0.01 µm
+constexpr double comparedStep = 0.25; ///< degrees: finer than a pixel of the picture
+constexpr double turnTolerance = 1;   ///< degrees by which a path may begin before the turn
 
 constexpr auto positioningFamilies = std::to_array<const char *>(
     {"ISO 230-2:1988", "ISO 230-2:1997", "ISO 230-2:2006", "ISO 230-2:2014", "VDI/DGQ 3441:1977"});
@@ -263,58 +266,130 @@ ResultComparison compareTests(const std::vector<ComparedTest> &tests, const Lang
     return result;
 }
 
-ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests, const Language &language) {
-    ComparisonFigure figure;
-    constexpr double infinite = std::numeric_limits<double>::infinity();
+namespace {
+
+/// The ranges the curves of a figure take.
+struct CurveRanges {
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
     Interval x{infinite, -infinite};
     Interval y{infinite, -infinite};
+
+    void take(const FigurePoint &point) {
+        x = {std::min(x.from, point.x), std::max(x.to, point.x)};
+        y = {std::min(y.from, point.y), std::max(y.to, point.y)};
+    }
+    [[nodiscard]] bool isEmpty() const { return !(x.from <= x.to); }
+};
+
+ComparisonCurve meanCurve(const PositioningMeasurement &measurement, const PositioningResults &results,
+                          const Language &language, CurveRanges &ranges) {
+    ComparisonCurve curve;
+    const double scale = unitScale(deviationQuantity(measurement.axis), language.units());
+    const double positionScale = unitScale(positionQuantity(measurement.axis), language.units());
+    bool open = false;
+    for (std::size_t i = 0; i < std::min(results.targets.size(), measurement.targets.size()); ++i) {
+        const TargetStatistics &target = results.targets[i];
+        const double mean = results.upward && results.downward ? target.mean()
+                            : results.upward                   ? target.positive.mean
+                                                               : target.negative.mean;
+        if (!std::isfinite(mean)) {
+            open = false;
+            continue;
+        }
+        if (!open)
+            curve.lines.emplace_back();
+        open = true;
+        curve.lines.back().push_back(
+            {measurement.targets[i] * positionScale, mean * scale, static_cast<int>(i) + 1});
+        ranges.take(curve.lines.back().back());
+    }
+    return curve;
+}
+
+/// What of a profile is evaluated; `points` are indices of the arc.
+PathProfile onlyPoints(const PathProfile &profile, const std::vector<std::size_t> &points) {
+    const auto [first, last] = std::ranges::minmax(points);
+    PathProfile result;
+    result.ordered = profile.ordered;
+    for (std::size_t i = 0; i < profile.source.size(); ++i) {
+        if (profile.source[i] < first || profile.source[i] > last)
+            continue;
+        result.angles.push_back(profile.angles[i]);
+        result.deviations.push_back(profile.deviations[i]);
+        result.source.push_back(profile.source[i]);
+    }
+    return result;
+}
+
+/// The angles of every path begin in the first turn, so that paths of several tests lie over one another.
+ComparisonCurve pathCurve(const Test &test, const TestEvaluation &evaluation, const EvaluatedPath &path,
+                          const Language &language, CurveRanges &ranges) {
+    ComparisonCurve curve;
+    curve.sense = path.sense;
+    if (path.source.empty())
+        return curve;
+    const double micrometre = unitScale(Quantity::deviation, language.units()) / 1000;
+    constexpr double turn = 360;
+    const double turns = std::floor((path.evaluated.from + turnTolerance) / turn) * turn;
+    const PathProfile profile = onlyPoints(wholeArc(test, evaluation, path.arc), path.source);
+    for (const CircleTrace &trace : decimated(profile, comparedStep)) {
+        curve.lines.emplace_back();
+        for (const TracePoint &point : trace.points) {
+            curve.lines.back().push_back({point.angle - turns, point.deviation * micrometre, 0});
+            ranges.take(curve.lines.back().back());
+        }
+    }
+    return curve;
+}
+
+} // namespace
+
+ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests, const Language &language) {
+    ComparisonFigure figure;
+    CurveRanges ranges;
     const Test *first = nullptr;
+    std::size_t shown = 0;
     for (const ComparedTest &compared : tests) {
         if (compared.test >= compared.evaluated.tests.size())
             continue;
         const Test &test = *compared.evaluated.document->tests[compared.test];
-        const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-        const auto *results =
-            std::get_if<PositioningResults>(&compared.evaluated.tests[compared.test]->results);
-        if (!measurement || !results || (first && !isComparable(*first, test)))
+        if (kindOf(test) == Kind::drift || (first && !isComparable(*first, test)))
             continue;
         first = first ? first : &test;
-        const double scale = measurement->axis.motion == Motion::linear ? 1000 : 3600;
-        ComparisonCurve curve{compared.name, {}};
-        bool open = false;
-        for (std::size_t i = 0; i < std::min(results->targets.size(), measurement->targets.size()); ++i) {
-            const TargetStatistics &target = results->targets[i];
-            const double mean = results->upward && results->downward ? target.mean()
-                                : results->upward                    ? target.positive.mean
-                                                                     : target.negative.mean;
-            if (!std::isfinite(mean)) {
-                open = false;
-                continue;
-            }
-            if (!open)
-                curve.lines.emplace_back();
-            open = true;
-            const FigurePoint point{measurement->targets[i], mean * scale, static_cast<int>(i) + 1};
-            curve.lines.back().push_back(point);
-            x = {std::min(x.from, point.x), std::max(x.to, point.x)};
-            y = {std::min(y.from, point.y), std::max(y.to, point.y)};
+        const TestEvaluation &evaluation = *compared.evaluated.tests[compared.test];
+        const auto add = [&](ComparisonCurve curve, const QString &name) {
+            curve.name = name;
+            curve.test = shown;
+            figure.curves.push_back(std::move(curve));
+        };
+        if (const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement)) {
+            add(meanCurve(*measurement, std::get<PositioningResults>(evaluation.results), language, ranges),
+                compared.name);
+        } else {
+            for (const EvaluatedPath &path : std::get<CircularResults>(evaluation.results).paths)
+                add(pathCurve(test, evaluation, path, language, ranges),
+                    QStringLiteral("%1 (%2)").arg(compared.name, QString::fromStdString(path.index)));
         }
-        figure.curves.push_back(std::move(curve));
+        ++shown;
     }
-    if (!first || !(x.from <= x.to))
+    if (!first || ranges.isEmpty())
         return figure;
-    const auto &measurement = std::get<PositioningMeasurement>(first->measurement);
-    const bool rotary = measurement.axis.motion == Motion::rotary;
+    const auto *measurement = std::get_if<PositioningMeasurement>(&first->measurement);
+    const bool angles = !measurement || measurement->axis.motion == Motion::rotary;
+    const bool rotary = measurement && angles;
+    const auto [x, y] = ranges;
     const double width = x.to > x.from ? x.to - x.from : 1;
     const double height = y.to > y.from ? y.to - y.from : 1;
     setRange(figure.x, x.from - positionMargin * width, x.to + positionMargin * width, mostPositionTicks,
-             rotary ? TickSteps::angles : TickSteps::lengths, language);
+             angles ? TickSteps::angles : TickSteps::lengths, language);
     setRange(figure.y, y.from - valueMargin * height, y.to + valueMargin * height, mostValueTicks,
              TickSteps::values, language);
-    figure.x.quantity = language.text(REPORT_TEXT("report", "Target position"));
-    figure.x.unit = language.unit(rotary ? Quantity::angle : Quantity::position);
-    figure.x.angle = rotary;
-    figure.y.quantity = language.text(REPORT_TEXT("report", "Mean deviation"));
+    figure.x.quantity = language.text(measurement ? REPORT_TEXT("report", "Target position")
+                                                  : REPORT_TEXT("report", "Angle"));
+    figure.x.unit = language.unit(angles ? Quantity::angle : Quantity::position);
+    figure.x.angle = angles;
+    figure.y.quantity = language.text(measurement ? REPORT_TEXT("report", "Mean deviation")
+                                                  : REPORT_TEXT("report", "Radial deviation"));
     figure.y.unit = language.unit(rotary ? Quantity::angularDeviation : Quantity::deviation);
     return figure;
 }

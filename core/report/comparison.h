@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,10 +59,12 @@ struct ComparedTest {
 /// cannot be compared with the first is left out, with a note.
 [[nodiscard]] ResultComparison compareTests(const std::vector<ComparedTest> &tests, const Language &language);
 
-/// The mean deviations of one test over the target positions (µm over mm; arc seconds over degrees); a gap
-/// begins another line.
+/// One curve of a test, in the units that are shown: the mean deviations over the target positions, a gap
+/// begins another line; or a path of a circle, its radial deviations over the angle.
 struct ComparisonCurve {
     QString name;
+    std::size_t test = 0;       ///< the how many'th of the tests shown: curves of one look alike
+    std::optional<Sense> sense; ///< of a path
     std::vector<std::vector<FigurePoint>> lines;
 };
 
@@ -71,8 +74,9 @@ struct ComparisonFigure {
     std::vector<ComparisonCurve> curves;
 };
 
-/// The means x̄ of the positioning tests among them, for one picture: of both directions, or of the one that
-/// was measured. Without any, no curves.
+/// For one picture, those of the kind of the first. Positioning tests: the means x̄ of both directions, or of
+/// the one that was measured. Circular tests: the first path of each sense, unwrapped, about its least
+/// squares centre; of very many points the extremes. Without any, no curves.
 [[nodiscard]] ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests,
                                                 const Language &language);
 

@@ -1,4 +1,5 @@
 #include "editing/editreadings.h"
+#include "ui/circles.h"
 #include "ui/examples.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/figures/figureview.h"
@@ -9,6 +10,7 @@
 #include "ui/results/resultspanel.h"
 #include "ui/window/mainwindow.h"
 
+#include <QAbstractEventDispatcher>
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -20,6 +22,8 @@
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <chrono>
+#include <optional>
+#include <utility>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -170,6 +174,68 @@ void editExample(benchmark::State &state) {
     delete window;
 }
 BENCHMARK(editExample)->Iterations(200)->Unit(benchmark::kMillisecond);
+
+/// The longest the event loop was kept from waiting for its next event.
+class LongestTurn : public QObject {
+public:
+    LongestTurn() {
+        auto *dispatcher = QAbstractEventDispatcher::instance();
+        connect(dispatcher, &QAbstractEventDispatcher::awake, this, [this] { begin(); });
+        connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, [this] { end(); });
+    }
+    void begin() { m_begun = Clock::now(); }
+    void end() {
+        if (m_begun)
+            m_longest = std::max(m_longest, milliseconds(*std::exchange(m_begun, std::nullopt)));
+    }
+    [[nodiscard]] double longest() const { return m_longest; }
+
+private:
+    std::optional<Clock::time_point> m_begun;
+    double m_longest = 0;
+};
+
+/// Goal: 100 ms from another evaluated range to results and figure of a circle of 10⁵ points painted, in the
+/// whole window, and none of it keeps the window from its user for more than 50 ms.
+void editCircle(benchmark::State &state) {
+    QStandardPaths::setTestModeEnabled(true);
+    auto *window = new MainWindow;
+    window->resize(1280, 800);
+    window->show();
+    window->openFile(QStringLiteral(":/examples/iso230-4-full-circles-xy.palmer"));
+    if (!window->hasDocument()) {
+        state.SkipWithError("no example of a circle");
+        return;
+    }
+    const auto large = std::make_shared<const Test>(testdata::longPair(static_cast<int>(state.range(0)) / 2));
+    window->model().edit("prepare", [&](Document &document) { document.tests = {large}; });
+    const auto settle = [&] {
+        while (window->evaluator().isBusy())
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        Parts::paint();
+    };
+    settle();
+    LongestTurn turns;
+    double longest = 0;
+    int number = 0;
+    for (auto _ : state) {
+        const auto from = Clock::now();
+        turns.begin();
+        window->model().edit("change the range", [&](Document &document) {
+            auto test = std::make_shared<Test>(*document.tests[0]);
+            std::get<CircularMeasurement>(test->measurement).arcs[0].evaluated =
+                Interval{1.0 + 0.1 * (++number % 10), 359};
+            document.tests[0] = std::move(test);
+        });
+        turns.end();
+        settle();
+        longest = std::max(longest, milliseconds(from));
+    }
+    state.counters["longest_ms"] = longest;
+    state.counters["longest_turn_ms"] = turns.longest();
+    delete window;
+}
+BENCHMARK(editCircle)->Arg(100'000)->Arg(1'000'000)->Iterations(20)->Unit(benchmark::kMillisecond);
 
 /// Goal: 100 ms from the document to the finished figure.
 void showExample(benchmark::State &state) {

@@ -1,6 +1,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QMap>
 #include <QProcess>
@@ -71,7 +72,7 @@ const QSet<QString> sameInBoth{
     "Position",     "minimum", "maximum",   "note",         "Air",     "Cycle",      "Point",
     "page %1 / %2", "Centre",  "Centre, F", "Compensation", "Points",  "Angles",     "Correction C",
     "positions",    "rad",     "mrad",      "µrad",         "µin",     "min",        "Format",
-    "Arc (°)",      "air",     "machine",   "point .",      "Type",    "Validation"};
+    "Arc (°)",      "air",     "machine",   "point .",      "Type",    "Validation", "Angle"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {
@@ -101,6 +102,7 @@ private slots:
     void areComplete();
     void holdTheTextsOfTheSources_data();
     void holdTheTextsOfTheSources();
+    void knowTheTextsTheWindowTakesFromThem();
     void translateEveryText_data();
     void translateEveryText();
     void knowFrenchTypography_data();
@@ -153,6 +155,30 @@ void CataloguesTest::holdTheTextsOfTheSources() {
     QVERIFY2(gone.isEmpty(), qPrintable("no longer in the sources: " + gone.join(" | ")));
 }
 
+/// What the window says in words of the report has to stand in core, too: there it is collected.
+void CataloguesTest::knowTheTextsTheWindowTakesFromThem() {
+    QSet<QString> known;
+    for (const Entry &entry : entriesOf(catalogue("report_fr.ts")))
+        known += entry.source;
+    static const QRegularExpression text(
+        R"x(REPORT_TEXT(?:_FOR|_COUNTED)?\(\s*"report",\s*((?:"(?:[^"\\]|\\.)*"\s*)+))x");
+    static const QRegularExpression joint(R"("\s*")");
+    int found = 0;
+    QDirIterator sources(WINDOW_SOURCES, {"*.cpp", "*.h"}, QDir::Files, QDirIterator::Subdirectories);
+    while (sources.hasNext()) {
+        QFile file(sources.next());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString code = QString::fromUtf8(file.readAll());
+        for (auto match = text.globalMatch(code); match.hasNext();) {
+            QString literal = match.next().captured(1).trimmed();
+            literal = literal.mid(1, literal.size() - 2).remove(joint);
+            QVERIFY2(known.contains(literal), qPrintable(file.fileName() + ": " + literal));
+            ++found;
+        }
+    }
+    QVERIFY(found > 3);
+}
+
 void CataloguesTest::translateEveryText_data() {
     areComplete_data();
 }
@@ -167,6 +193,8 @@ void CataloguesTest::translateEveryText() {
         QVERIFY2(entry.counted || !entry.source.contains("(s)"),
                  place + ": (s) belongs to REPORT_TEXT_COUNTED");
         QVERIFY2(!entry.counted || entry.source.contains("%n"), place + ": a plural of what?");
+        QVERIFY2(entry.counted || !entry.source.contains("%n"),
+                 place + ": a count belongs to REPORT_TEXT_COUNTED, or several have no translation");
         QCOMPARE(entry.translations.size(), entry.counted ? 2 : 1);
         for (qsizetype form = 0; form < entry.translations.size(); ++form) {
             QStringList expected = placesOf(entry.source), found = placesOf(entry.translations[form]);

@@ -20,6 +20,7 @@ constexpr int radiusDecimals = 2;
 void ArcsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
     beginResetModel();
     m_rows.clear();
+    m_unit = language.unit(Quantity::deviation);
     const auto *measurement =
         test < evaluated.tests.size()
             ? std::get_if<CircularMeasurement>(&evaluated.document->tests[test]->measurement)
@@ -121,7 +122,7 @@ QVariant ArcsModel::headerData(int section, Qt::Orientation orientation, int rol
     case cut:
         return tr("cut off");
     case radius:
-        return tr("R LSC − R µm");
+        return tr("R LSC − R %1", "unit").arg(m_unit);
     case use:
         return tr("use");
     default:

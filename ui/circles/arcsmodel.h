@@ -32,6 +32,7 @@ private:
         QStringList texts; ///< by column
     };
     std::vector<Row> m_rows;
+    QString m_unit; ///< of deviations
 };
 
 } // namespace palmer::ui

@@ -1,17 +1,24 @@
 #include "ui/circles/circlespage.h"
 
+#include "editing/typedreading.h"
 #include "kernel/evaluation/iso230_4/paths.h"
+#include "language/entry.h"
 #include "ui/circles/arccurvesview.h"
+#include "ui/circles/arcdialog.h"
 #include "ui/circles/quiettable.h"
 #include "ui/elidedlabel.h"
+#include "ui/model/editname.h"
 #include "ui/theme.h"
 
+#include <QAction>
 #include <QButtonGroup>
+#include <QClipboard>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -20,6 +27,7 @@
 #include <QSignalBlocker>
 #include <QTableView>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -102,6 +110,8 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     , m_model(model)
     , m_selection(selection)
     , m_arcs(new QTableView(this))
+    , m_newArc(new QToolButton(this))
+    , m_empty(new QLabel(this))
     , m_curves(new ArcCurvesView(selection, this))
     , m_points(new QTableView(this)) {
     setObjectName(QStringLiteral("circlesPage"));
@@ -121,6 +131,11 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     for (QToolButton *button : {m_deviations, m_coordinates, m_lengths})
         bar->addWidget(button);
     bar->addStretch();
+    bar->addWidget(m_newArc);
+    m_newArc->setObjectName(QStringLiteral("newArcButton"));
+    m_newArc->setIcon(lineIcon(QStringLiteral("plus")));
+    m_newArc->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_newArc->setFocusPolicy(Qt::StrongFocus);
     auto *barArea = new QWidget(this);
     barArea->setFixedHeight(barHeight);
     barArea->setLayout(bar);
@@ -133,6 +148,12 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     rangeRow->setSpacing(8);
     makeRangeRow(*rangeRow);
     makeTables();
+    makeActions();
+    m_empty->setObjectName(QStringLiteral("noArcs"));
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    m_empty->setProperty("secondary", true);
+    m_empty->hide();
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(pageMargin, 0, pageMargin, 8);
@@ -143,6 +164,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     layout->addLayout(rangeRow);
     layout->addWidget(m_curves);
     layout->addWidget(m_points, 1);
+    layout->addWidget(m_empty, 1);
     connect(m_curves, &ArcCurvesView::rangeWanted, this,
             [this](std::size_t arc, const Interval &range) { setRange(arc, range); });
     connect(&selection, &Selection::hoveredChanged, this, &CirclesPage::showHovered);
@@ -290,6 +312,9 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     };
     m_earlier = arrow("moveArcUp");
     m_later = arrow("moveArcDown");
+    m_delete = arrow("deleteArcButton");
+    m_delete->setIcon(lineIcon(QStringLiteral("close")));
+    m_delete->setProperty("iconOnly", true);
     connect(m_whole, &QPushButton::clicked, this, [this] { setRange(m_arc, std::nullopt); });
     connect(m_reverse, &QPushButton::clicked, this, [this] {
         edit(QT_TRANSLATE_NOOP("edits", "change the sense of an arc"), [this](CircularMeasurement &m) {
@@ -313,6 +338,89 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     row.addWidget(m_reverse);
     row.addWidget(m_earlier);
     row.addWidget(m_later);
+    row.addWidget(m_delete);
+}
+
+void CirclesPage::makeActions() {
+    const auto action = [this](const char *name, const QKeySequence &shortcut) {
+        auto *made = new QAction(this);
+        made->setObjectName(QLatin1StringView(name));
+        made->setShortcut(shortcut);
+        made->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        addAction(made);
+        return made;
+    };
+    m_newArcAction = action("newArc", QKeySequence(Qt::CTRL | Qt::Key_Plus));
+    m_pasteArcAction = action("pasteArc", QKeySequence::Paste);
+    m_deleteArcAction = action("deleteArc", QKeySequence(Qt::CTRL | Qt::Key_Minus));
+    m_testActions = {m_newArcAction, m_deleteArcAction};
+    const auto fromClipboard = [] {
+        const QString text = QGuiApplication::clipboard()->text();
+        return ArcDialog::looksLikePoints(text) ? text : QString();
+    };
+    connect(m_newArcAction, &QAction::triggered, this, [this, fromClipboard] { askForArc(fromClipboard()); });
+    connect(m_pasteArcAction, &QAction::triggered, this,
+            [this] { askForArc(QGuiApplication::clipboard()->text()); });
+    connect(m_deleteArcAction, &QAction::triggered, this, &CirclesPage::deleteArc);
+    connect(m_newArc, &QToolButton::clicked, m_newArcAction, &QAction::trigger);
+    connect(m_delete, &QToolButton::clicked, m_deleteArcAction, &QAction::trigger);
+}
+
+void CirclesPage::askForArc(const QString &text) {
+    const CircularMeasurement *shown = measurement();
+    if (!shown)
+        return;
+    ArcDialog dialog(*shown, m_language, text, this);
+    if (dialog.exec() == QDialog::Accepted)
+        addArcs(dialog.arcs());
+}
+
+void CirclesPage::addArcs(const std::vector<Arc> &arcs) {
+    const CircularMeasurement *shown = measurement();
+    if (!shown || arcs.empty())
+        return;
+    m_arc = shown->arcs.size(); // the first of the new ones
+    const QByteArray name =
+        countedEdit(QT_TRANSLATE_N_NOOP("edits", "add %n arc(s)"), static_cast<int>(arcs.size()));
+    edit(name.constData(),
+         [&](CircularMeasurement &m) { m.arcs.insert(m.arcs.end(), arcs.begin(), arcs.end()); });
+}
+
+/// A point has to have a number: what is none is not taken, and it is said why.
+void CirclesPage::typePoint(const QModelIndex &index, const QString &text) {
+    const CircularMeasurement *shown = measurement();
+    const auto place = m_pointsModel.placeAt(index);
+    if (!shown || !place)
+        return;
+    const bool angle = m_pointsModel.isAngle(index);
+    const bool length = !angle && m_pointsModel.unit() == PointUnit::lengths;
+    const NumberEntry entry = enteredNumber(text,
+                                            angle    ? Quantity::angle
+                                            : length ? Quantity::position
+                                                     : Quantity::deviation,
+                                            m_language.units());
+    if (!entry.value) {
+        const QString why = entry.refusal ? m_language.text(*entry.refusal) : tr("a point needs a number");
+        QToolTip::showText(m_points->viewport()->mapToGlobal(m_points->visualRect(index).bottomLeft()), why,
+                           m_points);
+        return;
+    }
+    const double value = length ? deviationFrom(shown->nominalRadius, *entry.value) : *entry.value;
+    edit(QT_TRANSLATE_NOOP("edits", "change a point"), [&](CircularMeasurement &m) {
+        if (place->run >= m.arcs.size() || place->target >= m.arcs[place->run].angles.size())
+            return;
+        Arc &arc = m.arcs[place->run];
+        (angle ? arc.angles : arc.radialDeviations)[place->target] = value;
+    });
+}
+
+void CirclesPage::deleteArc() {
+    const CircularMeasurement *shown = measurement();
+    if (!shown || m_arc >= shown->arcs.size())
+        return;
+    edit(QT_TRANSLATE_NOOP("edits", "delete an arc"), [this](CircularMeasurement &m) {
+        m.arcs.erase(m.arcs.begin() + static_cast<std::ptrdiff_t>(m_arc));
+    });
 }
 
 void CirclesPage::makeTables() {
@@ -344,6 +452,9 @@ void CirclesPage::makeTables() {
                 if (current.isValid() && !m_filling)
                     chooseArc(current.row());
             });
+    m_points->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                              QAbstractItemView::AnyKeyPressed);
+    connect(&m_pointsModel, &PointsModel::typed, this, &CirclesPage::typePoint);
     m_points->setMouseTracking(true);
     m_points->viewport()->installEventFilter(this);
     connect(m_points, &QAbstractItemView::entered, this, &CirclesPage::hover);
@@ -407,6 +518,9 @@ void CirclesPage::setLanguage(const Language &language) {
 
 void CirclesPage::refresh() {
     const CircularMeasurement *shown = measurement();
+    m_newArcAction->setEnabled(shown);
+    m_pasteArcAction->setEnabled(shown);
+    m_deleteArcAction->setEnabled(shown && !shown->arcs.empty());
     if (!shown)
         return;
     m_filling = true;
@@ -425,6 +539,7 @@ void CirclesPage::refresh() {
     const int arcs = m_arcsModel.rowCount();
     m_arcs->setFixedHeight(headHeight + std::clamp(arcs, 1, mostArcs) * rowHeight + 2);
     m_arcs->setCurrentIndex(m_arcsModel.index(static_cast<int>(m_arc), 0));
+    showParts();
     fitColumns();
     m_filling = false;
     chooseArc(static_cast<int>(m_arc));
@@ -460,6 +575,7 @@ void CirclesPage::fillRange() {
     m_reverse->setEnabled(any);
     m_earlier->setEnabled(any && m_arc > 0);
     m_later->setEnabled(any && m_arc + 1 < shown->arcs.size());
+    m_delete->setEnabled(any);
 }
 
 void CirclesPage::chooseArc(int row) {
@@ -511,8 +627,15 @@ void CirclesPage::fitColumns() {
 /// What has no room goes, the table of the points first.
 void CirclesPage::resizeEvent(QResizeEvent *event) {
     QWidget::resizeEvent(event);
-    m_points->setVisible(height() >= leastHeightForPoints);
+    showParts();
     fitColumns();
+}
+
+void CirclesPage::showParts() {
+    const bool any = m_pointsModel.rowCount() > 0;
+    m_points->setVisible(any && height() >= leastHeightForPoints);
+    m_curves->setVisible(any);
+    m_empty->setVisible(!any);
 }
 
 /// The current cell follows the point chosen in figure or curve.
@@ -532,6 +655,8 @@ void CirclesPage::showCurrent() {
 bool CirclesPage::eventFilter(QObject *watched, QEvent *event) {
     if (watched == m_points->viewport() && event->type() == QEvent::Leave)
         m_selection.setHovered({});
+    else if (watched == m_points->viewport() && event->type() == QEvent::Resize)
+        fitColumns(); // a table that comes into view has its width only then
     return QWidget::eventFilter(watched, event);
 }
 
@@ -566,14 +691,26 @@ void CirclesPage::retranslate() {
     m_reverse->setToolTip(tr("The arc was contoured in the other sense; the points stay as they are"));
     m_earlier->setText(QStringLiteral("↑"));
     m_later->setText(QStringLiteral("↓"));
-    for (const auto &[button, text] : {std::pair(m_earlier, tr("Move the arc up: it was measured earlier")),
-                                       std::pair(m_later, tr("Move the arc down: it was measured later"))}) {
+    m_newArcAction->setText(tr("Paste &or type an arc…"));
+    m_deleteArcAction->setText(tr("Delete t&he arc"));
+    m_newArc->setText(tr("New arc…"));
+    m_newArc->setAccessibleName(tr("New arc"));
+    m_newArc->setToolTip(tr("Add arcs from a table, typed or pasted (%1)")
+                             .arg(m_pasteArcAction->shortcut().toString(QKeySequence::NativeText)));
+    m_empty->setText(tr("No arc yet. Copy the points in a spreadsheet and press %1, or type them with "
+                        "“New arc…”.")
+                         .arg(m_pasteArcAction->shortcut().toString(QKeySequence::NativeText)));
+    for (const auto &[button, text] :
+         {std::pair(m_earlier, tr("Move the arc up: it was measured earlier")),
+          std::pair(m_later, tr("Move the arc down: it was measured later")),
+          std::pair(m_delete, tr("Delete the arc (%1)")
+                                  .arg(m_deleteArcAction->shortcut().toString(QKeySequence::NativeText)))}) {
         button->setToolTip(text);
         button->setAccessibleName(text);
     }
-    m_deviations->setText(QStringLiteral("Δr µm"));
-    m_coordinates->setText(tr("Coordinates mm"));
-    m_lengths->setText(tr("Lengths mm"));
+    m_deviations->setText(QStringLiteral("Δr ") + m_language.unit(Quantity::deviation));
+    m_coordinates->setText(tr("Coordinates %1", "unit").arg(m_language.unit(Quantity::position)));
+    m_lengths->setText(tr("Lengths %1", "unit").arg(m_language.unit(Quantity::position)));
     m_deviations->setToolTip(tr("Show radial deviations"));
     m_coordinates->setToolTip(
         tr("Show the points in the coordinates of the plane; the data stay as they are"));

@@ -11,6 +11,7 @@
 #include <functional>
 #include <vector>
 
+class QAction;
 class QButtonGroup;
 class QComboBox;
 class QDoubleSpinBox;
@@ -26,8 +27,8 @@ namespace palmer::ui {
 class ArcCurvesView;
 
 /// The page "Readings" of a circular test: its parameters, the arcs with their evaluated range, the unwrapped
-/// curve and the points. Parameters, sense, order and evaluated range are changed here, each as one step to
-/// undo.
+/// curve and the points. Arcs come as tables and go; parameters, sense, order and evaluated range are changed
+/// here, each as one step to undo.
 class CirclesPage : public QWidget {
     Q_OBJECT
 
@@ -38,6 +39,14 @@ public:
     /// Shows a circular test; nothing for any other.
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
+
+    /// What can be done to arcs, for the menus of the window. Shortcuts work in the page.
+    [[nodiscard]] const QList<QAction *> &testActions() const { return m_testActions; }
+
+    /// Asks for the points of an arc, beginning with that text, and adds what is accepted.
+    void askForArc(const QString &text);
+    /// Puts arcs behind the others, as one step.
+    void addArcs(const std::vector<Arc> &arcs);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -54,6 +63,9 @@ private:
     void makeParameters(QGridLayout &grid);
     void makeRangeRow(QHBoxLayout &row);
     void makeTables();
+    void makeActions();
+    void deleteArc();
+    void typePoint(const QModelIndex &index, const QString &text);
     QComboBox *addChoice(QGridLayout &grid, int row, int column, int span, const char *name,
                          const char *label);
     QDoubleSpinBox *addNumber(QGridLayout &grid, int row, int column, int span, const char *name,
@@ -65,6 +77,7 @@ private:
     void fillParameters(const CircularMeasurement &measurement);
     void fillRange();
     void fitColumns();
+    void showParts();
     void chooseArc(int row);
     void setPlane();
     void hover(const QModelIndex &index);
@@ -103,6 +116,13 @@ private:
     QPushButton *m_reverse;
     QToolButton *m_earlier;
     QToolButton *m_later;
+    QToolButton *m_delete;
+    QToolButton *m_newArc;
+    QLabel *m_empty; ///< in the place of the points
+    QList<QAction *> m_testActions;
+    QAction *m_newArcAction;
+    QAction *m_pasteArcAction;
+    QAction *m_deleteArcAction;
     ArcCurvesView *m_curves;
     QTableView *m_points;
     QToolButton *m_deviations;

@@ -84,9 +84,38 @@ QString PointsModel::text(const Arc &arc, const ArcColumns &columns, std::size_t
     return {};
 }
 
+/// All its digits, as a field takes them.
+QString PointsModel::plainText(const QModelIndex &index, const ReadingPlace &place) const {
+    const Arc &arc = m_measurement->arcs[place.run];
+    const double deviation = arc.radialDeviations[place.target];
+    QString text = isAngle(index) ? m_language.number(arc.angles[place.target], Quantity::angle)
+                   : m_unit == PointUnit::lengths
+                       ? m_language.number(m_measurement->nominalRadius + deviation, Quantity::position)
+                       : m_language.number(deviation, Quantity::deviation);
+    return text.remove(u'\u202F').replace(u'\u2212', u'-');
+}
+
+Qt::ItemFlags PointsModel::flags(const QModelIndex &index) const {
+    const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    const bool coordinate = m_unit == PointUnit::coordinates && !isAngle(index); // two make one point
+    return placeAt(index) && !coordinate ? flags | Qt::ItemIsEditable : flags;
+}
+
+bool PointsModel::setData(const QModelIndex &index, const QVariant &value, int role) {
+    const auto place = placeAt(index);
+    if (role != Qt::EditRole || !place || value.toString() == plainText(index, *place))
+        return false;
+    emit typed(index, value.toString());
+    return true;
+}
+
 QVariant PointsModel::data(const QModelIndex &index, int role) const {
     if (role == Qt::TextAlignmentRole)
         return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::EditRole) {
+        const auto place = placeAt(index);
+        return place ? QVariant(plainText(index, *place)) : QVariant();
+    }
     if (role != Qt::DisplayRole && role != Qt::ForegroundRole)
         return {};
     if (index.column() == 0)
@@ -127,12 +156,12 @@ QVariant PointsModel::headerData(int section, Qt::Orientation orientation, int r
         return tr("angle °");
     switch (m_unit) {
     case PointUnit::deviations:
-        return QStringLiteral("Δr µm ") + senseWord(sense);
+        return QStringLiteral("Δr %1 ").arg(m_language.unit(Quantity::deviation)) + senseWord(sense);
     case PointUnit::lengths:
-        return QStringLiteral("r mm ") + senseWord(sense);
+        return QStringLiteral("r %1 ").arg(m_language.unit(Quantity::position)) + senseWord(sense);
     case PointUnit::coordinates:
         return QString::fromStdString(part == 1 ? m_measurement->plane.first : m_measurement->plane.second) +
-               QStringLiteral(" mm ") + senseWord(sense);
+               u' ' + m_language.unit(Quantity::position) + u' ' + senseWord(sense);
     }
     return {};
 }

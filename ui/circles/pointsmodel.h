@@ -14,7 +14,7 @@ namespace palmer::ui {
 
 /// The points of all arcs beside each other, in the order of measurement: number, and for each arc angle and
 /// what was read. Holds no texts: a cell is written when it is asked for, so that millions of points cost
-/// nothing.
+/// nothing. Shows a document, changes none: what is typed is told.
 class PointsModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -28,10 +28,22 @@ public:
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role) override;
+
+    /// Whether a cell says the angle of its point, and not what was read there.
+    [[nodiscard]] bool isAngle(const QModelIndex &index) const {
+        return index.column() > 0 && (index.column() - 1) % columnsPerArc() == 0;
+    }
+    [[nodiscard]] PointUnit unit() const { return m_unit; }
 
     /// The point of a cell; nothing in the column of numbers and below the end of an arc.
     [[nodiscard]] std::optional<ReadingPlace> placeAt(const QModelIndex &index) const;
     [[nodiscard]] QModelIndex indexOf(const ReadingPlace &place) const;
+
+signals:
+    /// A number was typed into a cell, as a text.
+    void typed(const QModelIndex &index, const QString &text);
 
 private:
     struct ArcColumns {
@@ -44,6 +56,7 @@ private:
     [[nodiscard]] std::size_t arcOf(int column) const {
         return static_cast<std::size_t>((column - 1) / columnsPerArc());
     }
+    [[nodiscard]] QString plainText(const QModelIndex &index, const ReadingPlace &place) const;
     [[nodiscard]] QString text(const Arc &arc, const ArcColumns &columns, std::size_t point, int part) const;
 
     std::shared_ptr<const Document> m_document; ///< owns the measurement

@@ -1,7 +1,10 @@
 #include "ui/dialogs/comparedialog.h"
 
 #include "document/savedocument.h"
+#include "import/importmeasurement.h"
+#include "ui/circles/quiettable.h"
 #include "ui/dialogs/comparisonview.h"
+#include "ui/formulatext.h"
 #include "ui/sizeonscreen.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
@@ -10,6 +13,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QEvent>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -17,10 +21,12 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace palmer::ui {
 
@@ -28,6 +34,47 @@ namespace {
 
 constexpr int listWidth = 190;
 constexpr int rowHeight = 26;
+constexpr int cellMargin = 6;
+constexpr qint64 headSize = 4096; ///< bytes that tell a test file
+
+constexpr int symbolRole = Qt::UserRole + 1;
+
+/// Symbols with their subscripts, reasons in as many lines as they take.
+class ComparedDelegate : public QuietDelegate {
+public:
+    using QuietDelegate::QuietDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override {
+        const QVariant symbol = index.data(symbolRole);
+        const QString text = index.data().toString();
+        const QRect room = option.rect.adjusted(cellMargin, 0, -cellMargin, 0);
+        const bool isLong = option.fontMetrics.horizontalAdvance(text) > room.width();
+        if (!symbol.isValid() && !isLong) {
+            QuietDelegate::paint(painter, option, index);
+            return;
+        }
+        painter->fillRect(option.rect, option.state & QStyle::State_Selected
+                                           ? selectedGround(option.palette)
+                                           : option.palette.color(QPalette::Base));
+        painter->setPen(token(Token::line, option.palette));
+        painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+        const QColor colour = option.palette.color(QPalette::Text);
+        if (symbol.isValid()) {
+            drawFormula(*painter, room, Qt::AlignLeft | Qt::AlignVCenter, symbol.value<Formula>(),
+                        option.font, colour, true);
+            return;
+        }
+        painter->setPen(colour);
+        painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text);
+    }
+
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option,
+                                 const QModelIndex &index) const override {
+        const QSize size = QuietDelegate::sizeHint(option, index);
+        return {size.width() + 2 * cellMargin, std::max(rowHeight, size.height() + cellMargin)};
+    }
+};
 
 QTableWidgetItem *cell(const QString &text, bool number) {
     auto *item = new QTableWidgetItem(text);
@@ -42,15 +89,18 @@ void fill(QTableWidget &table, const ResultComparison &comparison, const QString
     table.horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
     table.setColumnCount(static_cast<int>(heads.size()));
     table.setHorizontalHeaderLabels(heads);
+    for (int c = 0; c < table.columnCount(); ++c) {
+        const bool words = c == 0 || (!differences && c == table.columnCount() - 1);
+        table.horizontalHeaderItem(c)->setTextAlignment((words ? Qt::AlignLeft : Qt::AlignRight) |
+                                                        Qt::AlignVCenter);
+    }
     table.setRowCount(static_cast<int>(comparison.rows.size()));
     for (int r = 0; r < table.rowCount(); ++r) {
         const ComparisonRow &row = comparison.rows[static_cast<std::size_t>(r)];
         int column = 0;
         QTableWidgetItem *symbol = cell(row.symbol.plain(), false);
         symbol->setToolTip(row.name);
-        QFont bold = symbol->font();
-        bold.setBold(true);
-        symbol->setFont(bold);
+        symbol->setData(symbolRole, QVariant::fromValue(row.symbol));
         table.setItem(r, column++, symbol);
         for (qsizetype i = 0; i < row.values.size(); ++i) {
             table.setItem(r, column++, cell(row.values[i], true));
@@ -72,6 +122,33 @@ void fill(QTableWidget &table, const ResultComparison &comparison, const QString
     table.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
+/// Whether two tests are of the same axis, or of the same plane.
+bool isOfSameAxis(const Test &a, const Test &b) {
+    if (const auto *own = std::get_if<PositioningMeasurement>(&a.measurement)) {
+        const auto *other = std::get_if<PositioningMeasurement>(&b.measurement);
+        return other && own->axis.name == other->axis.name;
+    }
+    const auto *own = std::get_if<CircularMeasurement>(&a.measurement);
+    const auto *other = std::get_if<CircularMeasurement>(&b.measurement);
+    return own && other && own->plane == other->plane;
+}
+
+/// The tests of a test file, or the one of a file of measurements; its guesses go into `guesses`.
+Document readTests(const QString &path, std::vector<Message> &guesses) {
+    QFile file(path);
+    if (path.startsWith(u':') || !file.open(QIODevice::ReadOnly) || isTestFile(file.peek(headSize)))
+        return openDocument(path); // says what is wrong, too
+    const QByteArray bytes = file.readAll();
+    Imported imported = importMeasurement(bytes, path);
+    for (const Remark &remark : imported.remarks) {
+        if (remark.grade != RemarkGrade::note)
+            guesses.push_back(remark.message);
+    }
+    Document document;
+    addImported(document, std::move(imported), bytes, path, false);
+    return document;
+}
+
 QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
     auto *table = new QTableWidget(parent);
     table->setObjectName(QLatin1StringView(name));
@@ -80,6 +157,10 @@ QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
     table->verticalHeader()->hide();
     table->verticalHeader()->setDefaultSectionSize(rowHeight);
     table->setShowGrid(false);
+    table->setHorizontalHeader(new QuietHeader(table));
+    table->setItemDelegate(new ComparedDelegate(table));
+    table->horizontalHeader()->setFixedHeight(rowHeight);
+    table->horizontalHeader()->setHighlightSections(false);
     table->setTabKeyNavigation(false);
     table->setWordWrap(true);
     return table;
@@ -180,12 +261,13 @@ void CompareDialog::offer(const EvaluatedDocument &evaluated, const QString &fil
         const bool itself = file.isEmpty() && i == m_test;
         if (itself || !isComparable(first, test))
             continue;
-        const QString name =
-            file.isEmpty() ? testName(test) : QStringLiteral("%1 – %2").arg(testName(test), file);
-        const auto *own = std::get_if<PositioningMeasurement>(&first.measurement);
-        const auto *other = std::get_if<PositioningMeasurement>(&test.measurement);
-        const bool sameAxis = own && other && own->axis.name == other->axis.name;
-        m_offers.push_back({{evaluated, i, name}, sameAxis || !file.isEmpty()});
+        QString name = file.isEmpty() ? testName(test) : QStringLiteral("%1 – %2").arg(testName(test), file);
+        const auto isNamed = [](const QString &wish) {
+            return [&wish](const Offer &offer) { return offer.test.name == wish; };
+        };
+        for (int number = 2; std::ranges::any_of(m_offers, isNamed(name)); ++number)
+            name = QStringLiteral("%1 (%2)").arg(testName(test)).arg(number);
+        m_offers.push_back({{evaluated, i, name}, !file.isEmpty() || isOfSameAxis(first, test)});
     }
 }
 
@@ -240,13 +322,21 @@ void CompareDialog::showTests() {
     QStringList notes = m_ofTests.notes;
     if (m_offers.size() < 2)
         notes << tr("This file has no other test of this kind: add a file.");
+    for (const auto &[file, guess] : m_guesses)
+        notes << QStringLiteral("%1: %2").arg(file, windowLanguage().sentence(guess));
     m_testNotes->setText(notes.join(u' '));
 }
 
 bool CompareDialog::addFile(const QString &path) {
     try {
         const std::size_t before = m_offers.size();
-        offer(evaluate(std::make_shared<const Document>(openDocument(path))), QFileInfo(path).fileName());
+        const QString name = QFileInfo(path).fileName();
+        std::vector<Message> guesses;
+        offer(evaluate(std::make_shared<const Document>(readTests(path, guesses))), name);
+        for (const Message &guess : guesses) {
+            if (m_offers.size() > before)
+                m_guesses.emplace_back(name, guess);
+        }
         fillLists();
         showTests();
         if (m_offers.size() == before)
@@ -266,7 +356,9 @@ void CompareDialog::chooseFile() {
     QFileDialog dialog(this, tr("Compare with the tests of a file"));
     dialog.setObjectName(QStringLiteral("compareFileDialog"));
     dialog.setFileMode(QFileDialog::ExistingFiles);
-    dialog.setNameFilters({tr("Test files (*.palmer)"), tr("All files (*)")});
+    dialog.setNameFilters(
+        {tr("Tests and measurements (*.palmer *.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.ren)"),
+         tr("All files (*)")});
     if (dialog.exec() != QDialog::Accepted)
         return;
     for (const QString &path : dialog.selectedFiles())
@@ -296,7 +388,7 @@ void CompareDialog::retranslate() {
     m_testList->setAccessibleName(tr("Tests"));
     m_editionTable->setAccessibleName(tr("Results by edition"));
     m_testTable->setAccessibleName(tr("Results by test"));
-    m_view->setAccessibleName(tr("Mean deviations"));
+    m_view->setAccessibleName(tr("Deviations of the tests over one another"));
     fillLists();
     showEditions();
     showTests();

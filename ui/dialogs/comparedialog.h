@@ -47,6 +47,7 @@ private:
     std::size_t m_test;
     std::vector<std::pair<std::string, bool>> m_editions; ///< word, whether it is shown
     std::vector<Offer> m_offers;                          ///< the first is the test in view
+    std::vector<std::pair<QString, Message>> m_guesses;   ///< file, what its import assumed
     ResultComparison m_ofEditions;
     ResultComparison m_ofTests;
 

@@ -4,6 +4,7 @@
 
 #include <QPainter>
 #include <QPolygonF>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,6 +16,9 @@ constexpr double left = 54;
 constexpr double right = 16;
 constexpr double head = 30;
 constexpr double foot = 40;
+constexpr double heavyLine = 1.6;
+constexpr double lightLine = 0.9;
+constexpr qsizetype markersOfPath = 8;
 
 struct LineStyle {
     Token colour;
@@ -91,9 +95,12 @@ void ComparisonView::paintEvent(QPaintEvent *) {
                      QStringLiteral("%1 (%2)").arg(m_figure.y.quantity, m_figure.y.unit));
     double legend = width() / 3.0;
     for (std::size_t i = 0; i < m_figure.curves.size(); ++i) {
-        const LineStyle &style = styles.at(i % styles.size());
+        const ComparisonCurve &curve = m_figure.curves[i];
+        const LineStyle &style = styles.at(curve.test % styles.size());
         const QColor colour = token(style.colour, palette());
-        const QPen pen(colour, 1.6, style.dashes);
+        // Of circles both senses of a test have its colour, the clockwise path a light line.
+        const QPen pen(colour, curve.sense == Sense::clockwise ? lightLine : heavyLine,
+                       curve.sense ? Qt::SolidLine : style.dashes);
         for (const auto &line : m_figure.curves[i].lines) {
             QPolygonF points;
             for (const FigurePoint &point : line)
@@ -103,8 +110,10 @@ void ComparisonView::paintEvent(QPaintEvent *) {
             painter.drawPolyline(points);
             painter.setPen(Qt::NoPen);
             painter.setBrush(colour);
-            for (const QPointF &point : points)
-                drawMarker(painter, point, style.corners);
+            // Of a path a few tell whose it is.
+            const qsizetype step = curve.sense ? std::max<qsizetype>(1, points.size() / markersOfPath) : 1;
+            for (qsizetype at = curve.sense ? step / 2 : 0; at < points.size(); at += step)
+                drawMarker(painter, points[at], style.corners);
         }
         painter.setPen(pen);
         painter.drawLine(QPointF(legend, 12), QPointF(legend + 24, 12));

@@ -6,7 +6,8 @@
 
 namespace palmer::ui {
 
-/// The mean deviations of several tests over one another. Lines differ by colour, dashes and markers.
+/// The mean deviations, or the paths, of several tests over one another. Lines differ by colour, dashes and
+/// markers.
 class ComparisonView : public QWidget {
     Q_OBJECT
 

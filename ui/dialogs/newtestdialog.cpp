@@ -1,8 +1,10 @@
 #include "ui/dialogs/newtestdialog.h"
 
 #include "kernel/evaluation/edition.h"
+#include "kernel/planning/cycleprogram.h"
 #include "language/decimals.h"
 #include "language/entry.h"
+#include "ui/dialogs/formrows.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -13,6 +15,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -25,13 +28,18 @@ namespace {
 
 constexpr double proposedTravel = 1000;
 constexpr double proposedAngle = 360;
-constexpr double resolution = 0.001; ///< of proposed targets, mm or degrees
+constexpr int decimals = 3; ///< of proposed targets
+constexpr double resolution = 0.001;
+constexpr int dialogWidth = 460;
+constexpr int spinWidth = 56;
+constexpr quint32 mostSeed = 1'000'000; ///< short enough to be read out
 
 } // namespace
 
 NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget *parent)
     : QDialog(parent)
     , m_language(language)
+    , m_seed(QRandomGenerator::global()->bounded(1U, mostSeed))
     , m_name(new QLineEdit(this))
     , m_motion(new QComboBox(this))
     , m_travel(new QLineEdit(this))
@@ -72,6 +80,13 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     m_both->setText(tr("from &both sides"));
     m_both->setChecked(true);
     m_count->setRange(2, 10'000);
+    for (QSpinBox *box : {m_runs, m_count}) {
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setAlignment(Qt::AlignRight);
+    }
+    m_runs->setFixedWidth(spinWidth);
+    for (QLineEdit *field : {m_travel, m_first, m_last})
+        field->setAlignment(Qt::AlignRight);
     m_list->setMaximumHeight(110);
     m_list->setTabChangesFocus(true);
     m_problem->setWordWrap(true);
@@ -90,6 +105,7 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
         auto *label = new QLabel(text, this);
         label->setBuddy(field);
         auto *row = new QHBoxLayout;
+        row->setSpacing(8);
         row->addWidget(field, beside == m_both ? 0 : 1);
         row->addWidget(beside, beside == m_both ? 1 : 0);
         form->addRow(label, row);
@@ -109,17 +125,15 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     addRow(tr("&Last target"), m_last, m_units[2]);
     form->addRow(tr("&Number of targets"), m_count);
     addRow(tr("Target &positions"), m_list, m_units[3]);
+    alignLabels(*form);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
     m_create->setObjectName(QStringLiteral("createTest"));
-    m_create->setProperty("primary", true);
-    m_create->setDefault(true);
+    makePrimary(*m_create);
     auto *column = new QVBoxLayout(this);
     column->addLayout(form);
     column->addWidget(m_problem);
     column->addWidget(buttons);
-    resize(460, sizeHint().height());
-
     connect(m_motion, &QComboBox::currentIndexChanged, this, [this] {
         const bool linear = axis().motion == Motion::linear;
         m_name->setText(linear ? QStringLiteral("X") : QStringLiteral("C"));
@@ -127,6 +141,8 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
                                             linear ? Quantity::position : Quantity::angle));
     });
     connect(m_travel, &QLineEdit::textChanged, this, &NewTestDialog::propose);
+    connect(m_edition, &QComboBox::currentIndexChanged, this, &NewTestDialog::propose);
+    connect(m_runs, &QSpinBox::valueChanged, this, [this] { m_ran = true; });
     for (QLineEdit *field : {m_first, m_last}) {
         connect(field, &QLineEdit::textEdited, this, [this] {
             m_listed = false;
@@ -148,6 +164,7 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     propose();
+    resize(dialogWidth, sizeHint().height());
 }
 
 Axis NewTestDialog::axis() const {
@@ -164,26 +181,65 @@ std::optional<double> NewTestDialog::number(const QLineEdit *field) const {
         .value;
 }
 
+TargetRequest NewTestDialog::request() const {
+    TargetRequest result;
+    const Axis asked = axis();
+    const Edition *edition = findEdition(m_edition->currentData().toString().toStdString());
+    if (edition)
+        result.rule = targetRuleOf(*edition);
+    result.motion = asked.motion;
+    result.from = number(m_first).value_or(0);
+    result.travel = number(m_last).value_or(0) - result.from;
+    result.decimals = decimals;
+    result.seed = m_seed;
+    return result;
+}
+
+/// After the rule of the edition; with the number the user has chosen, if the rule can have it.
+TargetPlan NewTestDialog::planned() const {
+    TargetRequest asked = request();
+    TargetPlan plan = planTargets(asked);
+    const auto wanted = static_cast<std::size_t>(m_count->value());
+    if (!m_counted || plan.targets.size() == wanted)
+        return plan;
+    constexpr double metre = 1000;
+    asked.perMetre = (static_cast<double>(wanted) - 0.5) * metre / asked.travel; // rounded up
+    plan = planTargets(asked);
+    return plan.targets.size() == wanted ? plan : TargetPlan{};
+}
+
 void NewTestDialog::propose() {
     const Axis asked = axis();
     const Quantity quantity = positionQuantity(asked);
     const double travel = asked.travel.value_or(0);
     for (QLabel *unit : m_units)
         unit->setText(m_language.unit(quantity));
+    // Every target is approached from its own side: the axis needs room beyond the first and the last.
+    const double room = travel > 2 * CycleProgram().approach ? CycleProgram().approach : 0;
     if (m_first->property("proposed").toBool())
-        m_first->setText(m_language.number(0, quantity));
+        m_first->setText(m_language.number(room, quantity));
     if (m_last->property("proposed").toBool())
-        m_last->setText(m_language.number(travel, quantity));
-    if (!m_counted) {
+        m_last->setText(m_language.number(travel - room, quantity));
+    const TargetPlan plan = planned();
+    if (!m_counted && !plan.targets.empty()) {
         const QSignalBlocker blocker(m_count);
-        m_count->setValue(static_cast<int>(std::clamp<std::size_t>(targetsWanted(asked), 2, 10'000)));
+        m_count->setValue(static_cast<int>(plan.targets.size()));
     }
-    const auto first = number(m_first);
-    const auto last = number(m_last);
-    if (!m_listed && first && last) {
+    if (!m_ran && !plan.targets.empty()) {
+        const QSignalBlocker blocker(m_runs);
+        m_runs->setValue(plan.runs);
+    }
+    if (!m_listed) {
+        std::vector<double> proposed = plan.targets;
+        m_choice = {TargetChoiceKind::free, plan.interval, std::nullopt, static_cast<long long>(m_seed)};
+        if (proposed.empty()) { // a number the rule does not have
+            m_choice = {};
+            const TargetRequest ends = request();
+            proposed = evenTargets(ends.from, ends.from + ends.travel,
+                                   static_cast<std::size_t>(m_count->value()), resolution);
+        }
         QStringList positions;
-        for (const double target :
-             evenTargets(*first, *last, static_cast<std::size_t>(m_count->value()), resolution))
+        for (const double target : proposed)
             positions << m_language.number(target, quantity);
         const QSignalBlocker blocker(m_list);
         m_list->setPlainText(positions.join(QStringLiteral("; ")));
@@ -208,6 +264,8 @@ void NewTestDialog::check() {
     const auto list = targets();
     if (axis().name.empty())
         problem = tr("The axis needs a name.");
+    else if (!m_travel->text().trimmed().isEmpty() && !(axis().travel.value_or(0) > 0))
+        problem = tr("The travel is a number above 0.");
     else if (!list)
         problem = tr("The target positions are numbers, parted by semicolons, blanks or lines.");
     else if (list->size() < 2)
@@ -225,6 +283,8 @@ NewPositioningTest NewTestDialog::wanted() const {
     result.edition = m_edition->currentData().toString().toStdString();
     result.cycle = static_cast<Cycle>(m_cycle->currentData().toInt());
     result.targets = targets().value_or(std::vector<double>());
+    if (!m_listed)
+        result.targetChoice = m_choice;
     result.runs = m_runs->value();
     result.bothDirections = m_both->isChecked();
     return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editing/newtest.h"
+#include "kernel/planning/targetplan.h"
 #include "language/language.h"
 
 #include <QDialog>
@@ -17,8 +18,9 @@ class QSpinBox;
 
 namespace palmer::ui {
 
-/// Asks what a new positioning test begins with. Targets are proposed from travel and number, and may be
-/// typed or pasted as a list, which then is what counts.
+/// Asks what a new positioning test begins with. Targets are proposed after the rule of the edition, with a
+/// random part of their own in every new test; they may be typed or pasted as a list, which then is what
+/// counts.
 class NewTestDialog : public QDialog {
     Q_OBJECT
 
@@ -35,10 +37,15 @@ private:
     [[nodiscard]] Axis axis() const;
     [[nodiscard]] std::optional<double> number(const QLineEdit *field) const;
     [[nodiscard]] std::optional<std::vector<double>> targets() const;
+    [[nodiscard]] TargetRequest request() const;
+    [[nodiscard]] TargetPlan planned() const;
 
     Language m_language;
     bool m_counted = false; ///< the number of targets was chosen, not proposed
     bool m_listed = false;  ///< the list was typed, not proposed
+    bool m_ran = false;     ///< the number of runs was chosen, not proposed
+    std::uint64_t m_seed;   ///< of the random part
+    TargetChoice m_choice;  ///< of the targets proposed last
     QLineEdit *m_name;
     QComboBox *m_motion;
     QLineEdit *m_travel;

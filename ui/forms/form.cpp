@@ -438,7 +438,7 @@ QString Form::missingText(int count) const {
     return tr("%n required statement(s) missing", nullptr, count);
 }
 
-bool Form::focusField(const QString &id) {
+std::size_t Form::placeOf(const QString &id) {
     if (std::exchange(m_isStale, false))
         refresh();
     const auto has = [&](const Entry &entry) { return id == QLatin1StringView(entry.key); };
@@ -446,9 +446,14 @@ bool Form::focusField(const QString &id) {
         m_entries, [&](const Entry &entry) { return has(entry) && entry.field->isRequired(); });
     if (found == m_entries.end())
         found = std::ranges::find_if(m_entries, has);
-    if (found == m_entries.end())
+    return static_cast<std::size_t>(found - m_entries.begin());
+}
+
+bool Form::focusField(const QString &id) {
+    const std::size_t place = placeOf(id);
+    if (place == m_entries.size())
         return false;
-    focusPart(*found->field);
+    focusPart(*m_entries[place].field);
     return true;
 }
 

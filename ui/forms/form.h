@@ -43,6 +43,8 @@ public:
     void setLanguage(const Language &language);
     /// Moves the focus to the field of a finding; false: it has none here.
     bool focusField(const QString &id);
+    /// The how many'th field of the page that of a finding is; behind all others where it has none.
+    [[nodiscard]] std::size_t placeOf(const QString &id);
     /// Moves the focus to fields that are chosen while the page is in view.
     void follow(Selection &selection);
 

@@ -45,7 +45,11 @@ void writePdf(const Report &report, QIODevice &device) {
     const QByteArray pdf = finishPdf(pagesAsPdf(layoutPages(report)),
                                      {report.title, report.laboratory, report.language, report.date});
     if (device.write(pdf) != pdf.size())
-        throw Error(Error::Kind::unwritable, {REPORT_TEXT("report", "the report could not be written"), {}});
+        throw Error(
+            Error::Kind::unwritable,
+            {REPORT_TEXT("report",
+                         "the file could not be saved, for want of permission or space; what was "
+                         "there before is unchanged: save it under another name or in another folder")});
 }
 
 } // namespace palmer::ui

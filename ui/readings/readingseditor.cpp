@@ -1,7 +1,6 @@
 #include "ui/readings/readingseditor.h"
 
 #include "editing/typedreading.h"
-#include "language/decimals.h"
 #include "ui/model/editname.h"
 
 #include <QCoreApplication>
@@ -53,27 +52,11 @@ std::optional<Message> ReadingsEditor::typeTarget(std::size_t target, const QStr
     const PositioningMeasurement *now = measurement();
     if (!now || target >= now->targets.size())
         return std::nullopt;
-    const Quantity quantity = positionQuantity(now->axis);
-    const NumberEntry typed = enteredNumber(text, quantity, language.units());
-    if (typed.refusal)
-        return Message{*typed.refusal};
+    const TargetEntry typed = typedTarget(text, *now, target, language.units());
     if (!typed.value)
-        return Message{REPORT_TEXT("report", "a target needs a position")};
-    const double position = *typed.value;
-    switch (problemOfTarget(*now, target, position)) {
-    case TargetProblem::notFinite:
-        return Message{REPORT_TEXT("report", "not a number")};
-    case TargetProblem::notAbovePrevious:
-        return Message{REPORT_TEXT("report", "not above the target before, %1"),
-                       {Number{now->targets[target - 1], quantity}}};
-    case TargetProblem::notBelowNext:
-        return Message{REPORT_TEXT("report", "not below the next target, %1"),
-                       {Number{now->targets[target + 1], quantity}}};
-    case TargetProblem::none:
-        break;
-    }
+        return typed.refusal;
     edit(QT_TRANSLATE_NOOP("edits", "move a target"),
-         [&](PositioningMeasurement &m) { setTarget(m, target, position); });
+         [&](PositioningMeasurement &m) { setTarget(m, target, *typed.value); });
     return std::nullopt;
 }
 

@@ -28,7 +28,7 @@ constexpr int cellMargin = 12;
 constexpr int rowHeightNormal = 26;
 constexpr int rowHeightLow = 24;
 constexpr int rowHeightHigh = 32;
-constexpr int lowWindow = 768;
+constexpr int lowWindow = 799; ///< eleven targets fit without scrolling
 constexpr int highWindow = 1000;
 
 ReadingsDelegate *delegateOf(const QAbstractItemView *view) {

@@ -80,13 +80,15 @@ WelcomePage::WelcomePage(QWidget *parent)
     , m_noRecent(new QLabel(this))
     , m_examplesTitle(new QLabel(this))
     , m_examplesNote(new QLabel(this))
-    , m_new(new StartButton(QStringLiteral("new"), this))
+    , m_new(new StartButton(QStringLiteral("axis"), this))
+    , m_newCircle(new StartButton(QStringLiteral("circle"), this))
     , m_open(new StartButton(QStringLiteral("open"), this))
     , m_import(new StartButton(QStringLiteral("imp"), this))
     , m_recentList(new StartList(m_recent, 6, this))
     , m_examplesList(new StartList(m_examples, 6, this)) {
     setObjectName(QStringLiteral("welcome"));
     m_new->setObjectName(QStringLiteral("welcomeNew"));
+    m_newCircle->setObjectName(QStringLiteral("welcomeNewCircle"));
     m_open->setObjectName(QStringLiteral("welcomeOpen"));
     m_import->setObjectName(QStringLiteral("welcomeImport"));
     m_recentList->setObjectName(QStringLiteral("recentList"));
@@ -113,6 +115,7 @@ WelcomePage::WelcomePage(QWidget *parent)
     auto *starts = new QVBoxLayout;
     starts->setSpacing(16);
     starts->addWidget(m_new);
+    starts->addWidget(m_newCircle);
     starts->addWidget(m_open);
     starts->addWidget(m_import);
     starts->addWidget(m_dropHint);
@@ -147,11 +150,13 @@ WelcomePage::WelcomePage(QWidget *parent)
     row->addWidget(content, 1000);
     row->addStretch(1);
 
-    setTabOrder(m_new, m_open);
+    setTabOrder(m_new, m_newCircle);
+    setTabOrder(m_newCircle, m_open);
     setTabOrder(m_open, m_import);
     setTabOrder(m_import, m_recentList);
     setTabOrder(m_recentList, m_examplesList);
     connect(m_new, &QAbstractButton::clicked, this, &WelcomePage::newAsked);
+    connect(m_newCircle, &QAbstractButton::clicked, this, &WelcomePage::newCircleAsked);
     connect(m_open, &QAbstractButton::clicked, this, &WelcomePage::openAsked);
     connect(m_import, &QAbstractButton::clicked, this, &WelcomePage::importAsked);
     connect(m_recentList, &StartList::chosen, this, &WelcomePage::fileChosen);
@@ -197,6 +202,8 @@ void WelcomePage::retranslate() {
     m_subtitle->setText(tr("Tests of machine tools: measure, judge, print the report"));
     m_new->setTexts(tr("&New positioning test…"), tr("type or paste the readings"),
                     QKeySequence(QKeySequence::New).toString(QKeySequence::NativeText));
+    m_newCircle->setTexts(tr("New &circular test…"), tr("type or paste the points of the arcs"),
+                          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N).toString(QKeySequence::NativeText));
     m_open->setTexts(tr("&Open…"), tr("a test file, .palmer"),
                      QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText));
     m_import->setTexts(tr("&Import…"), tr("tables and files of instruments"),

@@ -22,6 +22,7 @@ public:
 
 signals:
     void newAsked();
+    void newCircleAsked();
     void openAsked();
     void importAsked();
     void fileChosen(const QString &path);
@@ -42,6 +43,7 @@ private:
     QLabel *m_examplesTitle;
     QLabel *m_examplesNote;
     StartButton *m_new;
+    StartButton *m_newCircle;
     StartButton *m_open;
     StartButton *m_import;
     StartList *m_recentList;

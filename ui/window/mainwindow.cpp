@@ -3,8 +3,10 @@
 
 #include "document/savedocument.h"
 #include "editing/newtest.h"
+#include "ui/circles/circlespage.h"
 #include "ui/dialogs/comparedialog.h"
 #include "ui/dialogs/feeddialog.h"
+#include "ui/dialogs/newcircledialog.h"
 #include "ui/dialogs/newtestdialog.h"
 #include "ui/dialogs/plandialog.h"
 #include "ui/dialogs/recoverydialog.h"
@@ -33,6 +35,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -142,6 +145,8 @@ void MainWindow::makeActions() {
 
     m_newAction = addAction(m_fileMenu, QStringLiteral("new"), QStringLiteral("new"));
     m_newAction->setShortcut(QKeySequence::New);
+    m_newCircleAction = addAction(m_fileMenu, QStringLiteral("newCircle"));
+    m_newCircleAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     m_openAction = addAction(m_fileMenu, QStringLiteral("open"), QStringLiteral("open"));
     m_openAction->setShortcut(QKeySequence::Open);
     m_importAction = addAction(m_fileMenu, QStringLiteral("import"), QStringLiteral("imp"));
@@ -176,7 +181,9 @@ void MainWindow::makeActions() {
     m_editMenu->addActions(m_workplace->readings().editActions());
 
     m_addTestAction = addAction(m_testMenu, QStringLiteral("addTest"), QStringLiteral("plus"));
-    m_addTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
+    m_addTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
+    m_addCircleAction = addAction(m_testMenu, QStringLiteral("addCircle"));
+    m_addCircleAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     m_addDriftAction = addAction(m_testMenu, QStringLiteral("addDrift"));
     m_renameTestAction = addAction(m_testMenu, QStringLiteral("renameTest"));
     m_duplicateTestAction = addAction(m_testMenu, QStringLiteral("duplicateTest"));
@@ -184,6 +191,8 @@ void MainWindow::makeActions() {
     m_deleteTestAction = addAction(m_testMenu, QStringLiteral("deleteTest"));
     m_testMenu->addSeparator();
     m_testMenu->addActions(m_workplace->readings().testActions());
+    m_testMenu->addSeparator();
+    m_testMenu->addActions(m_workplace->circles().testActions());
     m_testMenu->addSeparator();
     m_previousTestAction = addAction(m_testMenu, QStringLiteral("previousTest"));
     m_previousTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
@@ -264,6 +273,11 @@ void MainWindow::makeToolBar() {
         button->setObjectName(action->objectName() + QStringLiteral("Button"));
         button->setFocusPolicy(Qt::TabFocus);
     }
+    auto *newButton = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(m_newAction));
+    auto *kinds = new QMenu(newButton);
+    kinds->addActions({m_newAction, m_newCircleAction});
+    newButton->setMenu(kinds);
+    newButton->setPopupMode(QToolButton::MenuButtonPopup);
     auto *space = new QWidget(m_toolBar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_toolBar->addWidget(space);
@@ -292,15 +306,17 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::connectParts() {
-    connect(m_newAction, &QAction::triggered, this, &MainWindow::newFile);
-    connect(m_addTestAction, &QAction::triggered, this, &MainWindow::addTest);
+    connect(m_newAction, &QAction::triggered, this, [this] { newFile(Kind::positioning); });
+    connect(m_newCircleAction, &QAction::triggered, this, [this] { newFile(Kind::circular); });
+    connect(m_addTestAction, &QAction::triggered, this, [this] { addTest(Kind::positioning); });
+    connect(m_addCircleAction, &QAction::triggered, this, [this] { addTest(Kind::circular); });
     connect(m_addDriftAction, &QAction::triggered, this, &MainWindow::addDriftTest);
     connect(m_renameTestAction, &QAction::triggered, this, &MainWindow::renameTest);
     connect(m_duplicateTestAction, &QAction::triggered, this, [this] { duplicateTest(true); });
     connect(m_repeatTestAction, &QAction::triggered, this, [this] { duplicateTest(false); });
     connect(m_deleteTestAction, &QAction::triggered, this, &MainWindow::deleteTest);
     m_workplace->setTestActions(
-        {m_addTestAction, m_addDriftAction},
+        {m_addTestAction, m_addCircleAction, m_addDriftAction},
         {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction});
     connect(&m_autosave, &Autosave::saved, this, [this] {
         m_autosavedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
@@ -364,7 +380,8 @@ void MainWindow::connectParts() {
     connect(m_aboutAction, &QAction::triggered, this, &MainWindow::about);
     connect(m_aboutQtAction, &QAction::triggered, qApp, &QApplication::aboutQt);
 
-    connect(m_welcome, &WelcomePage::newAsked, this, &MainWindow::newFile);
+    connect(m_welcome, &WelcomePage::newAsked, m_newAction, &QAction::trigger);
+    connect(m_welcome, &WelcomePage::newCircleAsked, m_newCircleAction, &QAction::trigger);
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
     connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
     connect(m_importAction, &QAction::triggered, this, &MainWindow::chooseMeasurements);
@@ -548,15 +565,24 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
     return this;
 }
 
-void MainWindow::newFile() {
-    NewTestDialog dialog(windowLanguage(), nullptr, this);
-    if (dialog.exec() != QDialog::Accepted)
+std::optional<Test> MainWindow::askForTest(Kind kind) {
+    if (kind == Kind::circular) {
+        NewCircleDialog dialog(windowLanguage(), currentTest(), this);
+        return dialog.exec() == QDialog::Accepted ? std::optional(newTest(dialog.wanted())) : std::nullopt;
+    }
+    NewTestDialog dialog(windowLanguage(), currentTest(), this);
+    return dialog.exec() == QDialog::Accepted ? std::optional(newTest(dialog.wanted())) : std::nullopt;
+}
+
+void MainWindow::newFile(Kind kind) {
+    const auto test = askForTest(kind);
+    if (!test)
         return;
     Document document;
     document.writtenBy = "Palmer " PALMER_VERSION;
     document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
                                                                                : ReportLanguage::en};
-    insertTest(document, 0, newTest(dialog.wanted()));
+    insertTest(document, 0, *test);
     take(std::move(document), {}, true)->m_workplace->beginTyping();
 }
 
@@ -566,13 +592,13 @@ const Test *MainWindow::currentTest() const {
     return m_open && test < tests.size() ? tests[test].get() : nullptr;
 }
 
-void MainWindow::addTest() {
-    NewTestDialog dialog(windowLanguage(), currentTest(), this);
-    if (dialog.exec() != QDialog::Accepted)
+void MainWindow::addTest(Kind kind) {
+    const auto test = askForTest(kind);
+    if (!test)
         return;
     const std::size_t place = m_model.document()->tests.size();
     m_model.edit(QT_TRANSLATE_NOOP("edits", "add a test"),
-                 [&](Document &document) { insertTest(document, place, newTest(dialog.wanted())); });
+                 [&](Document &document) { insertTest(document, place, *test); });
     m_workplace->showTest(place);
     m_workplace->beginTyping();
 }
@@ -820,6 +846,7 @@ void MainWindow::showState() {
     m_previousTestAction->setEnabled(test > 0 && test < tests);
     m_nextTestAction->setEnabled(test + 1 < tests);
     m_addTestAction->setEnabled(m_open);
+    m_addCircleAction->setEnabled(m_open);
     m_addDriftAction->setEnabled(m_open);
     for (QAction *action :
          {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction})
@@ -982,9 +1009,11 @@ void MainWindow::retranslate() {
     m_viewMenu->setTitle(tr("&View"));
     m_toolsMenu->setTitle(tr("&Utilities"));
     m_helpMenu->setTitle(tr("&Help"));
-    m_newAction->setText(tr("&New…"));
+    m_newAction->setText(tr("&New positioning test…"));
+    m_newCircleAction->setText(tr("New circular &test…"));
     m_newAction->setIconText(tr("New"));
     m_addTestAction->setText(tr("&Add a positioning test…"));
+    m_addCircleAction->setText(tr("Add a circular &test…"));
     m_addDriftAction->setText(tr("Add a dri&ft test"));
     m_renameTestAction->setText(tr("Rena&me the test…"));
     m_duplicateTestAction->setText(tr("Dupli&cate the test"));

@@ -7,6 +7,8 @@
 #include "ui/model/evaluator.h"
 #include "ui/model/filewatch.h"
 
+#include "kernel/evaluation/edition.h"
+
 #include <QMainWindow>
 #include <QPointer>
 #include <QThreadPool>
@@ -85,8 +87,9 @@ private:
     bool mayClose();
     void read(const QString &path);
     MainWindow *take(Document document, const QString &path, bool modified = false);
-    void newFile();
-    void addTest();
+    [[nodiscard]] std::optional<Test> askForTest(Kind kind);
+    void newFile(Kind kind);
+    void addTest(Kind kind);
     void addDriftTest();
     void renameTest();
     void duplicateTest(bool withReadings);
@@ -142,6 +145,7 @@ private:
     QLabel *m_state;
 
     QAction *m_newAction;
+    QAction *m_newCircleAction;
     QAction *m_openAction;
     QAction *m_importAction;
     QAction *m_importClipboardAction;
@@ -156,6 +160,7 @@ private:
     QAction *m_undoAction;
     QAction *m_redoAction;
     QAction *m_addTestAction;
+    QAction *m_addCircleAction;
     QAction *m_addDriftAction;
     QAction *m_renameTestAction;
     QAction *m_duplicateTestAction;

@@ -71,6 +71,7 @@ TestHead::TestHead(QWidget *parent)
     m_edition->setFocusPolicy(Qt::StrongFocus);
     m_edition->setFixedHeight(28);
     m_edition->setMinimumWidth(136);
+    m_edition->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_set->setFixedHeight(28);
     m_set->setProperty("link", true);
     for (QLabel *label : {m_title, m_subtitle}) {

@@ -67,6 +67,8 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     , m_navigation(new NavigationList(m_navigationModel, m_side))
     , m_addTest(new QToolButton(m_side)) {
     setObjectName(QStringLiteral("workplace"));
+    m_outer->setObjectName(QStringLiteral("outerSplitter"));
+    m_inner->setObjectName(QStringLiteral("innerSplitter"));
     m_centre = makeCentre();
     m_right = static_cast<RightSide *>(makeRight());
     m_inner->addWidget(m_centre);
@@ -400,13 +402,31 @@ bool Workplace::showNextMissing(bool forward) {
     }
     if (missing.empty())
         return false;
-    // Page by page, so that the walk does not jump to and fro.
-    std::ranges::stable_sort(missing, {}, &std::pair<Page, QString>::first);
+    // Page by page, so that the walk does not jump to and fro; on the page with most fields from the top down.
+    const auto placeOf = [this](const std::pair<Page, QString> &field) {
+        return field.first == Page::conditions ? m_conditions->placeOf(field.second) : 0;
+    };
+    std::ranges::stable_sort(missing, {},
+                             [&](const auto &field) { return std::pair(field.first, placeOf(field)); });
     const auto now = std::ranges::find(missing, std::pair(m_selection.page(), m_selection.field()));
-    std::size_t next = forward ? 0 : missing.size() - 1;
+    const std::size_t last = missing.size() - 1;
+    std::size_t next = forward ? 0 : last;
     if (now != missing.end()) {
         const auto at = static_cast<std::size_t>(now - missing.begin());
-        next = forward ? (at + 1) % missing.size() : (at + missing.size() - 1) % missing.size();
+        next = forward ? (at + 1) % missing.size() : (at + last) % missing.size();
+    } else {
+        // From no missing statement, or one that has just been made: the nearest on the page in view.
+        const Page page = m_selection.page();
+        const std::size_t here = page == Page::conditions && !m_selection.field().isEmpty()
+                                     ? placeOf({page, m_selection.field()})
+                                     : 0;
+        const auto ofPage = [page](const auto &field) { return field.first == page; };
+        const auto behind = [&](const auto &field) { return ofPage(field) && placeOf(field) >= here; };
+        auto found = forward ? std::ranges::find_if(missing, behind) : missing.end();
+        if (found == missing.end())
+            found = std::ranges::find_if(missing, ofPage);
+        if (found != missing.end())
+            next = static_cast<std::size_t>(found - missing.begin());
     }
     showPage(missing[next].first);
     m_selection.setField(missing[next].second);
@@ -426,6 +446,10 @@ void Workplace::beginTyping() {
     showPage(Page::readings);
     const auto *measurement =
         std::get_if<PositioningMeasurement>(&m_evaluated.document->tests[test]->measurement);
+    if (isCircular()) {
+        m_circles->setFocus();
+        return;
+    }
     if (measurement)
         m_selection.setReading(firstMissing(*measurement));
     m_readings->setFocus();
@@ -454,7 +478,7 @@ void Workplace::arrange() {
         m_addTest->setToolButtonStyle(rail ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
         m_side->setMinimumWidth(rail ? NavigationList::railWidth : 120);
         m_side->setMaximumWidth(rail ? NavigationList::railWidth : NavigationList::fullWidth * 2);
-        m_outer->setSizes({rail ? NavigationList::railWidth : NavigationList::fullWidth, width()});
+        restoreNavigation();
     }
     m_results->setNarrow(rail);
     if (stacked != m_right->isTabbed()) {
@@ -496,6 +520,7 @@ void Workplace::restoreSizes() {
     if (key == m_sizesOf)
         return;
     m_sizesOf = key;
+    restoreNavigation();
     const QByteArray kept = QSettings().value(key).toByteArray();
     const bool stacked = m_right->isTabbed();
     if (!kept.isEmpty()) {
@@ -508,9 +533,25 @@ void Workplace::restoreSizes() {
     }
 }
 
+void Workplace::restoreNavigation() {
+    const bool rail = m_navigation->isRail();
+    const int kept = QSettings().value(navigationKey(), NavigationList::fullWidth).toInt();
+    const int side =
+        rail ? NavigationList::railWidth : std::clamp(kept, m_side->minimumWidth(), m_side->maximumWidth());
+    m_outer->setSizes({side, std::max(centreWidth, width() - side)});
+}
+
+QString Workplace::navigationKey() const {
+    return QStringLiteral("sizes/navigation-") +
+           (isCircular() ? QStringLiteral("circular") : QStringLiteral("positioning"));
+}
+
 void Workplace::keepSizes() const {
-    if (!m_maximised)
-        QSettings().setValue(sizesKey(), QByteArray::number(m_inner->sizes().value(1)));
+    if (m_maximised)
+        return;
+    QSettings().setValue(sizesKey(), QByteArray::number(m_inner->sizes().value(1)));
+    if (!m_navigation->isRail())
+        QSettings().setValue(navigationKey(), m_outer->sizes().value(0));
 }
 
 void Workplace::changeEvent(QEvent *event) {

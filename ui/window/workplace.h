@@ -46,6 +46,7 @@ public:
 
     [[nodiscard]] Selection &selection() { return m_selection; }
     [[nodiscard]] ReadingsPage &readings() { return *m_readings; }
+    [[nodiscard]] CirclesPage &circles() { return *m_circles; }
 
     /// Shows the document, keeping what is chosen where it still exists. Of a test that is pending the pages
     /// show what is edited; figure and results stay those of before, marked as being computed.
@@ -92,12 +93,14 @@ private:
     void presentCircularStatus(const CircularMeasurement &measurement);
     void arrange();
     void restoreSizes();
+    void restoreNavigation();
     void keepSizes() const;
     void retranslate();
     [[nodiscard]] bool isCircular() const; ///< the test in view
     [[nodiscard]] bool isDrift() const;
     [[nodiscard]] bool isPositioning() const;
     [[nodiscard]] QString sizesKey() const;
+    [[nodiscard]] QString navigationKey() const;
     [[nodiscard]] bool isReportPage() const;
 
     DocumentModel &m_model;

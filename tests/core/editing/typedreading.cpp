@@ -52,6 +52,20 @@ private slots:
                  std::optional(REPORT_TEXT("report", "two commas")));
     }
 
+    void aTargetLiesBetweenItsNeighbours() {
+        PositioningMeasurement measurement;
+        measurement.targets = {0, 100, 200};
+        QCOMPARE(typedTarget(u"150,5", measurement, 1, usual).value, std::optional(150.5));
+        QCOMPARE(typedTarget(u"-3", measurement, 0, usual).value, std::optional(-3.0));
+        for (const char16_t *refused : {u"0", u"200", u"", u"12..5", u"1e999"}) {
+            const TargetEntry entry = typedTarget(refused, measurement, 1, usual);
+            QVERIFY(!entry.value && entry.refusal);
+        }
+        const auto refusal = typedTarget(u"250", measurement, 1, usual).refusal;
+        QCOMPARE(Language(Language::Id::french).sentence(refusal.value()).contains(QStringLiteral("200")),
+                 true);
+    }
+
     /// What is shown with all its digits and typed again is the same number.
     void shownAndTypedAgain() {
         std::mt19937 random(7); // NOLINT: the same every time

@@ -1,14 +1,24 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
 #include "ui/circles/circlespage.h"
 
 #include "ui/circles.h"
 #include "ui/circles/arccurvesview.h"
+#include "ui/circles/arcdialog.h"
 #include "ui/model/documentmodel.h"
 
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableView>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QUndoStack>
 
@@ -283,6 +293,110 @@ private slots:
         QVERIFY(found);
         const auto place = *shown.selection.hovered();
         QVERIFY(std::abs(shown.circles().arcs[place.run].angles[place.target] - 130) < 10);
+    }
+
+    void arcsArePastedAsTables_data() {
+        QTest::addColumn<char>("mark");
+        QTest::addColumn<int>("language");
+        QTest::newRow("point, English") << '.' << int(Language::Id::english);
+        QTest::newRow("comma, French") << ',' << int(Language::Id::french);
+    }
+
+    void arcsArePastedAsTables() {
+        QFETCH(char, mark);
+        QFETCH(int, language);
+        Test test = circularTest({});
+        Shown shown(test, static_cast<Language::Id>(language));
+        QVERIFY(shown.find<QLabel>("noArcs")->isVisible());
+        const Document before = *shown.model.document();
+        QString text = "angle °\tdeviation µm\n";
+        for (int i = 0; i <= 72; ++i)
+            text +=
+                QString("%1\t%2\n").arg(5 * i).arg(QString::number(0.1 * (i % 7), 'f', 1).replace('.', mark));
+        QGuiApplication::clipboard()->setText(text);
+        bool asked = false;
+        QTimer::singleShot(0, &shown.page, [&] {
+            auto *dialog = qobject_cast<ArcDialog *>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            QCOMPARE(dialog->findChild<QPlainTextEdit *>("arcTable")->toPlainText(), text.trimmed() + '\n');
+            QCOMPARE(dialog->arcs().size(), std::size_t{1});
+            QVERIFY(dialog->findChild<QPushButton *>("addArcs")->text().contains("73"));
+            // The other way round, by the user's word.
+            dialog->findChild<QComboBox *>("arcSense")->setCurrentIndex(2);
+            QCOMPARE(dialog->arcs().front().sense, Sense::clockwise);
+            dialog->findChild<QComboBox *>("arcSense")->setCurrentIndex(0);
+            asked = true;
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+        shown.find<QAction>("pasteArc")->trigger();
+        QVERIFY(asked);
+        QCOMPARE(shown.circles().arcs.size(), std::size_t{1});
+        QCOMPARE(shown.circles().arcs[0].angles.at(18), 90.0);
+        QCOMPARE(shown.circles().arcs[0].radialDeviations.at(3), 0.0003);
+        QVERIFY(!shown.find<QLabel>("noArcs")->isVisible());
+        QCOMPARE(shown.find<QTableView>("points")->model()->rowCount(), 73);
+        QCOMPARE(shown.model.undoStack()->count(), 1); // one paste, one step
+        shown.model.undoStack()->undo();
+        QVERIFY(*shown.model.document() == before);
+    }
+
+    void whatIsNoTableOfPointsCannotBeAdded() {
+        CircularMeasurement circle;
+        circle.nominalRadius = 100;
+        ArcDialog dialog(circle, Language(Language::Id::english), "Dear colleague,\nthe circle is round.\n");
+        QVERIFY(!dialog.findChild<QPushButton *>("addArcs")->isEnabled());
+        QVERIFY(!dialog.findChild<QLabel *>("arcProblem")->text().isEmpty());
+        QVERIFY(dialog.arcs().empty());
+        QVERIFY(!ArcDialog::looksLikePoints("Dear colleague,\nthe circle is round.\n"));
+        QVERIFY(ArcDialog::looksLikePoints("angle\tdr\n0\t1,5\n1\t−1,4\n2\t1e-3\n"));
+        // Deviations alone: start and extent are asked for then, and only then.
+        dialog.findChild<QPlainTextEdit *>("arcTable")->setPlainText("1.5\n2.5\n3.5\n");
+        QVERIFY(dialog.findChild<QLineEdit *>("arcStart")->isEnabled());
+        dialog.findChild<QLineEdit *>("arcStart")->setText("90");
+        dialog.findChild<QLineEdit *>("arcExtent")->setText("180");
+        QCOMPARE(dialog.arcs().at(0).angles, (std::vector<double>{90, 180, 270}));
+        dialog.findChild<QLineEdit *>("arcExtent")->setText("none");
+        QVERIFY(dialog.arcs().empty());
+        QVERIFY(!dialog.findChild<QPushButton *>("addArcs")->isEnabled());
+    }
+
+    void pointsAreCorrectedInTheirCells() {
+        Shown shown;
+        const Document before = *shown.model.document();
+        QAbstractItemModel &points = *shown.find<QTableView>("points")->model();
+        QVERIFY(points.setData(points.index(2, 2), u"-2,5"_s, Qt::EditRole));
+        QCOMPARE(shown.circles().arcs[0].radialDeviations[2], -0.0025);
+        QVERIFY(points.setData(points.index(2, 1), u"0.25"_s, Qt::EditRole));
+        QCOMPARE(shown.circles().arcs[0].angles[2], 0.25);
+        points.setData(points.index(3, 2), u"4..5"_s, Qt::EditRole);
+        points.setData(points.index(3, 2), QString(), Qt::EditRole);
+        QCOMPARE(shown.model.undoStack()->count(), 2); // what is no number changes nothing
+        // The same text as is shown is no change; a length is a distance from the centre.
+        QVERIFY(!points.setData(points.index(5, 2), points.index(5, 2).data(Qt::EditRole), Qt::EditRole));
+        shown.find<QToolButton>("showLengths")->click();
+        QVERIFY(points.setData(points.index(4, 4), u"150.0031"_s, Qt::EditRole));
+        QCOMPARE(shown.circles().arcs[1].radialDeviations[4], 0.0031);
+        shown.find<QToolButton>("showCoordinates")->click();
+        QVERIFY(!(points.flags(points.index(4, 2)) & Qt::ItemIsEditable));
+        while (shown.model.undoStack()->canUndo())
+            shown.model.undoStack()->undo();
+        QVERIFY(*shown.model.document() == before);
+    }
+
+    void anArcIsDeletedAndComesBack() {
+        Shown shown;
+        const Document before = *shown.model.document();
+        shown.find<QTableView>("arcs")->setCurrentIndex(shown.find<QTableView>("arcs")->model()->index(1, 0));
+        const Sense kept = shown.circles().arcs[0].sense;
+        shown.find<QToolButton>("deleteArcButton")->click();
+        QCOMPARE(shown.circles().arcs.size(), std::size_t{1});
+        QCOMPARE(shown.circles().arcs[0].sense, kept);
+        shown.find<QToolButton>("deleteArcButton")->click();
+        QVERIFY(shown.circles().arcs.empty());
+        QVERIFY(!shown.find<QToolButton>("deleteArcButton")->isEnabled());
+        while (shown.model.undoStack()->canUndo())
+            shown.model.undoStack()->undo();
+        QVERIFY(*shown.model.document() == before);
     }
 
     void withoutArcsItIsStillThere() {

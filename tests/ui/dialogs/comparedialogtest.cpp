@@ -3,16 +3,21 @@
 #include "ui/dialogs/comparedialog.h"
 
 #include "document/savedocument.h"
+#include "ui/circles.h"
 #include "ui/examples.h"
 
 #include <QApplication>
 #include <QClipboard>
+#include <QFile>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <cmath>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -53,6 +58,71 @@ private slots:
         dialog.findChild<QTabWidget *>("compareTabs")->setCurrentIndex(1);
         dialog.findChild<QPushButton *>("copyComparison")->click();
         QVERIFY(QApplication::clipboard()->text().contains("as left"));
+    }
+
+    void filesOfMeasurementsAreCompared() {
+        CompareDialog dialog(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        QTemporaryDir folder;
+        QFile file(folder.filePath("left.csv"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("P mm;1 ↑ µm;1 ↓ µm;2 ↑ µm;2 ↓ µm\n0;1,0;2,0;1,5;2,5\n100;3,0;4,0;3,5;4,5\n");
+        file.close();
+        QVERIFY(dialog.addFile(file.fileName()));
+        auto *table = dialog.findChild<QTableWidget *>("testTable");
+        QCOMPARE(table->columnCount(), 4);
+        QVERIFY(table->horizontalHeaderItem(2)->text().contains("left.csv"));
+        bool told = false; // what was guessed stands below
+        for (const QLabel *label : dialog.findChildren<QLabel *>())
+            told = told || label->text().contains("left.csv: ");
+        QVERIFY(told);
+    }
+
+    void circlesLieOverOneAnother() {
+        Document document;
+        const Test first = decidedPair();
+        Test second = decidedPair();
+        second.id = "c2";
+        second.title = "after adjustment";
+        for (Arc &arc : circular(second).arcs) {
+            for (double &deviation : arc.radialDeviations)
+                deviation /= 2;
+        }
+        document.tests = {std::make_shared<const Test>(first), std::make_shared<const Test>(second)};
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+        const ComparisonFigure figure = comparisonFigure(
+            {{evaluated, 0, "as found"}, {evaluated, 1, "as left"}}, Language(Language::Id::english));
+        QCOMPARE(figure.curves.size(), std::size_t{4});
+        QCOMPARE(figure.curves[0].name, QString("as found (XY)"));
+        QCOMPARE(figure.curves[3].name, QString("as left (YX)"));
+        QCOMPARE(figure.curves[3].test, std::size_t{1});
+        QCOMPARE(figure.curves[3].sense, std::optional(Sense::clockwise));
+        // The extremes are those of all points about the least squares centre; few points carry them.
+        const auto reach = [&](const ComparisonCurve &curve) {
+            double least = 0;
+            double most = 0;
+            std::size_t points = 0;
+            for (const auto &line : curve.lines) {
+                points += line.size();
+                for (const FigurePoint &point : line) {
+                    least = std::min(least, point.y);
+                    most = std::max(most, point.y);
+                }
+            }
+            return points <= 6000 ? most - least : std::nan("");
+        };
+        const TestEvaluation &evaluation = *evaluated.tests[0];
+        const CircleResult *circle = std::get<CircularResults>(evaluation.results)
+                                         .circle(CircleOf::counterclockwise, ReferenceCircle::leastSquares);
+        QVERIFY(std::abs(reach(figure.curves[0]) - circle->width * 1000) < 1e-6); // µm
+        // Every evaluated point counts, the first and the last, too.
+        const Arc &arc = circular(first).arcs[0];
+        QVERIFY(std::abs(figure.curves[0].lines.front().front().x - arc.angles.front()) < 0.01);
+        QVERIFY(std::abs(figure.curves[0].lines.back().back().x - arc.angles.back()) < 0.01);
+        QVERIFY(std::abs(figure.x.to - figure.x.from - 360) < 30);
+        CompareDialog dialog(evaluated, 0);
+        QCOMPARE(dialog.findChild<QListWidget *>("testList")->count(), 2);
+        dialog.findChild<QListWidget *>("testList")->item(1)->setCheckState(Qt::Checked);
+        QCOMPARE(dialog.findChild<QTableWidget *>("testTable")->columnCount(), 4);
     }
 
     void withoutTestNothingIsCompared() {

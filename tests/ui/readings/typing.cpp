@@ -7,6 +7,7 @@
 #include "document/writedocument.h"
 #include "editing/measuringcycle.h"
 #include "editing/newtest.h"
+#include "kernel/planning/targetplan.h"
 #include "ui/examples.h"
 #include "ui/readings/readingspage.h"
 #include "ui/window/rightside.h"
@@ -20,6 +21,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTableView>
 #include <QTest>
 #include <QTimer>
@@ -555,6 +557,10 @@ private slots:
             field("newTravel")->setText("1800");
             auto *list = dialog->findChild<QPlainTextEdit *>("newTargets");
             QCOMPARE(list->toPlainText().count(';'), 8); // five a metre
+            field("newTravel")->setText("4000");
+            QCOMPARE(dialog->findChild<QSpinBox *>("newRuns")->value(), 1); // once over the whole of it
+            field("newTravel")->setText("1800");
+            QCOMPARE(dialog->findChild<QSpinBox *>("newRuns")->value(), 5);
             list->setPlainText("0 150,71 300,85");
             QTest::keyClick(dialog, Qt::Key_Return);
         });
@@ -568,6 +574,33 @@ private slots:
         QCOMPARE(m.runs.size(), std::size_t{10});
         QCOMPARE(shown.window->workplace().selection().reading(), (ReadingPlace{0, 0}));
         QCOMPARE(shown.window->focusWidget()->objectName(), QString("readings"));
+    }
+
+    void theTargetsOfANewTestAreChosenAfterItsEdition() {
+        for (const bool typed : {false, true}) {
+            const ShownWindow shown;
+            QTimer::singleShot(0, shown.window, [typed] {
+                auto *dialog = QApplication::activeModalWidget();
+                QVERIFY(dialog);
+                if (typed)
+                    dialog->findChild<QPlainTextEdit *>("newTargets")->setPlainText("0 200 400 600 800");
+                QTest::keyClick(dialog, Qt::Key_Return);
+            });
+            shown.find<QAction>("new")->trigger();
+            const Document &document = *shown.window->model().document();
+            const auto &m = std::get<PositioningMeasurement>(document.tests.at(0)->measurement);
+            QCOMPARE(m.targetChoice.kind, typed ? TargetChoiceKind::notStated : TargetChoiceKind::free);
+            if (typed)
+                continue;
+            // The seed in the file gives the same targets again.
+            TargetRequest request;
+            request.from = 1;
+            request.travel = 998;
+            request.seed = static_cast<std::uint64_t>(m.targetChoice.seed.value());
+            QCOMPARE(m.targets, planTargets(request).targets);
+            const auto &findings = shown.window->evaluator().current().tests[0]->findings;
+            QVERIFY(std::ranges::none_of(findings, [](const Finding &f) { return f.id == "evenSpacing"; }));
+        }
     }
 
     void testsAreRenamedRepeatedAndDeleted() {

@@ -1,5 +1,8 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "ui/circles/arcdialog.h"
+#include "ui/dialogs/newcircledialog.h"
+#include "ui/dialogs/newtestdialog.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractButton>
@@ -87,9 +90,7 @@ void checkMenus(const QWidget &window, std::map<QChar, QString> &ofWindow) {
     }
 }
 
-void checkMnemonics(const QWidget &window) {
-    std::map<QChar, QString> taken;
-    checkMenus(window, taken);
+void checkWidgets(const QWidget &window, std::map<QChar, QString> &taken) {
     for (const QWidget *widget : window.findChildren<QWidget *>()) {
         if (!widget->isVisibleTo(&window))
             continue;
@@ -106,6 +107,22 @@ void checkMnemonics(const QWidget &window) {
             const QString clash = take(taken, text);
             QVERIFY2(clash.isEmpty(), qPrintable(text + " and " + clash));
         }
+    }
+}
+
+void checkMnemonics(const QWidget &window) {
+    std::map<QChar, QString> taken;
+    checkMenus(window, taken);
+    checkWidgets(window, taken);
+}
+
+void checkDialog(const QDialog &dialog) {
+    std::map<QChar, QString> taken;
+    checkWidgets(dialog, taken);
+    QVERIFY(!taken.empty());
+    for (QWidget *field : dialog.findChildren<QWidget *>()) {
+        if (field->isVisibleTo(&dialog) && isControl(field))
+            QVERIFY2(!spoken(field).isEmpty(), qPrintable(path(field)));
     }
 }
 
@@ -158,6 +175,13 @@ void AccessibilityTest::everyControlHasAName() {
 void AccessibilityTest::mnemonicsDoNotClash() {
     QFETCH(Language::Id, language);
     setWindowLanguage(language);
+    const Language words(language);
+    CircularMeasurement circle;
+    circle.nominalRadius = 100;
+    checkDialog(NewTestDialog(words));
+    checkDialog(NewCircleDialog(words));
+    checkDialog(ArcDialog(circle, words, QStringLiteral("1.5\n2.5\n3.5\n")));
+    checkDialog(ArcDialog(circle, words, QString()));
     const ShownWindow welcome;
     checkMnemonics(*welcome.window);
     const ShownWindow shown(examplePath("iso230-2-1988-example"));

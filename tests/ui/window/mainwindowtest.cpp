@@ -2,6 +2,7 @@
 
 #include "ui/window/shownwindow.h"
 
+#include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/writedocument.h"
 #include "ui/navigation/navigationmodel.h"
@@ -15,12 +16,15 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QPushButton>
+#include <QSplitter>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -91,6 +95,8 @@ private slots:
     void maximisesTheFigure();
     void arrangesForTheSizeThereIs_data();
     void arrangesForTheSizeThereIs();
+    void remembersTheWidthsOfItsParts();
+    void startsACircularTest();
     void followsThePalette();
     void leavesUnfocusedFieldsToTheWheel();
     void modelsKeepTheirPromises();
@@ -417,10 +423,71 @@ void MainWindowTest::arrangesForTheSizeThereIs() {
         QVERIFY(right->width() >= 490);
 }
 
+void MainWindowTest::remembersTheWidthsOfItsParts() {
+    const QSize size(1400, 800);
+    const auto draw = [](const ShownWindow &shown, const char *name, int by) {
+        auto *handle = shown.find<QSplitter>(name)->handle(1);
+        const QPoint at = handle->rect().center();
+        QTest::mousePress(handle, Qt::LeftButton, {}, at);
+        QMouseEvent move(QEvent::MouseMove, at + QPoint(by, 0), handle->mapToGlobal(at + QPoint(by, 0)),
+                         Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(handle, &move);
+        QTest::mouseRelease(handle, Qt::LeftButton, {}, at);
+    };
+    int side = 0;
+    int right = 0;
+    {
+        const ShownWindow shown(examplePath("rotary-axis"), size);
+        QTRY_COMPARE(shown.find("navigation")->width(), 184);
+        draw(shown, "outerSplitter", 40);
+        draw(shown, "innerSplitter", -60);
+        side = shown.find("navigation")->width();
+        right = shown.find("rightSide")->width();
+        QVERIFY(side > 200 && right > 520);
+    }
+    const ShownWindow again(examplePath("one-direction"), size);
+    QTRY_COMPARE(again.find("navigation")->width(), side);
+    QTRY_COMPARE(again.find("rightSide")->width(), right);
+    // A circular test has widths of its own.
+    const ShownWindow circular(examplePath("iso230-4-full-circles-xy"), size);
+    QTRY_COMPARE(circular.find("navigation")->width(), 184);
+    QVERIFY(circular.find("rightSide")->width() < right);
+}
+
+void MainWindowTest::startsACircularTest() {
+    const ShownWindow shown;
+    QTimer::singleShot(0, shown.window, [] {
+        auto *dialog = QApplication::activeModalWidget();
+        QVERIFY(dialog);
+        auto *radius = dialog->findChild<QLineEdit *>(QStringLiteral("newRadius"));
+        auto *create = dialog->findChild<QPushButton *>(QStringLiteral("createCircle"));
+        radius->setText(QStringLiteral("-1"));
+        QVERIFY(!create->isEnabled());
+        radius->setText(QStringLiteral("75,5")); // both decimal marks
+        dialog->findChild<QLineEdit *>(QStringLiteral("newFeed"))->setText(QStringLiteral("1500"));
+        dialog->findChild<QComboBox *>(QStringLiteral("newPlane"))->setCurrentIndex(2);
+        QVERIFY(create->isEnabled());
+        QTest::keyClick(dialog, Qt::Key_Return);
+    });
+    shown.find<QAction>("newCircle")->trigger();
+    QVERIFY(shown.window->hasDocument());
+    const Document document = *shown.window->model().document();
+    QCOMPARE(document.tests.size(), std::size_t{1});
+    QCOMPARE(document.tests[0]->edition, std::string("ISO 230-4:2005"));
+    QCOMPARE(document.tests[0]->id, std::string("zx1"));
+    const auto &circle = std::get<CircularMeasurement>(document.tests[0]->measurement);
+    QCOMPARE(circle.nominalRadius, 75.5);
+    QCOMPARE(circle.feed, std::optional(1500.0));
+    QCOMPARE(circle.plane, (Plane{"Z", "X"}));
+    QVERIFY(shown.find("noArcs")->isVisible());
+    QVERIFY(readDocument(writeDocument(document)) == document);
+}
+
 void MainWindowTest::followsThePalette() {
     const ShownWindow shown(examplePath("rotary-axis"));
     const QPalette light = QApplication::palette();
     const QString sheet = qApp->styleSheet();
+    QVERIFY(!sheet.contains(u'@')); // every colour has its value
     QPalette dark = light;
     dark.setColor(QPalette::Window, QColor(0x22, 0x25, 0x28));
     dark.setColor(QPalette::Base, QColor(0x1a, 0x1c, 0x1e));

@@ -53,7 +53,7 @@ std::vector<Argument> approaches(const PositioningCase &test) {
 
 Message gapMessage(const NameList &list) {
     return {
-        REPORT_TEXT("report", "No reading at %1 (%n in all): the statistics use the readings that exist."),
+        REPORT_TEXT_COUNTED("report", "No reading at %1 (%n in all): the statistics use the readings that exist."),
         {list.text()},
         list.count()};
 }
@@ -125,7 +125,7 @@ Sentence refusedReadings(const PositioningCase &test) {
     }
     if (list.empty())
         return std::nullopt;
-    return Message{REPORT_TEXT("report", "Readings that are no numbers (%n), hence missing: %1."),
+    return Message{REPORT_TEXT_COUNTED("report", "Readings that are no numbers (%n), hence missing: %1."),
                    {list.text()},
                    list.count()};
 }
@@ -151,7 +151,7 @@ Sentence excludedReadings(const PositioningCase &test) {
             list.add(readingName(m, run, static_cast<std::size_t>(reading.target - 1)));
     }
     return Message{
-        REPORT_TEXT("report", "Readings set aside (%n): %1. The standard knows no rejection of readings."),
+        REPORT_TEXT_COUNTED("report", "Readings set aside (%n): %1. The standard knows no rejection of readings."),
         {list.text()},
         list.count()};
 }
@@ -162,7 +162,7 @@ Sentence excludedWithoutReason(const PositioningCase &test) {
     if (without == 0)
         return std::nullopt;
     return Message{
-        REPORT_TEXT("report", "Readings set aside without a reason: %n."), {}, static_cast<int>(without)};
+        REPORT_TEXT_COUNTED("report", "Readings set aside without a reason: %n."), {}, static_cast<int>(without)};
 }
 
 Sentence rangeMethodElsewhere(const PositioningCase &test) {

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "editing/arctable.h"
+#include "language/language.h"
+
+#include <QDialog>
+#include <vector>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace palmer::ui {
+
+/// "New arc…": a table of points typed or pasted, what was understood of it beside it, and what the user may
+/// decide. Nothing is taken before it is accepted.
+class ArcDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// The points are read for this circle. `text`: what the table begins with.
+    ArcDialog(CircularMeasurement circle, const Language &language, const QString &text,
+              QWidget *parent = nullptr);
+
+    /// The paths as they were understood last.
+    [[nodiscard]] const std::vector<Arc> &arcs() const { return m_arcs; }
+
+    /// Whether a text of the clipboard may be a table of points: lines of numbers.
+    [[nodiscard]] static bool looksLikePoints(const QString &text);
+
+private:
+    QComboBox *addChoice(QFormLayout &form, const char *name, const QString &label, const QStringList &words);
+    QLineEdit *addAngle(QFormLayout &form, const char *name, const QString &label, double value);
+    void read();
+    void showTable(const ArcTable &table);
+    void showProblem(const QString &problem);
+    [[nodiscard]] ArcTableChoices choices() const;
+
+    CircularMeasurement m_circle;
+    Language m_language;
+    std::vector<Arc> m_arcs;
+    QPlainTextEdit *m_text;
+    QComboBox *m_content;
+    QComboBox *m_unit;
+    QComboBox *m_mark;
+    QComboBox *m_sense;
+    QComboBox *m_reference;
+    QLineEdit *m_start;
+    QLineEdit *m_way;
+    QLabel *m_problem;
+    QLabel *m_paths;
+    QLabel *m_remarks;
+    QPushButton *m_add;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+
+namespace palmer::ui {
+
+/// Puts the labels of a form on the middle of their fields, however these are made up.
+inline void alignLabels(QFormLayout &form) {
+    constexpr int fieldHeight = 28;
+    form.setVerticalSpacing(8);
+    form.setHorizontalSpacing(12);
+    for (int row = 0; row < form.rowCount(); ++row) {
+        QLayoutItem *item = form.itemAt(row, QFormLayout::LabelRole);
+        if (auto *label = item ? qobject_cast<QLabel *>(item->widget()) : nullptr)
+            label->setMinimumHeight(fieldHeight);
+    }
+}
+
+/// Shows a button as the one to press. A box of buttons has given it its look before.
+inline void makePrimary(QPushButton &button) {
+    button.setProperty("primary", true);
+    button.setDefault(true);
+    button.style()->unpolish(&button);
+    button.style()->polish(&button);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,130 @@
+#include "ui/dialogs/newcircledialog.h"
+
+#include "kernel/evaluation/edition.h"
+#include "language/entry.h"
+#include "ui/dialogs/formrows.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <array>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double proposedRadius = 150;
+constexpr int leastWidth = 420;
+
+} // namespace
+
+NewCircleDialog::NewCircleDialog(const Language &language, const Test *like, QWidget *parent)
+    : QDialog(parent)
+    , m_language(language)
+    , m_plane(new QComboBox(this))
+    , m_radius(new QLineEdit(this))
+    , m_feed(new QLineEdit(this))
+    , m_source(new QComboBox(this))
+    , m_edition(new QComboBox(this))
+    , m_problem(new QLabel(this)) {
+    setObjectName(QStringLiteral("newCircleDialog"));
+    setWindowTitle(tr("New circular test"));
+    m_plane->setObjectName(QStringLiteral("newPlane"));
+    m_radius->setObjectName(QStringLiteral("newRadius"));
+    m_feed->setObjectName(QStringLiteral("newFeed"));
+    m_source->setObjectName(QStringLiteral("newSource"));
+    m_edition->setObjectName(QStringLiteral("newCircleEdition"));
+    m_problem->setObjectName(QStringLiteral("newCircleProblem"));
+    for (const char *plane : {"XY", "YZ", "ZX", "YX", "ZY", "XZ"}) // right-handed first
+        m_plane->addItem(QString::fromLatin1(plane).insert(1, QStringLiteral(" → ")),
+                         QString::fromLatin1(plane));
+    m_source->addItems({tr("external"), tr("feedback signal")});
+    for (const Edition *edition : editions()) {
+        if (edition->kind == Kind::circular)
+            m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
+    }
+    m_edition->setCurrentIndex(m_edition->findData(QStringLiteral("ISO 230-4:2005")));
+    m_radius->setText(m_language.number(proposedRadius, Quantity::position));
+    m_feed->setPlaceholderText(tr("not stated"));
+    const auto *circle = like ? std::get_if<CircularMeasurement>(&like->measurement) : nullptr;
+    if (circle) {
+        const QString plane = QString::fromStdString(circle->plane.first + circle->plane.second);
+        m_plane->setCurrentIndex(std::max(0, m_plane->findData(plane)));
+        m_edition->setCurrentIndex(std::max(0, m_edition->findData(QString::fromStdString(like->edition))));
+        m_source->setCurrentIndex(static_cast<int>(circle->source));
+        m_radius->setText(m_language.number(circle->nominalRadius, Quantity::position));
+        if (circle->feed)
+            m_feed->setText(m_language.number(*circle->feed, Quantity::feed));
+    }
+
+    m_problem->setWordWrap(true);
+    m_problem->setProperty("reason", true);
+    m_problem->setTextFormat(Qt::PlainText);
+    auto *form = new QFormLayout;
+    const auto addNumber = [&](const QString &text, QLineEdit *field, Quantity quantity) {
+        field->setAlignment(Qt::AlignRight);
+        auto *label = new QLabel(text, this);
+        label->setBuddy(field);
+        auto *unit = new QLabel(m_language.unit(quantity), this);
+        unit->setProperty("secondary", true);
+        auto *row = new QHBoxLayout;
+        row->setSpacing(8);
+        row->addWidget(field);
+        row->addWidget(unit);
+        form->addRow(label, row);
+        connect(field, &QLineEdit::textChanged, this, &NewCircleDialog::check);
+    };
+    form->addRow(tr("&Plane"), m_plane);
+    addNumber(tr("Nominal &radius"), m_radius, Quantity::position);
+    addNumber(tr("Contouring &feed"), m_feed, Quantity::feed);
+    form->addRow(tr("&Source of the signal"), m_source);
+    form->addRow(tr("&Edition"), m_edition);
+    alignLabels(*form);
+    auto *note = new QLabel(tr("The arcs are typed or pasted afterwards, as tables."), this);
+    note->setProperty("secondary", true);
+    note->setWordWrap(true);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
+    m_create->setObjectName(QStringLiteral("createCircle"));
+    makePrimary(*m_create);
+    auto *column = new QVBoxLayout(this);
+    column->addLayout(form);
+    column->addWidget(m_problem);
+    column->addWidget(note);
+    column->addWidget(buttons);
+    setMinimumWidth(leastWidth);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    check();
+}
+
+void NewCircleDialog::check() {
+    const NumberEntry radius = enteredNumber(m_radius->text(), Quantity::position, m_language.units());
+    const NumberEntry feed = enteredNumber(m_feed->text(), Quantity::feed, m_language.units());
+    QString problem;
+    if (!radius.value || !(*radius.value > 0))
+        problem = tr("The nominal radius is a number above 0.");
+    else if (feed.refusal || (feed.value && !(*feed.value > 0)))
+        problem = tr("The feed is a number above 0, or not stated.");
+    m_problem->setText(problem);
+    m_problem->setVisible(!problem.isEmpty());
+    m_create->setEnabled(problem.isEmpty());
+}
+
+NewCircularTest NewCircleDialog::wanted() const {
+    NewCircularTest result;
+    const std::string plane = m_plane->currentData().toString().toStdString();
+    result.plane = {plane.substr(0, 1), plane.substr(1)};
+    result.nominalRadius =
+        enteredNumber(m_radius->text(), Quantity::position, m_language.units()).value.value_or(0);
+    result.feed = enteredNumber(m_feed->text(), Quantity::feed, m_language.units()).value;
+    result.source = static_cast<SignalSource>(m_source->currentIndex());
+    result.edition = m_edition->currentData().toString().toStdString();
+    return result;
+}
+
+} // namespace palmer::ui
