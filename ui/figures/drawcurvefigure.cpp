@@ -17,6 +17,7 @@ constexpr double mm = pointsPerMillimetre;
 constexpr double tickLength = 1.2 * mm;
 constexpr double tickGap = 1.0 * mm;
 constexpr double gutterWidth = 26 * mm;
+constexpr double narrowGutter = 8 * mm; ///< for one dimension
 constexpr double gutterStart = 2.4 * mm;
 constexpr double gutterStep = 6.1 * mm;
 constexpr double besideTarget = 3.3 * mm;
@@ -72,15 +73,18 @@ public:
         , m_medium(medium)
         , m_area(area)
         , m_margins(medium == Medium::paper ? paperMargins : screenMargins) {
-        const bool dimensions =
-            medium == Medium::paper || (area.width() >= widthForDimensions && !figure.dimensions.empty());
+        // A single one, as that of a drift test, needs little room.
+        const bool single = medium != Medium::paper && figure.dimensions.size() == 1 &&
+                            figure.dimensions[0].place == DimensionPlace::gutter;
+        const bool dimensions = medium == Medium::paper || single ||
+                                (area.width() >= widthForDimensions && !figure.dimensions.empty());
         m_dimensions = dimensions;
         double widest = 0;
         for (const Tick &tick : figure.y.ticks)
             widest = std::max(widest, textWidth(tick.label));
         const double titleEdge = titleCentre + figureTextSize;
         const double left = std::max(m_margins.left, titleEdge + widest + tickGap + tickLength);
-        const double right = dimensions ? gutterWidth : m_margins.right;
+        const double right = single ? narrowGutter : dimensions ? gutterWidth : m_margins.right;
         m_plot = QRectF(area.left() + left, area.top() + m_margins.top, area.width() - left - right,
                         area.height() - m_margins.top - m_margins.bottom);
     }

@@ -480,7 +480,7 @@ void UncertaintyPage::addCircularInputs(bool centring) {
     m_fields[displacementId] =
         addNumber("displacement", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Displacement, U"), size,
                   circular<&Inputs::displacement, &ExpandedValue::expanded>(), 1, Allowed::notNegative);
-    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the certificate"),
+    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the displacement"),
               Quantity::number, coverageOf(circular<&Inputs::displacement, &ExpandedValue::coverageFactor>()),
               1, Allowed::positive);
     m_fields[referenceLengthId] =
@@ -490,7 +490,7 @@ void UncertaintyPage::addCircularInputs(bool centring) {
                       return measurement ? &measurement->referenceLength.expandedUncertainty : nullptr;
                   }),
                   1, Allowed::notNegative);
-    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the certificate"),
+    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the length"),
               Quantity::number, coverageOf(ofTest([](auto &test) {
                   auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
                   return measurement ? &measurement->referenceLength.coverageFactor : nullptr;

@@ -160,7 +160,10 @@ private slots:
         Workplace &workplace = shown.window->workplace();
         auto *tabs = shown.find<PageTabs>("pageTabs");
         workplace.showTest(0);
-        workplace.showPage(Page::uncertainty);
+        auto *action = shown.find<QAction>("page5"); // the page of the uncertainty has its key
+        QCOMPARE(action->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_5));
+        action->trigger();
+        QCOMPARE(workplace.selection().page(), Page::uncertainty);
         QCOMPARE(tabs->currentIndex(), 4);
         shown.find<QAction>("addDrift")->trigger();
         auto *page = shown.find<DriftPage>("driftPage");
