@@ -79,7 +79,7 @@ private slots:
 
     void circlesLieOverOneAnother() {
         Document document;
-        const Test first = decidedPair();
+        Test first = decidedPair();
         Test second = decidedPair();
         second.id = "c2";
         second.title = "after adjustment";
