@@ -373,8 +373,10 @@ void MainWindow::connectParts() {
     constexpr std::array pages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits,
                                Page::uncertainty};
     for (std::size_t i = 0; i < pages.size(); ++i)
-        connect(m_pageActions[i], &QAction::triggered, this,
-                [this, page = pages[i]] { m_workplace->showPage(page); });
+        connect(m_pageActions[i], &QAction::triggered, this, [this, page = pages[i]] {
+            m_workplace->showPage(page);
+            m_workplace->focusPage();
+        });
     connect(m_nextMissingAction, &QAction::triggered, this, [this] { m_workplace->showNextMissing(true); });
     connect(m_previousMissingAction, &QAction::triggered, this,
             [this] { m_workplace->showNextMissing(false); });

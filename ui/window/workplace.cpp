@@ -24,8 +24,10 @@
 #include "ui/window/thinsplitter.h"
 #include "ui/windowlanguage.h"
 
+#include <QAbstractButton>
 #include <QEvent>
 #include <QFrame>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -230,6 +232,26 @@ void Workplace::showTest(std::size_t test) {
         showPage(Page::readings);
 }
 
+void Workplace::focusPage() {
+    if (m_pages->currentWidget() == m_readingPages) {
+        m_readingPages->currentWidget()->setFocus();
+        return;
+    }
+    QWidget *page = m_pages->currentWidget();
+    const auto isField = [page](const QWidget *widget) {
+        return page->isAncestorOf(widget) && widget->isVisible() && widget->isEnabled() &&
+               (widget->focusPolicy() & Qt::TabFocus) != 0 &&
+               !qobject_cast<const QAbstractButton *>(widget) && !qobject_cast<const QScrollArea *>(widget);
+    };
+    for (QWidget *widget = page->nextInFocusChain(); widget && widget != page;
+         widget = widget->nextInFocusChain()) {
+        if (isField(widget)) {
+            widget->setFocus(Qt::TabFocusReason);
+            return;
+        }
+    }
+}
+
 void Workplace::present() {
     presentTest();
     presentPage();
@@ -402,7 +424,8 @@ bool Workplace::showNextMissing(bool forward) {
     }
     if (missing.empty())
         return false;
-    // Page by page, so that the walk does not jump to and fro; on the page with most fields from the top down.
+    // Page by page, so that the walk does not jump to and fro; on the page with most fields from the top
+    // down.
     const auto placeOf = [this](const std::pair<Page, QString> &field) {
         return field.first == Page::conditions ? m_conditions->placeOf(field.second) : 0;
     };

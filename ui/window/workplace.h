@@ -55,6 +55,8 @@ public:
     /// Brings a page of the report, or of the current test, into view.
     void showPage(Page page);
     void showTest(std::size_t test);
+    /// Puts the keyboard into the page in view, on its first field.
+    void focusPage();
 
     /// What the button "+ Test" offers, and the menu of a test in the navigation.
     void setTestActions(const QList<QAction *> &add, const QList<QAction *> &change);

@@ -96,6 +96,7 @@ private slots:
     void arrangesForTheSizeThereIs_data();
     void arrangesForTheSizeThereIs();
     void remembersTheWidthsOfItsParts();
+    void thePagesTakeTheKeyboard();
     void startsACircularTest();
     void followsThePalette();
     void leavesUnfocusedFieldsToTheWheel();
@@ -452,6 +453,18 @@ void MainWindowTest::remembersTheWidthsOfItsParts() {
     const ShownWindow circular(examplePath("iso230-4-full-circles-xy"), size);
     QTRY_COMPARE(circular.find("navigation")->width(), 184);
     QVERIFY(circular.find("rightSide")->width() < right);
+}
+
+void MainWindowTest::thePagesTakeTheKeyboard() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    for (const char *page : {"page4", "page2", "page1"}) {
+        shown.find<QAction>(page)->trigger();
+        const QWidget *focused = shown.window->focusWidget();
+        QVERIFY(focused);
+        QVERIFY2(shown.find("centre")->isAncestorOf(focused), page);
+        QVERIFY2(focused->isVisible() && !qobject_cast<const QAbstractButton *>(focused), page);
+    }
+    QCOMPARE(shown.window->focusWidget()->objectName(), QStringLiteral("readings"));
 }
 
 void MainWindowTest::startsACircularTest() {
