@@ -102,7 +102,7 @@ private:
 
     void scanLine() {
         const std::size_t begin = m_at;
-        TableRow row{cells.size(), 0, m_line, false};
+        TableRow row{static_cast<std::uint32_t>(cells.size()), 0, m_line, false};
         skipBlanks();
         const std::size_t mark = m_comments ? commentMark(m_text.substr(m_at, 8)) : 0;
         if (mark > 0) {
@@ -396,7 +396,8 @@ void TableBuilder::beginRow(std::size_t line) {
         refuseSize(line);
     if (!m_table.m_rows.empty())
         m_table.m_text += '\n';
-    m_table.m_rows.push_back({m_table.m_cells.size(), 0, static_cast<std::uint32_t>(line), false});
+    m_table.m_rows.push_back(
+        {static_cast<std::uint32_t>(m_table.m_cells.size()), 0, static_cast<std::uint32_t>(line), false});
 }
 
 TableCell &TableBuilder::append(std::string_view cell) {
