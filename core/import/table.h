@@ -28,7 +28,7 @@ struct TableCell {
 
 /// A line of a table: its cells from `first` on. Lines without a cell are no rows.
 struct TableRow {
-    std::size_t first = 0;
+    std::uint32_t first = 0;
     std::uint32_t count = 0;
     std::uint32_t line = 1; ///< of the text, from 1
     bool comment = false;   ///< begins with # % or //: one cell, the line without the mark

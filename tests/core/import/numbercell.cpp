@@ -121,6 +121,14 @@ void NumberCellTest::readsEveryNumberExactly() {
         std::from_chars(text.data(), text.data() + text.size(), expected);
         const CellValue read = readCell(text, DecimalMark::point);
         QVERIFY2(read.kind == CellKind::number && read.value == expected, text.c_str());
+        // Whatever follows that is no part of it, many bytes or none.
+        char next = ';';
+        do {
+            next = static_cast<char>(random());
+        } while ((next >= '0' && next <= '9') || next == '.' || next == 'e' || next == 'E');
+        const std::string line = text + next + "00000000,11111111.2222";
+        const LeadingNumber leading = leadingNumber(line, DecimalMark::point);
+        QVERIFY2(leading.size == text.size() && leading.value == expected, line.c_str());
     }
 }
 
