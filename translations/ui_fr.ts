@@ -2593,10 +2593,6 @@
         <translation>&amp;Incertitude</translation>
     </message>
     <message>
-        <source>Expor&amp;t</source>
-        <translation>Expor&amp;ter</translation>
-    </message>
-    <message>
         <source>&amp;Readings and results…</source>
         <translation>&amp;Relevés et résultats…</translation>
     </message>
@@ -2607,6 +2603,10 @@
     <message>
         <source>&amp;Compensation table…</source>
         <translation>&amp;Table de compensation…</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>Expor&amp;ter</translation>
     </message>
 </context>
 <context>
@@ -4080,6 +4080,14 @@
     <message>
         <source>Bold: the U that decides.</source>
         <translation>En gras : l’U qui décide.</translation>
+    </message>
+    <message>
+        <source>k of the displacement</source>
+        <translation>k du déplacement</translation>
+    </message>
+    <message>
+        <source>k of the length</source>
+        <translation>k de la longueur</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/figures/lineview.h"
+#include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -139,7 +140,7 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
     if (open)
         m_document = *open;
     setObjectName(QStringLiteral("importAssistant"));
-    resize(1280, 800);
+    resize(sizeOnScreen(*this, {1280, 800}));
     try {
         m_profiles = readImportProfiles(importProfilesPath());
     } catch (const Error &) {
