@@ -271,10 +271,11 @@ void MainWindow::makeToolBar() {
     m_toolBar->addAction(m_undoAction);
     m_toolBar->addAction(m_redoAction);
     m_toolBar->addSeparator();
+    m_toolBar->addAction(m_importAction);
     m_toolBar->addAction(m_planAction);
     m_toolBar->addAction(m_reportAction);
-    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction, m_planAction,
-                            m_reportAction}) {
+    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction,
+                            m_importAction, m_planAction, m_reportAction}) {
         auto *button = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action));
         button->setObjectName(action->objectName() + QStringLiteral("Button"));
         button->setFocusPolicy(Qt::TabFocus);
@@ -1096,8 +1097,8 @@ void MainWindow::retranslate() {
     for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_planAction, m_compareAction,
                             m_helpAction, m_reportAction})
         action->setToolTip(hint(*action));
-    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction, m_planAction,
-                            m_reportAction}) {
+    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction,
+                            m_importAction, m_planAction, m_reportAction}) {
         QString name = action->iconText();
         m_toolBar->widgetForAction(action)->setAccessibleName(name.remove(u'…'));
     }

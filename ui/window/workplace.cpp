@@ -114,10 +114,18 @@ QWidget *Workplace::makeCentre() {
     m_pages = new QStackedWidget(centre);
     m_readingPages = new QStackedWidget(m_pages);
     m_readings = new ReadingsPage(m_model, m_selection, m_readingPages);
-    m_circles = new CirclesPage(m_model, m_selection, m_readingPages);
+    m_circlesPlace = new QScrollArea(m_readingPages); // on low screens the page is higher than its place
+    m_circlesPlace->setWidgetResizable(true);
+    m_circlesPlace->setFrameShape(QFrame::NoFrame);
+    m_circlesPlace->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_circlesPlace->setFocusPolicy(Qt::NoFocus);
+    m_circles = new CirclesPage(m_model, m_selection, m_circlesPlace->viewport());
+    m_circles->setAttribute(Qt::WA_StyledBackground);
+    m_circles->setProperty("ground", QStringLiteral("base"));
+    m_circlesPlace->setWidget(m_circles);
     m_readingPages->addWidget(m_readings);
     m_drift = new DriftPage(m_model, m_selection, m_readingPages);
-    m_readingPages->addWidget(m_circles);
+    m_readingPages->addWidget(m_circlesPlace);
     m_readingPages->addWidget(m_drift);
     m_conditions = new ConditionsPage(m_model, m_selection, m_pages);
     m_agreedPoints = new AgreedPointsPage(m_model, m_selection, m_pages);
@@ -282,7 +290,7 @@ void Workplace::presentTest() {
     const bool drift = isDrift();
     m_drift->show(m_evaluated, test);
     m_readingPages->setCurrentWidget(drift      ? static_cast<QWidget *>(m_drift)
-                                     : circular ? static_cast<QWidget *>(m_circles)
+                                     : circular ? static_cast<QWidget *>(m_circlesPlace)
                                                 : m_readings);
     for (std::size_t i = 1; i < testPages.size(); ++i) // a drift test has readings and nothing else
         m_tabs->setTabVisible(static_cast<int>(i), !drift);

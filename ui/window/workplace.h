@@ -9,6 +9,7 @@
 #include <QWidget>
 
 class QFrame;
+class QScrollArea;
 class QSplitter;
 class QStackedWidget;
 class QToolButton;
@@ -121,6 +122,7 @@ private:
     QStackedWidget *m_pages;
     QStackedWidget *m_readingPages; ///< by the kind of test
     ReadingsPage *m_readings;
+    QScrollArea *m_circlesPlace;
     CirclesPage *m_circles;
     ConditionsPage *m_conditions;
     AgreedPointsPage *m_agreedPoints;
