@@ -50,6 +50,14 @@
     </message>
 </context>
 <context>
+    <name>examples</name>
+    <message numerus="yes">
+        <source>%1 · %n arc(s), %2 points</source>
+        <translation>
+            <numerusform>%1 · %n arc, %2 points</numerusform><numerusform>%1 · %n arcs, %2 points</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ArcDialog</name>
     <message numerus="yes">
         <source>&amp;Add %n point(s)</source>

@@ -259,6 +259,11 @@
         <source>ZX plane, partial arc</source>
         <translation>Plan ZX, arc partiel</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 · %n arc(s), %2 points</source>
+        <translation>
+            <numerusform>%1 · %n arc, %2 points</numerusform><numerusform>%1 · %n arcs, %2 points</numerusform></translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::AgreedPointsPage</name>

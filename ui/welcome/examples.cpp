@@ -32,7 +32,8 @@ QString words(const Test &test) {
         std::size_t points = 0;
         for (const Arc &arc : circular->arcs)
             points += arc.angles.size();
-        return QCoreApplication::translate("examples", "%1 · %n arc(s), %2 points", nullptr,
+        const char *counted = QT_TRANSLATE_N_NOOP("examples", "%1 · %n arc(s), %2 points");
+        return QCoreApplication::translate("examples", counted, nullptr,
                                            static_cast<int>(circular->arcs.size()))
             .arg(QString::fromStdString(test.edition),
                  windowLanguage().number(static_cast<double>(points), Quantity::count, 0));
