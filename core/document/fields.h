@@ -207,7 +207,8 @@ void fields(Visit &visit, T &conditions) {
     visit("recentredBetweenRuns", conditions.recentredBetweenRuns);
 }
 
-// Uncertainties may be anything: what makes no sense, such as a negative range, is a finding of the evaluation.
+// Uncertainties may be anything: what makes no sense, such as a negative range, is a finding of the
+// evaluation.
 
 template <class Visit, Like<DeviceUncertainty> T>
 void fields(Visit &visit, T &device) {

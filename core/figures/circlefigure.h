@@ -65,9 +65,9 @@ struct CircleFigureOptions {
 [[nodiscard]] std::vector<PathProfile> pathProfiles(const Test &test, const TestEvaluation &evaluation,
                                                     const CircleFigureOptions &options = {});
 
-/// A whole arc with what of it is not evaluated, about the least squares centre of the paths of its sense (the
-/// programmed centre where there is none), as the unwrapped curve over the angle shows it. `arc` is an index of
-/// the measurement.
+/// A whole arc with what of it is not evaluated, about the least squares centre of the paths of its sense
+/// (the programmed centre where there is none), as the unwrapped curve over the angle shows it. `arc` is an
+/// index of the measurement.
 [[nodiscard]] PathProfile wholeArc(const Test &test, const TestEvaluation &evaluation, std::size_t arc);
 
 /// circleFigure() with profiles made before with the same test, evaluation and options (other than size and

@@ -41,7 +41,11 @@ void StatisticsAndParameters(benchmark::State &state) {
     }
     state.SetComplexityN(state.range(0));
 }
-BENCHMARK(StatisticsAndParameters)->Arg(11)->RangeMultiplier(10)->Range(100, 100000)->Complexity(benchmark::oN);
+BENCHMARK(StatisticsAndParameters)
+    ->Arg(11)
+    ->RangeMultiplier(10)
+    ->Range(100, 100000)
+    ->Complexity(benchmark::oN);
 
 /// Goal: ≤ 20 µs with findings for 11 × 5 × 2; linear up to 10⁵ targets.
 void EvaluatePositioning(benchmark::State &state) {

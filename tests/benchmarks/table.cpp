@@ -1,5 +1,5 @@
-#include "import/importmeasurement.h"
 #include "import/decodetext.h"
+#include "import/importmeasurement.h"
 
 #include <benchmark/benchmark.h>
 
@@ -22,8 +22,8 @@ QByteArray tableOfPoints(int rows) {
         const double angle = 360.0 * i / rows;
         const double radians = angle * 3.14159265358979323846 / 180;
         const double radius = 150 + static_cast<double>(random() % 1000) * 1e-6;
-        const int size = std::snprintf(line, sizeof line, "%.5f;%.6f;%.6f\n", angle, radius * std::cos(radians),
-                                       radius * std::sin(radians));
+        const int size = std::snprintf(line, sizeof line, "%.5f;%.6f;%.6f\n", angle,
+                                       radius * std::cos(radians), radius * std::sin(radians));
         text.append(line, static_cast<std::size_t>(size));
     }
     if (const char *name = std::getenv("PALMER_BENCHMARK_TABLE"))

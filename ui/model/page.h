@@ -7,7 +7,16 @@
 namespace palmer::ui {
 
 /// The pages of the middle of the window: three of the report, the rest of a test.
-enum class Page { identification, machine, instruments, readings, conditions, agreedPoints, limits, uncertainty };
+enum class Page {
+    identification,
+    machine,
+    instruments,
+    readings,
+    conditions,
+    agreedPoints,
+    limits,
+    uncertainty
+};
 
 /// Where that of which a finding speaks is shown and will be edited.
 [[nodiscard]] Page pageOf(const Finding &finding, const Edition *edition);

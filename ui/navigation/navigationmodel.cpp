@@ -105,8 +105,9 @@ void NavigationModel::rebuild() {
 }
 
 const NavigationModel::Row *NavigationModel::rowAt(const QModelIndex &index) const {
-    return index.isValid() && checkIndex(index, CheckIndexOption::IndexIsValid) ? &m_rows[static_cast<std::size_t>(index.row())]
-                                                             : nullptr;
+    return index.isValid() && checkIndex(index, CheckIndexOption::IndexIsValid)
+               ? &m_rows[static_cast<std::size_t>(index.row())]
+               : nullptr;
 }
 
 QModelIndex NavigationModel::indexOf(Page page) const {

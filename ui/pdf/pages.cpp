@@ -186,7 +186,7 @@ public:
         , m_width(size.width() - leftMargin - rightMargin) {}
 
     [[nodiscard]] PrintedPage page(const PageStrips &content, const Strip *next, std::size_t number,
-                            std::size_t count) const {
+                                   std::size_t count) const {
         PrintedPage result;
         result.size = m_size;
         if (content.running)

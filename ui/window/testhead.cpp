@@ -1,8 +1,8 @@
 #include "ui/window/testhead.h"
 
 #include "kernel/evaluation/edition.h"
-#include "ui/theme.h"
 #include "ui/testname.h"
+#include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
 #include <QComboBox>

@@ -52,10 +52,10 @@ std::vector<Argument> approaches(const PositioningCase &test) {
 }
 
 Message gapMessage(const NameList &list) {
-    return {
-        REPORT_TEXT_COUNTED("report", "No reading at %1 (%n in all): the statistics use the readings that exist."),
-        {list.text()},
-        list.count()};
+    return {REPORT_TEXT_COUNTED("report",
+                                "No reading at %1 (%n in all): the statistics use the readings that exist."),
+            {list.text()},
+            list.count()};
 }
 
 } // namespace
@@ -150,10 +150,10 @@ Sentence excludedReadings(const PositioningCase &test) {
         if (run < m.runs.size())
             list.add(readingName(m, run, static_cast<std::size_t>(reading.target - 1)));
     }
-    return Message{
-        REPORT_TEXT_COUNTED("report", "Readings set aside (%n): %1. The standard knows no rejection of readings."),
-        {list.text()},
-        list.count()};
+    return Message{REPORT_TEXT_COUNTED(
+                       "report", "Readings set aside (%n): %1. The standard knows no rejection of readings."),
+                   {list.text()},
+                   list.count()};
 }
 
 Sentence excludedWithoutReason(const PositioningCase &test) {
@@ -161,8 +161,9 @@ Sentence excludedWithoutReason(const PositioningCase &test) {
         std::ranges::count_if(test.measurement.excluded, [](const auto &e) { return e.reason.empty(); });
     if (without == 0)
         return std::nullopt;
-    return Message{
-        REPORT_TEXT_COUNTED("report", "Readings set aside without a reason: %n."), {}, static_cast<int>(without)};
+    return Message{REPORT_TEXT_COUNTED("report", "Readings set aside without a reason: %n."),
+                   {},
+                   static_cast<int>(without)};
 }
 
 Sentence rangeMethodElsewhere(const PositioningCase &test) {

@@ -18,7 +18,8 @@ private slots:
 void NormalQuantileTest::invertsTheDistributionFunction() {
     for (double z = -6.5; z <= 6.5; z += 0.001) {
         const double p = 0.5 * std::erfc(-z / std::sqrt(2.0));
-        // erfc is good to some ulp of p; p near 1 is known to half an ulp only, which is density⁻¹ as much in z.
+        // erfc is good to some ulp of p; p near 1 is known to half an ulp only, which is density⁻¹ as much in
+        // z.
         const double density = std::exp(-z * z / 2) / 2.5066282746310002;
         const double tolerance = 1e-14 + (z > 0 ? 2.3e-16 / density : 0);
         QVERIFY2(std::abs(normalQuantile(p) - z) <= tolerance, qPrintable(QString::number(z)));
