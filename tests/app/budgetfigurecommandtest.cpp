@@ -1,28 +1,15 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/runcli.h"
+
 #include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
 namespace {
 
-struct Result {
-    int code = -1;
-    QByteArray err;
-};
-
-Result run(const QStringList &arguments) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("LC_ALL", "C");
-    environment.remove("QT_QPA_PLATFORM"); // the program knows itself that it needs no display
-    environment.remove("DISPLAY");
-    process.setProcessEnvironment(environment);
-    process.start(PALMER_CLI, arguments);
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
-        qFatal("palmer-cli did not end by itself");
-    return {process.exitCode(), process.readAllStandardError()};
+palmer::testdata::CliResult run(const QStringList &arguments) {
+    return palmer::testdata::runCli(arguments);
 }
 
 QByteArray contents(const QString &name) {
@@ -52,8 +39,8 @@ private slots:
         QFETCH(QString, language);
         QFETCH(QByteArrayList, texts);
         const QString out = m_folder.filePath("budget.svg");
-        const Result result = run({"figure", DOCUMENTS "budget-2006.palmer", "--figure", "budget",
-                                   "--language", language, "-o", out});
+        const palmer::testdata::CliResult result = run({"figure", DOCUMENTS "budget-2006.palmer", "--figure",
+                                                        "budget", "--language", language, "-o", out});
         QCOMPARE(result.err, QByteArray());
         QCOMPARE(result.code, 0);
         const QByteArray svg = contents(out);
@@ -72,7 +59,7 @@ private slots:
 
     void noBudgetIsWrongUsage() {
         const QString out = m_folder.filePath("none.svg");
-        const Result result =
+        const palmer::testdata::CliResult result =
             run({"figure", EXAMPLES "iso230-2-1988-example.palmer", "--figure", "budget", "-o", out});
         QCOMPARE(result.code, 2);
         QVERIFY2(result.err.contains("no figure budget"), result.err.constData());
@@ -87,7 +74,7 @@ private slots:
             "axis": {"name": "X", "motion": "linear"}, "times": [0, 60, 120], "deviations": [0, 0.0032, 0.001]}]})");
         data.close();
         const QString out = m_folder.filePath("drift.svg");
-        const Result result = run({"figure", file, "--language", "en", "-o", out});
+        const palmer::testdata::CliResult result = run({"figure", file, "--language", "en", "-o", out});
         QCOMPARE(result.err, QByteArray());
         QCOMPARE(result.code, 0);
         QVERIFY(contents(out).contains("Deviation at rest"));

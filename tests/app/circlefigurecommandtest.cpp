@@ -1,29 +1,16 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/runcli.h"
+
 #include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 
 namespace {
 
-struct Result {
-    int code = -1;
-    QByteArray err;
-};
-
-Result run(const QStringList &arguments) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("LC_ALL", "C");
-    environment.remove("QT_QPA_PLATFORM"); // the program knows itself that it needs no display
-    environment.remove("DISPLAY");
-    process.setProcessEnvironment(environment);
-    process.start(PALMER_CLI, arguments);
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
-        qFatal("palmer-cli did not end by itself");
-    return {process.exitCode(), process.readAllStandardError()};
+palmer::testdata::CliResult run(const QStringList &arguments) {
+    return palmer::testdata::runCli(arguments);
 }
 
 QByteArray arc(const char *sense) {
@@ -82,7 +69,8 @@ private slots:
         QFETCH(const QByteArrayList, with);
         QFETCH(const QByteArrayList, without);
         const QString out = m_folder.filePath("figure.svg");
-        const Result result = run(QStringList{"figure", m_folder.filePath("both.palmer"), "-o", out} + more);
+        const palmer::testdata::CliResult result =
+            run(QStringList{"figure", m_folder.filePath("both.palmer"), "-o", out} + more);
         QCOMPARE(result.err, QByteArray());
         QCOMPARE(result.code, 0);
         const QByteArray svg = contents(out);
@@ -96,7 +84,7 @@ private slots:
         for (const auto &[name, begins] :
              {std::pair("f.pdf", QByteArray("%PDF-")), std::pair("f.png", QByteArray("\x89PNG")),
               std::pair("f.svg", QByteArray("<?xml"))}) {
-            const Result result =
+            const palmer::testdata::CliResult result =
                 run({"figure", m_folder.filePath("both.palmer"), "-o", m_folder.filePath(name)});
             QCOMPARE(result.code, 0);
             QVERIFY(contents(m_folder.filePath(name)).startsWith(begins));
@@ -115,7 +103,7 @@ private slots:
     void saysWhichFigureATestDoesNotHave() {
         QFETCH(const QString, file);
         QFETCH(const QString, figure);
-        const Result result =
+        const palmer::testdata::CliResult result =
             run({"figure", m_folder.filePath(file), "--figure", figure, "-o", m_folder.filePath("x.svg")});
         QCOMPARE(result.code, 2);
         QVERIFY2(result.err.contains(figure.toUtf8()), result.err);
@@ -123,8 +111,9 @@ private slots:
     }
 
     void aCircleIsNoFigureOfAPositioningTest() {
-        const Result result = run({"figure", EXAMPLES "iso230-2-1988-example.palmer", "--figure", "circle",
-                                   "-o", m_folder.filePath("x.svg")});
+        const palmer::testdata::CliResult result =
+            run({"figure", EXAMPLES "iso230-2-1988-example.palmer", "--figure", "circle", "-o",
+                 m_folder.filePath("x.svg")});
         QCOMPARE(result.code, 2);
         QVERIFY2(result.err.contains("circle"), result.err);
     }

@@ -1,11 +1,12 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/runcli.h"
+
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -18,18 +19,11 @@ struct Result {
 };
 
 Result run(const QStringList &arguments, const QByteArray &input = {}, const QString &configuration = {}) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("LC_ALL", "C");
+    std::map<QString, QString> environment;
     if (!configuration.isEmpty())
-        environment.insert("XDG_CONFIG_HOME", configuration);
-    process.setProcessEnvironment(environment);
-    process.start(PALMER_CLI, arguments);
-    process.write(input);
-    process.closeWriteChannel();
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
-        qFatal("palmer-cli did not end by itself");
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+        environment["XDG_CONFIG_HOME"] = configuration;
+    const auto result = palmer::testdata::runCli(arguments, input, environment);
+    return {result.code, result.out, result.err};
 }
 
 QByteArray contents(const QString &name) {

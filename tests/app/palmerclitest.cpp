@@ -1,5 +1,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/runcli.h"
+
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -19,16 +21,8 @@ struct Result {
 };
 
 Result run(const QStringList &arguments, const QByteArray &input = {}, const QString &locale = "C") {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("LC_ALL", locale);
-    process.setProcessEnvironment(environment);
-    process.start(PALMER_CLI, arguments);
-    process.write(input);
-    process.closeWriteChannel();
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
-        qFatal("palmer-cli did not end by itself");
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    const auto result = palmer::testdata::runCli(arguments, input, {{"LC_ALL", locale}});
+    return {result.code, result.out, result.err};
 }
 
 QString example(const QString &name) {

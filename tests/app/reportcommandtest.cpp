@@ -1,33 +1,19 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/runcli.h"
+
 #include <QDir>
 #include <QFile>
 #include <QImage>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
 namespace {
 
-struct Result {
-    int code = -1;
-    QByteArray out;
-    QByteArray err;
-};
+using palmer::testdata::CliResult;
 
-Result run(const QStringList &arguments, const QString &locale = "C", const QString &zone = "UTC") {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("LC_ALL", locale);
-    environment.insert("TZ", zone);
-    environment.remove("QT_QPA_PLATFORM"); // the program knows itself that it needs no display
-    environment.remove("DISPLAY");
-    environment.remove("XDG_RUNTIME_DIR");
-    process.setProcessEnvironment(environment);
-    process.start(PALMER_CLI, arguments);
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
-        qFatal("palmer-cli did not end by itself");
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+CliResult run(const QStringList &arguments, const QString &locale = "C", const QString &zone = "UTC") {
+    return palmer::testdata::runCli(arguments, {}, {{"LC_ALL", locale}, {"TZ", zone}});
 }
 
 const QString example = EXAMPLES "iso230-2-1988-example.palmer";
@@ -61,7 +47,7 @@ private slots:
 void ReportCommandTest::writesOneLanguage() {
     const QTemporaryDir folder;
     const QString out = folder.filePath("r.pdf");
-    const Result result = run({"report", example, "--language", "en", "-o", out});
+    const CliResult result = run({"report", example, "--language", "en", "-o", out});
     QCOMPARE(result.code, 0);
     QCOMPARE(result.out, QByteArray());
     QCOMPARE(result.err, QByteArray());
@@ -86,7 +72,7 @@ void ReportCommandTest::writesToStandardOutput() {
     const QTemporaryDir folder;
     const QString out = folder.filePath("r.pdf");
     run({"report", example, "--language", "fr", "-o", out});
-    const Result result = run({"report", example, "--language", "fr", "-o", "-"});
+    const CliResult result = run({"report", example, "--language", "fr", "-o", "-"});
     QCOMPARE(result.code, 0);
     QVERIFY(result.out == contents(out));
 }
@@ -124,7 +110,7 @@ void ReportCommandTest::refusesWrongUsage_data() {
 void ReportCommandTest::refusesWrongUsage() {
     QFETCH(const QStringList, arguments);
     QFETCH(const QString, says);
-    const Result result = run(arguments);
+    const CliResult result = run(arguments);
     QCOMPARE(result.code, 2);
     QCOMPARE(result.out, QByteArray());
     QCOMPARE(result.err.count('\n'), 1);
@@ -132,18 +118,18 @@ void ReportCommandTest::refusesWrongUsage() {
 }
 
 void ReportCommandTest::saysWhatItCannotReadOrWrite() {
-    const Result unreadable = run({"report", "missing.palmer", "-o", "x.pdf"});
+    const CliResult unreadable = run({"report", "missing.palmer", "-o", "x.pdf"});
     QCOMPARE(unreadable.code, 3);
     QVERIFY2(unreadable.err.startsWith("palmer-cli: missing.palmer: "), unreadable.err.constData());
     for (const QString &out : {QString("/missing-folder/r.pdf"), QString("/dev/full")}) {
-        const Result unwritable = run({"report", example, "--language", "fr", "-o", out});
+        const CliResult unwritable = run({"report", example, "--language", "fr", "-o", out});
         QCOMPARE(unwritable.code, 3);
         QVERIFY2(unwritable.err.startsWith("palmer-cli: " + out.toUtf8()), unwritable.err.constData());
         QCOMPARE(unwritable.err.count('\n'), 1);
     }
     const QTemporaryDir folder;
     for (const QString &out : {QString("/dev/full"), folder.path(), folder.filePath("to come/")}) {
-        const Result unwritable = run({"report", example, "--language", "fr,en", "-o", out});
+        const CliResult unwritable = run({"report", example, "--language", "fr,en", "-o", out});
         QCOMPARE(unwritable.code, 3);
         QVERIFY2(unwritable.err.startsWith("palmer-cli: " + out.toUtf8() + ": "), unwritable.err.constData());
     }
@@ -163,7 +149,7 @@ void ReportCommandTest::drawsFigures() {
     QFETCH(const QByteArray, begins);
     const QTemporaryDir folder;
     const QString out = folder.filePath(name);
-    const Result result = run({"figure", example, "--figure", "deviation", "--test", "1", "-o", out});
+    const CliResult result = run({"figure", example, "--figure", "deviation", "--test", "1", "-o", out});
     QCOMPARE(result.err, QByteArray());
     QCOMPARE(result.code, 0);
     QVERIFY(contents(out).startsWith(begins));

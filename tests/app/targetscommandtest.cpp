@@ -1,24 +1,15 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/runcli.h"
+
 #include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
 namespace {
 
-struct Result {
-    int code = -1;
-    QByteArray out;
-    QByteArray err;
-};
-
-Result run(const QStringList &arguments) {
-    QProcess process;
-    process.start(PALMER_CLI, arguments);
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
-        qFatal("palmer-cli did not end by itself");
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+palmer::testdata::CliResult run(const QStringList &arguments) {
+    return palmer::testdata::runCli(arguments);
 }
 
 } // namespace
@@ -29,18 +20,20 @@ class TargetsCommandTest : public QObject {
 
 private slots:
     void printsThePlan() {
-        const Result result = run(
+        const palmer::testdata::CliResult result = run(
             {"targets", "--travel", "1000", "--period", "10", "--seed", "7", "--language", "en", "-o", "-"});
         QCOMPARE(result.code, 0);
         QVERIFY(result.out.contains("258.986"));
-        const Result french = run({"targets", "--travel", "1000", "--language", "fr", "-o", "-"});
+        const palmer::testdata::CliResult french =
+            run({"targets", "--travel", "1000", "--language", "fr", "-o", "-"});
         QVERIFY(french.out.contains(QByteArray("Axe")));
     }
 
     void writesThePartProgram() {
         for (const char *dialect : {"iso", "siemens", "heidenhain"}) {
-            const Result result = run({"targets", "--axis", "Y", "--travel", "500", "--feed", "2000",
-                                       "--dwell", "3,5", "--cycle", "step", "--program", dialect, "-o", "-"});
+            const palmer::testdata::CliResult result =
+                run({"targets", "--axis", "Y", "--travel", "500", "--feed", "2000", "--dwell", "3,5",
+                     "--cycle", "step", "--program", dialect, "-o", "-"});
             QCOMPARE(result.code, 0);
             QVERIFY(result.out.contains("M30"));
             QVERIFY(result.out.contains("3.5"));
@@ -51,7 +44,7 @@ private slots:
         QTemporaryDir folder;
         const QString file = folder.filePath("plan.palmer");
         QCOMPARE(run({"targets", "--axis", "C", "--rotary", "--travel", "360", "-o", file}).code, 0);
-        const Result checked = run({"evaluate", "--json", file});
+        const palmer::testdata::CliResult checked = run({"evaluate", "--json", file});
         QCOMPARE(checked.code, 0);
         QVERIFY(checked.out.contains("\"ISO 230-2:2014\""));
         QVERIFY(checked.out.contains("\"deg\""));
@@ -84,14 +77,15 @@ private slots:
     }
     void refusesWhatMakesNoPlan() {
         QFETCH(QStringList, arguments);
-        const Result result = run(QStringList{"targets"} + arguments);
+        const palmer::testdata::CliResult result = run(QStringList{"targets"} + arguments);
         QCOMPARE(result.code, 2);
         QVERIFY(result.out.isEmpty());
         QCOMPARE(result.err.count('\n'), 1);
     }
 
     void saysWhenItCannotWrite() {
-        const Result result = run({"targets", "--travel", "1000", "-o", "/nowhere/plan.txt"});
+        const palmer::testdata::CliResult result =
+            run({"targets", "--travel", "1000", "-o", "/nowhere/plan.txt"});
         QCOMPARE(result.code, 3);
         QCOMPARE(result.err.count('\n'), 1);
     }

@@ -1,5 +1,6 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/runcli.h"
 #include "document/savedocument.h"
 #include "import/importmeasurement.h"
 #include "ui/import/importassistant.h"
@@ -10,7 +11,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -21,11 +21,7 @@ using namespace palmer::ui;
 namespace {
 
 QByteArray run(const QStringList &arguments) {
-    QProcess process;
-    process.start(PALMER_CLI, arguments);
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
-        qFatal("palmer-cli did not end by itself");
-    return process.readAllStandardOutput();
+    return palmer::testdata::runCli(arguments).out;
 }
 
 /// id → value, of all parameters of a test.

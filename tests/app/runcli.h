@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QByteArray>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QString>
+#include <QStringList>
+#include <map>
+
+/// palmer-cli as its users start it. PALMER_CLI is the path of the program.
+namespace palmer::testdata {
+
+struct CliResult {
+    int code = -1; ///< exit code
+    QByteArray out;
+    QByteArray err;
+};
+
+/// Runs the program without a display, in the locale C unless `environment` says otherwise; ends the test
+/// when it crashes or takes longer than a minute.
+inline CliResult runCli(const QStringList &arguments, const QByteArray &input = {},
+                        const std::map<QString, QString> &environment = {}) {
+    QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
+    for (const char *name :
+         {"QT_QPA_PLATFORM", "DISPLAY", "XDG_RUNTIME_DIR"}) // it knows itself that it needs none
+        all.remove(QString::fromLatin1(name));
+    all.insert(QStringLiteral("LC_ALL"), QStringLiteral("C"));
+    for (const auto &[name, value] : environment)
+        all.insert(name, value);
+    QProcess process;
+    process.setProcessEnvironment(all);
+    process.start(QStringLiteral(PALMER_CLI), arguments);
+    process.write(input);
+    process.closeWriteChannel();
+    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+        qFatal("palmer-cli did not end by itself");
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+} // namespace palmer::testdata
