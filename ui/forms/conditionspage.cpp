@@ -40,16 +40,6 @@ auto coordinate() {
     });
 }
 
-/// whole.*first.*second…
-template <class T>
-T &reach(T &whole) {
-    return whole;
-}
-template <class T, class Part, class... Rest>
-auto &reach(T &whole, Part part, Rest... rest) {
-    return reach(whole.*part, rest...);
-}
-
 /// A member of a positioning test, or of a part of it.
 template <auto... members>
 auto positioning() {

@@ -2,6 +2,7 @@
 
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "report/resulttable.h"
+#include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/templatebutton.h"
 
 #include <QCoreApplication>
@@ -101,16 +102,9 @@ void LimitsPage::prepare() {
               {QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "simple acceptance"),
                QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "ISO 14253-1: conformity is to be proven"),
                QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "non-conformity is to be proven")},
-              choiceOf<Rule>(ofTest([](auto &test) { return &test.decisionRule.rule; }),
-                             {Rule::simpleAcceptance, Rule::iso14253_1, Rule::rejectionProven}),
-              false, 2);
-    Member<double> guard = ofTest([](auto &test) { return &test.decisionRule.guardFactor; });
+              decisionRuleMember(), false, 2);
     addNumber("guardFactor", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Guard band, times U"),
-              Quantity::number,
-              converted<Amount, double>(
-                  std::move(guard), [](const double &factor) { return Amount(factor); },
-                  [](const Amount &factor) { return factor.value_or(DecisionRule().guardFactor); }),
-              1, Allowed::notNegative);
+              Quantity::number, guardFactorMember(), 1, Allowed::notNegative);
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed limits"));
     for (const LimitRow &row : rows)
         addLimit(row.id, row.symbol, rotary ? Quantity::angularDeviation : Quantity::deviation,

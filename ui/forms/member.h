@@ -47,6 +47,16 @@ template <class Access>
                      }};
 }
 
+/// whole.*first.*second…
+template <class T>
+[[nodiscard]] T &reach(T &whole) {
+    return whole;
+}
+template <class T, class Part, class... Rest>
+[[nodiscard]] auto &reach(T &whole, Part part, Rest... rest) {
+    return reach(whole.*part, rest...);
+}
+
 /// The same member as another type: `there` makes the one the field shows, `back` the one that is kept.
 template <class Shown, class Kept>
 [[nodiscard]] Member<Shown> converted(Member<Kept> member, std::function<Shown(const Kept &)> there,

@@ -9,6 +9,7 @@
 #include "report/resultparts.h"
 #include "report/uncertaintyparts.h"
 #include "report/wording.h"
+#include "ui/forms/decisionrulemembers.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
 #include "ui/uncertainty/figurecard.h"
@@ -42,15 +43,6 @@ enum { name, calculation, size, expanded, count };
 }
 namespace resultColumn {
 enum { symbol, budget, simulation, interval, distribution, shift, difference, count };
-}
-
-template <class T>
-T &reach(T &whole) {
-    return whole;
-}
-template <class T, class Part, class... Rest>
-auto &reach(T &whole, Part part, Rest... rest) {
-    return reach(whole.*part, rest...);
 }
 
 template <auto... members>
@@ -630,15 +622,9 @@ void UncertaintyPage::addDecision() {
               {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "simple acceptance"),
                QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "ISO 14253-1: conformity is to be proven"),
                QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "non-conformity is to be proven")},
-              choiceOf<Rule>(ofTest([](auto &test) { return &test.decisionRule.rule; }),
-                             {Rule::simpleAcceptance, Rule::iso14253_1, Rule::rejectionProven}),
-              false, 2);
-    Member<double> guard = ofTest([](auto &test) { return &test.decisionRule.guardFactor; });
+              decisionRuleMember(), false, 2);
     addNumber("", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Guard band, times U"), Quantity::number,
-              converted<Amount, double>(
-                  std::move(guard), [](const double &factor) { return Amount(factor); },
-                  [](const Amount &factor) { return factor.value_or(DecisionRule().guardFactor); }),
-              1, Allowed::notNegative);
+              guardFactorMember(), 1, Allowed::notNegative);
     beginRow();
     m_rule = new QLabel(body());
     m_rule->setObjectName(QStringLiteral("decisionRuleText"));
