@@ -6,40 +6,45 @@
 #include "ui/windowlanguage.h"
 
 #include <QEvent>
-#include <initializer_list>
 
 namespace palmer::ui {
 
 ReportPages::ReportPages(DocumentModel &model, Selection &selection, QWidget *parent)
     : QStackedWidget(parent)
-    , m_identification(new IdentificationPage(model, selection, this))
-    , m_machine(new MachinePage(model, selection, this))
-    , m_instruments(new InstrumentsPage(model, selection, this)) {
+    , m_model(model)
+    , m_selection(selection) {
     setObjectName(QStringLiteral("reportPages"));
-    for (Form *page : std::initializer_list<Form *>{m_identification, m_machine, m_instruments}) {
-        page->setLanguage(windowLanguage());
-        addWidget(page);
-        connect(page, &Form::nextWanted, this, &ReportPages::nextWanted);
-    }
 }
 
 /// Which statements are missing is the same for all tests of a file, but for the instruments they name: the
 /// first one is asked.
 void ReportPages::show(const EvaluatedDocument &evaluated) {
     m_evaluated = evaluated;
-    m_identification->show(evaluated, 0);
-    m_machine->show(evaluated, 0);
-    m_instruments->show(evaluated, 0);
+    for (const auto &[page, form] : m_forms)
+        form->show(evaluated, 0);
 }
 
 void ReportPages::showPage(Page page) {
+    Form *&form = m_forms[page];
+    if (!form) {
+        form = make(page);
+        form->setLanguage(windowLanguage());
+        connect(form, &Form::nextWanted, this, &ReportPages::nextWanted);
+        addWidget(form);
+        if (m_evaluated.document)
+            form->show(m_evaluated, 0);
+    }
+    setCurrentWidget(form);
+}
+
+Form *ReportPages::make(Page page) {
     switch (page) {
     case Page::machine:
-        return setCurrentWidget(m_machine);
+        return new MachinePage(m_model, m_selection, this);
     case Page::instruments:
-        return setCurrentWidget(m_instruments);
+        return new InstrumentsPage(m_model, m_selection, this);
     default:
-        return setCurrentWidget(m_identification);
+        return new IdentificationPage(m_model, m_selection, this);
     }
 }
 
@@ -49,8 +54,8 @@ QString ReportPages::subtitle() const {
 
 void ReportPages::changeEvent(QEvent *event) {
     if (event->type() == QEvent::LanguageChange) {
-        for (Form *page : std::initializer_list<Form *>{m_identification, m_machine, m_instruments})
-            page->setLanguage(windowLanguage());
+        for (const auto &[page, form] : m_forms)
+            form->setLanguage(windowLanguage());
     }
     QStackedWidget::changeEvent(event);
 }

@@ -4,16 +4,16 @@
 #include "ui/model/page.h"
 
 #include <QStackedWidget>
+#include <map>
 
 namespace palmer::ui {
 
 class DocumentModel;
-class IdentificationPage;
-class InstrumentsPage;
-class MachinePage;
+class Form;
 class Selection;
 
-/// The pages of the report that belong to no test: identification, machine, instruments.
+/// The pages of the report that belong to no test: identification, machine, instruments. Each
+/// is made when it is first shown.
 class ReportPages : public QStackedWidget {
     Q_OBJECT
 
@@ -33,10 +33,12 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    [[nodiscard]] Form *make(Page page);
+
+    DocumentModel &m_model;
+    Selection &m_selection;
     EvaluatedDocument m_evaluated;
-    IdentificationPage *m_identification;
-    MachinePage *m_machine;
-    InstrumentsPage *m_instruments;
+    std::map<Page, Form *> m_forms; ///< those that were shown
 };
 
 } // namespace palmer::ui

@@ -85,24 +85,24 @@ QString hint(const QAction &action) {
 
 MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
-    , m_notice(new NoticeBar(this))
-    , m_stack(new QStackedWidget(this))
+    , m_centre(new QWidget(this))
+    , m_notice(new NoticeBar(m_centre))
+    , m_stack(new QStackedWidget(m_centre))
     , m_welcome(new WelcomePage(m_stack))
     , m_workplace(new Workplace(m_model, m_evaluator, m_stack)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
     setMinimumSize(640, 480);
+    setCentralWidget(m_centre);
     m_reader.setMaxThreadCount(1);
     m_stack->addWidget(m_welcome);
     m_stack->addWidget(m_workplace);
-    auto *centre = new QWidget(this);
-    auto *column = new QVBoxLayout(centre);
+    auto *column = new QVBoxLayout(m_centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_notice);
     column->addWidget(m_stack, 1);
-    setCentralWidget(centre);
     makeActions();
     makeToolBar();
     makeStatusBar();

@@ -127,6 +127,7 @@ private:
     QString m_autosavedAt;
     bool m_outsideAsked = false; ///< the user knows that the file is another
 
+    QWidget *m_centre; ///< made first: whatever moves to another parent costs all styles below it anew
     NoticeBar *m_notice;
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;

@@ -1,5 +1,8 @@
 #include "ui/window/rightside.h"
 
+#include "ui/figures/figureview.h"
+#include "ui/results/findingspanel.h"
+#include "ui/results/resultspanel.h"
 #include "ui/theme.h"
 #include "ui/window/pagetabs.h"
 
@@ -19,12 +22,12 @@ constexpr int markBelow = 36;  ///< the head of the figure
 
 } // namespace
 
-RightSide::RightSide(QWidget *figure, QWidget *results, QWidget *findings, QWidget *parent)
+RightSide::RightSide(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_tabs(new PageTabs(this))
-    , m_figure(figure)
-    , m_results(results)
-    , m_findings(findings)
+    , m_figure(new FigureView(selection, this))
+    , m_results(new ResultsPanel(selection, this))
+    , m_findings(new FindingsPanel(selection, this))
     , m_mark(new QLabel(this))
     , m_markLater(new QTimer(this)) {
     setObjectName(QStringLiteral("rightSide"));
@@ -91,11 +94,13 @@ void RightSide::resizeEvent(QResizeEvent *event) {
 }
 
 void RightSide::arrange() {
-    const std::array widgets{m_figure, m_results, m_findings};
+    const std::array<QWidget *, 3> widgets{m_figure, m_results, m_findings};
     m_tabs->setVisible(m_tabbed && !m_maximised);
     for (std::size_t i = 0; i < widgets.size(); ++i) {
         const bool chosen = !m_tabbed || m_tabs->currentIndex() == static_cast<int>(i);
-        widgets[i]->setVisible(m_maximised ? i == 0 : chosen);
+        const bool visible = m_maximised ? i == 0 : chosen;
+        if (widgets[i]->isHidden() == visible) // to show it again would polish all below it, at the start too
+            widgets[i]->setVisible(visible);
     }
 }
 

@@ -9,6 +9,11 @@ class QVBoxLayout;
 
 namespace palmer::ui {
 
+class FigureView;
+class FindingsPanel;
+class ResultsPanel;
+class Selection;
+
 /// Figure, results and findings: below one another, the figure taking what is left; in a narrow window one
 /// at a time behind tabs.
 class RightSide : public QWidget {
@@ -17,8 +22,11 @@ class RightSide : public QWidget {
 public:
     static constexpr int leastFigureHeight = 200;
 
-    /// Takes the three widgets as children.
-    RightSide(QWidget *figure, QWidget *results, QWidget *findings, QWidget *parent = nullptr);
+    explicit RightSide(Selection &selection, QWidget *parent = nullptr);
+
+    [[nodiscard]] FigureView *figure() const { return m_figure; }
+    [[nodiscard]] ResultsPanel *results() const { return m_results; }
+    [[nodiscard]] FindingsPanel *findings() const { return m_findings; }
 
     void setTabbed(bool tabbed);
     [[nodiscard]] bool isTabbed() const { return m_tabbed; }
@@ -37,9 +45,9 @@ private:
     void retranslate();
 
     QTabBar *m_tabs;
-    QWidget *m_figure;
-    QWidget *m_results;
-    QWidget *m_findings;
+    FigureView *m_figure;
+    ResultsPanel *m_results;
+    FindingsPanel *m_findings;
     QLabel *m_mark; ///< over the figure
     QTimer *m_markLater;
     bool m_computing = false;

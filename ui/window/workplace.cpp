@@ -64,17 +64,19 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     , m_model(model)
     , m_evaluator(evaluator)
     , m_outer(new ThinSplitter(Qt::Horizontal, this))
-    , m_inner(new ThinSplitter(Qt::Horizontal, m_outer))
     , m_side(new QWidget(m_outer))
+    , m_inner(new ThinSplitter(Qt::Horizontal, m_outer))
     , m_navigation(new NavigationList(m_navigationModel, m_side))
     , m_addTest(new QToolButton(m_side)) {
     setObjectName(QStringLiteral("workplace"));
     m_outer->setObjectName(QStringLiteral("outerSplitter"));
     m_inner->setObjectName(QStringLiteral("innerSplitter"));
     m_centre = makeCentre();
-    m_right = static_cast<RightSide *>(makeRight());
-    m_inner->addWidget(m_centre);
-    m_inner->addWidget(m_right);
+    m_right = new RightSide(m_selection, m_inner);
+    m_right->setMinimumWidth(leastRightWidth);
+    m_figure = m_right->figure();
+    m_results = m_right->results();
+    m_findings = m_right->findings();
     m_inner->setStretchFactor(0, 1);
     m_inner->setStretchFactor(1, 0);
     m_addTest->setObjectName(QStringLiteral("addTestButton"));
@@ -88,8 +90,6 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     sideColumn->setSpacing(4);
     sideColumn->addWidget(m_navigation, 1);
     sideColumn->addWidget(m_addTest);
-    m_outer->addWidget(m_side);
-    m_outer->addWidget(m_inner);
     m_outer->setStretchFactor(0, 0);
     m_outer->setStretchFactor(1, 1);
     auto *layout = new QVBoxLayout(this);
@@ -99,7 +99,8 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     retranslate();
 }
 
-// Every part is made with the parent it keeps: to move one later costs the styles of all below it anew.
+// Every part is made with the parent it keeps: to move one later costs the styles of all below it anew. A
+// splitter takes the widgets made with it as parent.
 QWidget *Workplace::makeCentre() {
     auto *centre = new QWidget(m_inner);
     centre->setObjectName(QStringLiteral("centre"));
@@ -163,15 +164,6 @@ QWidget *Workplace::makeCentre() {
     column->addWidget(m_card);
     column->addWidget(m_keys);
     return centre;
-}
-
-QWidget *Workplace::makeRight() {
-    m_figure = new FigureView(m_selection);
-    m_results = new ResultsPanel(m_selection);
-    m_findings = new FindingsPanel(m_selection);
-    auto *right = new RightSide(m_figure, m_results, m_findings, this);
-    right->setMinimumWidth(leastRightWidth);
-    return right;
 }
 
 void Workplace::connectParts() {

@@ -84,7 +84,6 @@ protected:
 
 private:
     QWidget *makeCentre();
-    QWidget *makeRight();
     void connectParts();
     void present();
     void presentTest();
@@ -113,8 +112,8 @@ private:
     EvaluatedDocument m_evaluated;
 
     QSplitter *m_outer;
-    QSplitter *m_inner;
     QWidget *m_side; ///< navigation with the button below
+    QSplitter *m_inner;
     NavigationList *m_navigation;
     QToolButton *m_addTest;
     TestHead *m_head;
