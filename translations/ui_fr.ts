@@ -3804,11 +3804,11 @@
     </message>
     <message>
         <source>Instrument, fixed part</source>
-        <translation>Instrument, part fixe</translation>
+        <translation>Instr., part fixe</translation>
     </message>
     <message>
         <source>Instrument, per metre</source>
-        <translation>Instrument, par mètre</translation>
+        <translation>Instr., par mètre</translation>
     </message>
     <message>
         <source>k of the certificate</source>

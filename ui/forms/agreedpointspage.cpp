@@ -44,6 +44,11 @@ protected:
         QLineEdit::focusInEvent(event);
     }
 
+    void focusOutEvent(QFocusEvent *event) override {
+        QLineEdit::focusOutEvent(event);
+        setCursorPosition(0); // of a text longer than the field its beginning
+    }
+
     bool event(QEvent *event) override {
         if (event->type() == QEvent::ShortcutOverride) {
             const auto *key = static_cast<QKeyEvent *>(event);

@@ -172,12 +172,13 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
     beginRow();
     const SensorLabels labels = labelsOf(what, ordinal > 0);
     const QString argument = ordinal > 0 ? QString::number(ordinal + 1) : QString();
-    addNumber("sensors", labels.start, Quantity::temperature, startOf(what, ordinal), 2)
-        ->setLabelArgument(argument);
-    addNumber("sensors", labels.end, Quantity::temperature, endOf(what, ordinal), 2)
+    Field *start = addNumber("sensors", labels.start, Quantity::temperature, startOf(what, ordinal), 5);
+    start->setLabelArgument(argument);
+    addNumber("sensors", labels.end, Quantity::temperature, endOf(what, ordinal), 5)
         ->setLabelArgument(argument);
     addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
-            ofSensor<&Sensor::position>(what, ordinal), 3);
+            ofSensor<&Sensor::position>(what, ordinal), 6);
+    m_lastSensors[what] = start;
 }
 
 void ConditionsPage::addTemperatures(const Test &test) {
@@ -198,11 +199,11 @@ void ConditionsPage::addTemperatures(const Test &test) {
                           });
             } else if (what == SensorMeasures::machine) {
                 addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
-                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::machine>(), 3);
+                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::machine>(), 6);
             } else if (what == SensorMeasures::instrument) {
                 addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
                           Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::instrument>(),
-                          3);
+                          6);
             } else {
                 addChoice("correctionTo20",
                           QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Correction to 20 °C"),
@@ -214,7 +215,7 @@ void ConditionsPage::addTemperatures(const Test &test) {
                                                    {CorrectionTo20::notStated, CorrectionTo20::notApplied,
                                                     CorrectionTo20::appliedByInstrument,
                                                     CorrectionTo20::appliedHere}),
-                          true, 3);
+                          true, 6);
             }
         }
     }
@@ -232,6 +233,7 @@ void ConditionsPage::addTemperatures(const Test &test) {
                         kept.sensors.push_back(sensor);
                 });
             });
+            focusPart(*m_lastSensors.at(what));
         })->setObjectName(name);
     };
     addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another air sensor"), SensorMeasures::air,
@@ -260,18 +262,18 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
         constexpr auto conditionsMember = &PositioningMeasurement::conditions;
         addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Feed rate"),
                   rotary ? Quantity::angularFeed : Quantity::feed,
-                  positioning<conditionsMember, &PositioningConditions::feed>());
+                  positioning<conditionsMember, &PositioningConditions::feed>(), 3);
         addChoice("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Kind of feed"),
                   {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "programmed"),
                    QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rapid")},
                   choiceOf<FeedMode>(positioning<conditionsMember, &PositioningConditions::feedMode>(),
                                      {FeedMode::programmed, FeedMode::rapid}),
-                  false);
+                  false, 3);
         addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"),
-                  Quantity::time, positioning<conditionsMember, &PositioningConditions::dwell>());
+                  Quantity::time, positioning<conditionsMember, &PositioningConditions::dwell>(), 4);
         addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Approach distance"),
                   rotary ? Quantity::angle : Quantity::position,
-                  positioning<conditionsMember, &PositioningConditions::approachDistance>());
+                  positioning<conditionsMember, &PositioningConditions::approachDistance>(), 3);
     } else {
         addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed"), Quantity::feed,
                   circular<&CircularMeasurement::feed>());
@@ -290,9 +292,9 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
               choiceOf<WarmUpKind>(
                   commonPart<&Conditions::warmUp, &WarmUp::kind>(),
                   {WarmUpKind::notStated, WarmUpKind::procedure, WarmUpKind::dryRun, WarmUpKind::setUpOnly}),
-              true, 2);
+              true);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details"),
-            commonPart<&Conditions::warmUp, &WarmUp::text>(), 3);
+            commonPart<&Conditions::warmUp, &WarmUp::text>());
     beginRow();
     addText("compensation", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Active compensation"),
             common<&Conditions::compensation>());
@@ -305,9 +307,11 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
     addYesNo("unloaded", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Unloaded"),
              common<&Conditions::unloaded>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Soaking time"), common<&Conditions::soak>());
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Soaking time"), common<&Conditions::soak>(),
+            2);
     addYesNo("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Shielded from draughts and radiation"),
-             common<&Conditions::shielded>());
+             common<&Conditions::shielded>(), 3);
+    beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Thermal guidelines of the maker"),
             common<&Conditions::thermalGuidelines>());
 }
@@ -360,11 +364,11 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test and axis"));
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Title of the test"),
-            ofTest([](auto &test) { return &test.title; }), 2);
+            ofTest([](auto &test) { return &test.title; }), 6);
     addDate("date", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Date of test"),
-            ofTest([](auto &test) { return &test.date; }));
+            ofTest([](auto &test) { return &test.date; }), 5);
     addTime("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Time"),
-            ofTest([](auto &test) { return &test.time; }));
+            ofTest([](auto &test) { return &test.time; }), 3);
     addInstruments();
     if (!measurement) {
         beginRow();

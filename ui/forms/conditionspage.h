@@ -2,6 +2,8 @@
 
 #include "ui/forms/form.h"
 
+#include <map>
+
 class QCheckBox;
 
 namespace palmer::ui {
@@ -27,6 +29,7 @@ private:
 
     QString m_built; ///< for what kind of test there are fields
     std::vector<QCheckBox *> m_instruments;
+    std::map<SensorMeasures, Field *> m_lastSensors; ///< the first field of the last sensor of a kind
 };
 
 } // namespace palmer::ui

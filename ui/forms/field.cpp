@@ -208,6 +208,13 @@ void Field::show(const QString &value, bool required) {
     retranslate();
 }
 
+void Field::setRequired(bool required) {
+    if (m_required == required)
+        return;
+    m_required = required;
+    retranslate();
+}
+
 void Field::showChoice(int index, bool required) {
     m_choice->setCurrentIndex(index);
     m_required = required;
@@ -231,6 +238,8 @@ void Field::typed() {
 
 /// Leaves the field: what was read is written as the field writes it.
 void Field::finish() {
+    if (m_line)
+        m_line->setCursorPosition(0); // of a text longer than the field its beginning
     if (!m_isTyped || isRefused())
         return;
     const QString canonical = read(text()).canonical;

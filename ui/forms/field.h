@@ -46,6 +46,7 @@ public:
     /// same stays as it is typed; what was refused stays until the value changes.
     void show(const QString &value, bool required);
     void showChoice(int index, bool required);
+    void setRequired(bool required);
     /// Forgets what was typed and refused: another test, another document.
     void forget();
 

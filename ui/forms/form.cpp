@@ -340,7 +340,9 @@ bool Form::isMissingHere(const char *key) const {
         return false;
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     return std::ranges::any_of(evaluation.findings, [&](const Finding &finding) {
-        return finding.id == key && (finding.grade == Grade::requirement || m_page == Page::uncertainty) &&
+        return finding.id == key &&
+               (finding.grade == Grade::requirement ||
+                (m_page == Page::uncertainty && isMissing(finding, evaluation.edition))) &&
                pageOf(finding, evaluation.edition) == m_page;
     });
 }

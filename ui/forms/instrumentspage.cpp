@@ -66,12 +66,14 @@ void InstrumentsPage::prepare() {
         return;
     m_built = wanted;
     clear();
+    m_descriptions.clear();
     for (std::size_t k = 0; k < std::max<std::size_t>(1, count); ++k)
         addFields(k);
     beginRow();
     addButton(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Add an instrument"), [this] {
         edit(QT_TRANSLATE_NOOP("edits", "add an instrument"),
              [](Document &document) { addInstrument(document, Instrument()); });
+        focusPart(*m_descriptions.back());
     })->setObjectName(QStringLiteral("addInstrument"));
     addStretch();
 }
@@ -90,8 +92,9 @@ void InstrumentsPage::addFields(std::size_t k) {
         })->setObjectName(QStringLiteral("removeInstrument%1").arg(k));
     }
     beginRow();
-    addText("instruments", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Description"),
-            ofInstrument<&Instrument::description>(k), 2);
+    m_descriptions.push_back(addText("instruments",
+                                     QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Description"),
+                                     ofInstrument<&Instrument::description>(k), 2));
     Field *id = addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Short name"), idOf(k));
     id->edit()->setObjectName(QStringLiteral("field.id.%1").arg(k));
     id->setReader([this, k](const QString &typed) -> Field::Reading {

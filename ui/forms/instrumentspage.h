@@ -19,7 +19,8 @@ private:
 
     DocumentModel &m_documents;
     Selection &m_selection;
-    QString m_built; ///< which instruments have fields
+    QString m_built;                     ///< which instruments have fields
+    std::vector<Field *> m_descriptions; ///< the first field of each
 };
 
 } // namespace palmer::ui

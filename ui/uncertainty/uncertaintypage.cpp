@@ -647,6 +647,12 @@ void UncertaintyPage::refreshOthers() {
     const TestEvaluation &evaluation = *evaluated().tests[test()];
     showMethods(evaluation);
     showPlaceholders(evaluation);
+    // Machine and instrument share the name of an input, of which one alone may be missing.
+    for (const Contribution &contribution : evaluation.uncertainty.contributions) {
+        const auto found = m_fields.find(contribution.id);
+        if (found != m_fields.end() && contribution.defects.empty())
+            found->second->setRequired(false);
+    }
     if (evaluated().isPending(test()))
         return; // the tables stay with what they were computed from
     if (m_contributions)

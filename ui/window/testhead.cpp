@@ -22,7 +22,7 @@ QString testSummary(const Test &test) {
     const Language &language = windowLanguage();
     QStringList parts;
     const auto addAxis = [&](const Axis &axis) {
-        if (!axis.name.empty())
+        if (!axis.name.empty() && !test.title.empty()) // without a title its name is above
             parts += say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Axis %1"))
                          .arg(QString::fromStdString(axis.name));
         parts += axis.motion == Motion::linear ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "linear"))

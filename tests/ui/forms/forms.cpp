@@ -422,6 +422,7 @@ private slots:
         QCOMPARE(sensors.size(), std::size_t(2));
         QCOMPARE(sensors[1].measures, SensorMeasures::machine);
         QCOMPARE(fields(edited.page, u"sensors"_s).size(), 12);
+        QCOMPARE(edited.page.focusWidget(), fields(edited.page, u"sensors"_s).at(6)->edit());
         edited.type(u"sensors"_s, u"column"_s, 8); // position of the second one
         QCOMPARE(edited.conditions().common.sensors.at(1).position, std::string("column"));
         edited.model.undoStack()->undo();
@@ -474,6 +475,7 @@ private slots:
         QCOMPARE(edited.test().instruments, std::vector<std::string>{"xl80"});
         button(edited.page, "addInstrument")->click();
         QCOMPARE(fields(edited.page, u"serialNumber"_s).size(), 2);
+        QCOMPARE(edited.page.focusWidget(), fields(edited.page, u"instruments"_s).at(1)->edit());
         edited.type(u"id"_s, u"xl80"_s, 1);
         QVERIFY(fields(edited.page, u"id"_s).at(1)->isRefused());
         button(edited.page, "removeInstrument0")->click();

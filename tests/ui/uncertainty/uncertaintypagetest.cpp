@@ -400,6 +400,29 @@ private slots:
             QVERIFY2(!button->accessibleName().isEmpty(), qPrintable(button->objectName()));
     }
 
+    void aLaserNeedsNoRangesOfItsOwn() {
+        Document document = budgetExample({});
+        palmer::Test test = *document.tests[0];
+        measurement(test).uncertainty.temperatureRange = {};
+        measurement(test).uncertainty.expansionRange = {};
+        document.tests[0] = std::make_shared<const palmer::Test>(test);
+        Edited edited(document);
+        const auto required = [&](const QString &key) {
+            std::vector<bool> marks;
+            for (const auto *field : edited.page.findChildren<Field *>()) {
+                if (field->edit()->objectName().startsWith(u"field."_s + key + u'.'))
+                    marks.push_back(field->isRequired());
+            }
+            return marks;
+        };
+        const std::vector machineOnly{true, false};
+        QCOMPARE(required(u"temperatureRange"_s), machineOnly);
+        QCOMPARE(required(u"expansionRange"_s), machineOnly);
+        edited.type(u"expansionRange"_s, u"2"_s);
+        QCOMPARE(required(u"expansionRange"_s), std::vector({false, false}));
+        QCOMPARE(required(u"temperatureRange"_s), machineOnly);
+    }
+
     void rotaryAxesHaveNoMetres() {
         palmer::Test test = positioningTest("ISO 230-2:2006", {0, 90, 180}, {{0, 10, 3}, {1, 9, 4}},
                                             {{2, 12, 5}, {1, 11, 6}});
