@@ -3522,6 +3522,17 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::StatementsBox</name>
+    <message>
+        <source>Take &amp;over what is stated of “%1”</source>
+        <translation>Re&amp;prendre ce qui est indiqué pour « %1 »</translation>
+    </message>
+    <message>
+        <source>Instruments, state of the machine, places of the sensors, agreed points that name no axis, decision rule; nothing that was measured, no limits.</source>
+        <translation>Instruments, état de la machine, positions des capteurs, points convenus indépendants de l’axe, règle de décision ; aucune valeur mesurée, aucune limite.</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::TargetCard</name>
     <message>
         <source>Target %1</source>

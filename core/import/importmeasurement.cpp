@@ -1,5 +1,6 @@
 #include "import/importmeasurement.h"
 
+#include "document/edits.h"
 #include "import/readers.h"
 
 #include <QCryptographicHash>
@@ -91,14 +92,6 @@ void demandSense(const Test &test) {
             Error::Kind::content,
             {REPORT_TEXT("report",
                          "there are numbers in it that no machine has; check units and decimal mark")});
-}
-
-Conditions *conditionsOf(Test &test) {
-    if (auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        return &positioning->conditions.common;
-    if (auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
-        return &circular->conditions.common;
-    return nullptr;
 }
 
 void addTemperatures(Test &test, const Imported &imported, const ImportedFile &file) {

@@ -3,6 +3,8 @@
 #include "kernel/evaluation/edition.h"
 #include "language/entry.h"
 #include "ui/dialogs/formrows.h"
+#include "ui/dialogs/statementsbox.h"
+#include "ui/testname.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -30,6 +32,7 @@ NewCircleDialog::NewCircleDialog(const Language &language, const Test *like, QWi
     , m_feed(new QLineEdit(this))
     , m_source(new QComboBox(this))
     , m_edition(new QComboBox(this))
+    , m_statements(new StatementsBox(this))
     , m_problem(new QLabel(this)) {
     setObjectName(QStringLiteral("newCircleDialog"));
     setWindowTitle(tr("New circular test"));
@@ -93,6 +96,7 @@ NewCircleDialog::NewCircleDialog(const Language &language, const Test *like, QWi
     makePrimary(*m_create);
     auto *column = new QVBoxLayout(this);
     column->addLayout(form);
+    column->addWidget(m_statements);
     column->addWidget(m_problem);
     column->addWidget(note);
     column->addWidget(buttons);
@@ -125,6 +129,14 @@ NewCircularTest NewCircleDialog::wanted() const {
     result.source = static_cast<SignalSource>(m_source->currentIndex());
     result.edition = m_edition->currentData().toString().toStdString();
     return result;
+}
+
+void NewCircleDialog::offerStatementsOf(const Test &test) {
+    m_statements->offer(testName(test));
+}
+
+bool NewCircleDialog::takesStatements() const {
+    return m_statements->isChecked();
 }
 
 } // namespace palmer::ui

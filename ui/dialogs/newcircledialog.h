@@ -12,6 +12,8 @@ class QPushButton;
 
 namespace palmer::ui {
 
+class StatementsBox;
+
 /// Asks what a new circular test begins with; its arcs are typed or pasted in the page.
 class NewCircleDialog : public QDialog {
     Q_OBJECT
@@ -23,6 +25,10 @@ public:
     /// What was asked for; complete once the dialog is accepted.
     [[nodiscard]] NewCircularTest wanted() const;
 
+    /// Offers to take over what is stated of a test of the same file, chosen from the start.
+    void offerStatementsOf(const Test &test);
+    [[nodiscard]] bool takesStatements() const;
+
 private:
     void check();
 
@@ -32,6 +38,7 @@ private:
     QLineEdit *m_feed;
     QComboBox *m_source;
     QComboBox *m_edition;
+    StatementsBox *m_statements;
     QLabel *m_problem;
     QPushButton *m_create;
 };

@@ -5,6 +5,8 @@
 #include "language/decimals.h"
 #include "language/entry.h"
 #include "ui/dialogs/formrows.h"
+#include "ui/dialogs/statementsbox.h"
+#include "ui/testname.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -21,6 +23,7 @@
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace palmer::ui {
 
@@ -51,6 +54,7 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     , m_last(new QLineEdit(this))
     , m_count(new QSpinBox(this))
     , m_list(new QPlainTextEdit(this))
+    , m_statements(new StatementsBox(this))
     , m_problem(new QLabel(this)) {
     setObjectName(QStringLiteral("newTestDialog"));
     setWindowTitle(tr("New positioning test"));
@@ -97,6 +101,10 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     if (like && !like->edition.empty() && m_edition->findData(QString::fromStdString(like->edition)) >= 0)
         m_edition->setCurrentIndex(m_edition->findData(QString::fromStdString(like->edition)));
     m_name->setText(QStringLiteral("X"));
+    const auto *tested = like ? std::get_if<PositioningMeasurement>(&like->measurement) : nullptr;
+    if (tested && (tested->axis.name == "X" || tested->axis.name == "Y")) // the next in turn
+        m_name->setText(QChar(char16_t(tested->axis.name[0] + 1)));
+    m_name->selectAll();
     m_travel->setText(m_language.number(proposedTravel, Quantity::position));
 
     auto *form = new QFormLayout;
@@ -132,6 +140,7 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     makePrimary(*m_create);
     auto *column = new QVBoxLayout(this);
     column->addLayout(form);
+    column->addWidget(m_statements);
     column->addWidget(m_problem);
     column->addWidget(buttons);
     connect(m_motion, &QComboBox::currentIndexChanged, this, [this] {
@@ -288,6 +297,14 @@ NewPositioningTest NewTestDialog::wanted() const {
     result.runs = m_runs->value();
     result.bothDirections = m_both->isChecked();
     return result;
+}
+
+void NewTestDialog::offerStatementsOf(const Test &test) {
+    m_statements->offer(testName(test));
+}
+
+bool NewTestDialog::takesStatements() const {
+    return m_statements->isChecked();
 }
 
 } // namespace palmer::ui

@@ -18,6 +18,8 @@ class QSpinBox;
 
 namespace palmer::ui {
 
+class StatementsBox;
+
 /// Asks what a new positioning test begins with. Targets are proposed after the rule of the edition, with a
 /// random part of their own in every new test; they may be typed or pasted as a list, which then is what
 /// counts.
@@ -30,6 +32,10 @@ public:
 
     /// What was asked for; complete once the dialog is accepted.
     [[nodiscard]] NewPositioningTest wanted() const;
+
+    /// Offers to take over what is stated of a test of the same file, chosen from the start.
+    void offerStatementsOf(const Test &test);
+    [[nodiscard]] bool takesStatements() const;
 
 private:
     void propose();
@@ -57,6 +63,7 @@ private:
     QLineEdit *m_last;
     QSpinBox *m_count;
     QPlainTextEdit *m_list;
+    StatementsBox *m_statements;
     QLabel *m_problem;
     std::array<QLabel *, 4> m_units{};
     QPushButton *m_create;

@@ -292,9 +292,9 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
               choiceOf<WarmUpKind>(
                   commonPart<&Conditions::warmUp, &WarmUp::kind>(),
                   {WarmUpKind::notStated, WarmUpKind::procedure, WarmUpKind::dryRun, WarmUpKind::setUpOnly}),
-              true);
+              true, 8);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details"),
-            commonPart<&Conditions::warmUp, &WarmUp::text>());
+            commonPart<&Conditions::warmUp, &WarmUp::text>(), 7);
     beginRow();
     addText("compensation", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Active compensation"),
             common<&Conditions::compensation>());

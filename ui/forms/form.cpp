@@ -132,7 +132,10 @@ Field *Form::add(Field::Kind kind, const char *key, const char *label, const QSt
                                  QString::number(m_entries.size()));
     field->edit()->setProperty("helpTopic", QString::fromLatin1(key));
     addWidget(field, weight);
-    connect(field, &Field::begun, this, [this] { ++m_visit; });
+    connect(field, &Field::begun, this, [this, place = m_entries.size()] {
+        ++m_visit;
+        m_place = place;
+    });
     connect(field, &Field::entered, this, [this, field] { commit(field); });
     m_entries.push_back({field, key, label, {}, {}, false, {}, {}, {}});
     return field;
@@ -305,6 +308,7 @@ void Form::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
     m_test = test;
     if (another) {
+        startOver();
         for (const Entry &entry : m_entries)
             entry.field->forget();
     }
@@ -318,6 +322,11 @@ void Form::showEvent(QShowEvent *event) {
     if (std::exchange(m_isStale, false))
         refresh();
     QWidget::showEvent(event);
+}
+
+void Form::hideEvent(QHideEvent *event) {
+    startOver();
+    QWidget::hideEvent(event);
 }
 
 void Form::setLanguage(const Language &language) {
@@ -440,7 +449,7 @@ QString Form::missingText(int count) const {
     return tr("%n required statement(s) missing", nullptr, count);
 }
 
-std::size_t Form::placeOf(const QString &id) {
+bool Form::focusField(const QString &id) {
     if (std::exchange(m_isStale, false))
         refresh();
     const auto has = [&](const Entry &entry) { return id == QLatin1StringView(entry.key); };
@@ -448,14 +457,32 @@ std::size_t Form::placeOf(const QString &id) {
         m_entries, [&](const Entry &entry) { return has(entry) && entry.field->isRequired(); });
     if (found == m_entries.end())
         found = std::ranges::find_if(m_entries, has);
-    return static_cast<std::size_t>(found - m_entries.begin());
+    if (found == m_entries.end())
+        return false;
+    focusPart(*found->field);
+    return true;
 }
 
-bool Form::focusField(const QString &id) {
-    const std::size_t place = placeOf(id);
-    if (place == m_entries.size())
+bool Form::focusNextRequired(bool forward) {
+    const auto required = [](const Entry &entry) { return entry.field->isRequired(); };
+    const std::size_t size = m_entries.size();
+    std::size_t found = size;
+    if (forward) {
+        const std::size_t from = m_place ? std::min(*m_place + 1, size) : 0;
+        const auto next =
+            std::find_if(m_entries.begin() + static_cast<std::ptrdiff_t>(from), m_entries.end(), required);
+        found = static_cast<std::size_t>(next - m_entries.begin());
+    } else {
+        const std::size_t until = m_place ? std::min(*m_place, size) : size;
+        for (std::size_t i = 0; i < until; ++i) {
+            if (required(m_entries[i]))
+                found = i;
+        }
+    }
+    if (found == size)
         return false;
-    focusPart(*m_entries[place].field);
+    m_place = found;
+    focusPart(*m_entries[found].field);
     return true;
 }
 

@@ -43,8 +43,11 @@ public:
     void setLanguage(const Language &language);
     /// Moves the focus to the field of a finding; false: it has none here.
     bool focusField(const QString &id);
-    /// The how many'th field of the page that of a finding is; behind all others where it has none.
-    [[nodiscard]] std::size_t placeOf(const QString &id);
+    /// Moves the focus to the next field that is required and empty, or the one before; false: there is none
+    /// between the field the focus came to last and the end of the page (or its beginning).
+    bool focusNextRequired(bool forward);
+    /// The walk begins at the first field again.
+    void startOver() { m_place.reset(); }
     /// Moves the focus to fields that are chosen while the page is in view.
     void follow(Selection &selection);
 
@@ -112,6 +115,7 @@ protected:
     void refresh();
     void changeEvent(QEvent *event) override;
     void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
 
 private:
     using Change = std::function<void(Document &)>;
@@ -158,8 +162,9 @@ private:
     QHBoxLayout *m_head = nullptr; ///< of the section added last
     QGridLayout *m_row = nullptr;
     int m_column = 0;
-    bool m_isStale = false; ///< not filled since the document changed: out of view
-    int m_visit = 0;        ///< counts the fields the focus came to
+    bool m_isStale = false;             ///< not filled since the document changed: out of view
+    int m_visit = 0;                    ///< counts the fields the focus came to
+    std::optional<std::size_t> m_place; ///< of the field the focus came to last while the page is in view
     QString m_focused;
     std::vector<Entry> m_entries;
     std::vector<Title> m_titles;

@@ -3,6 +3,7 @@
 
 #include "document/savedocument.h"
 #include "editing/newtest.h"
+#include "editing/takestatements.h"
 #include "ui/circles/circlespage.h"
 #include "ui/dialogs/comparedialog.h"
 #include "ui/dialogs/compensationdialog.h"
@@ -576,17 +577,25 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
     return this;
 }
 
-std::optional<Test> MainWindow::askForTest(Kind kind) {
-    if (kind == Kind::circular) {
-        NewCircleDialog dialog(windowLanguage(), currentTest(), this);
-        return dialog.exec() == QDialog::Accepted ? std::optional(newTest(dialog.wanted())) : std::nullopt;
-    }
-    NewTestDialog dialog(windowLanguage(), currentTest(), this);
-    return dialog.exec() == QDialog::Accepted ? std::optional(newTest(dialog.wanted())) : std::nullopt;
+std::optional<Test> MainWindow::askForTest(Kind kind, bool ofThisFile) {
+    const Test *like = currentTest();
+    const auto ask = [&](auto &&dialog) -> std::optional<Test> {
+        if (like && ofThisFile && !std::holds_alternative<DriftMeasurement>(like->measurement))
+            dialog.offerStatementsOf(*like);
+        if (dialog.exec() != QDialog::Accepted)
+            return std::nullopt;
+        Test test = newTest(dialog.wanted());
+        if (dialog.takesStatements())
+            takeStatements(test, *like);
+        return test;
+    };
+    if (kind == Kind::circular)
+        return ask(NewCircleDialog(windowLanguage(), like, this));
+    return ask(NewTestDialog(windowLanguage(), like, this));
 }
 
 void MainWindow::newFile(Kind kind) {
-    const auto test = askForTest(kind);
+    const auto test = askForTest(kind, false);
     if (!test)
         return;
     Document document;
@@ -604,7 +613,7 @@ const Test *MainWindow::currentTest() const {
 }
 
 void MainWindow::addTest(Kind kind) {
-    const auto test = askForTest(kind);
+    const auto test = askForTest(kind, true);
     if (!test)
         return;
     const std::size_t place = m_model.document()->tests.size();

@@ -87,7 +87,8 @@ private:
     bool mayClose();
     void read(const QString &path);
     MainWindow *take(Document document, const QString &path, bool modified = false);
-    [[nodiscard]] std::optional<Test> askForTest(Kind kind);
+    /// `ofThisFile`: the statements of the test in view may be taken over.
+    [[nodiscard]] std::optional<Test> askForTest(Kind kind, bool ofThisFile);
     void newFile(Kind kind);
     void addTest(Kind kind);
     void addDriftTest();

@@ -22,9 +22,10 @@ QString testSummary(const Test &test) {
     const Language &language = windowLanguage();
     QStringList parts;
     const auto addAxis = [&](const Axis &axis) {
-        if (!axis.name.empty() && !test.title.empty()) // without a title its name is above
-            parts += say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Axis %1"))
-                         .arg(QString::fromStdString(axis.name));
+        const QString name =
+            say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Axis %1")).arg(QString::fromStdString(axis.name));
+        if (!axis.name.empty() && name != testName(test)) // which is above
+            parts += name;
         parts += axis.motion == Motion::linear ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "linear"))
                                                : say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "rotary"));
         if (axis.travel)

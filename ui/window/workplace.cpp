@@ -34,6 +34,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
 
 namespace palmer::ui {
 
@@ -409,50 +411,50 @@ void Workplace::presentCircularStatus(const CircularMeasurement &measurement) {
                             : QString());
 }
 
+Form *Workplace::formInView() const {
+    return qobject_cast<Form *>(isReportPage() ? m_reportPages->currentWidget() : m_pages->currentWidget());
+}
+
 bool Workplace::showNextMissing(bool forward) {
     const std::size_t test = m_selection.test();
     if (test >= m_evaluated.tests.size())
         return false;
     const TestEvaluation &evaluation = *m_evaluated.tests[test];
-    std::vector<std::pair<Page, QString>> missing;
+    std::map<Page, QStringList> missing;
     for (const Finding &finding : evaluation.findings) {
-        if (!isMissing(finding, evaluation.edition))
-            continue;
-        std::pair field(pageOf(finding, evaluation.edition), QString::fromStdString(finding.id));
-        if (std::ranges::find(missing, field) == missing.end()) // several may be missing of one field
-            missing.push_back(std::move(field));
+        if (isMissing(finding, evaluation.edition))
+            missing[pageOf(finding, evaluation.edition)] += QString::fromStdString(finding.id);
     }
     if (missing.empty())
         return false;
-    // Page by page, so that the walk does not jump to and fro; on the page with most fields from the top
-    // down.
-    const auto placeOf = [this](const std::pair<Page, QString> &field) {
-        return field.first == Page::conditions ? m_conditions->placeOf(field.second) : 0;
-    };
-    std::ranges::stable_sort(missing, {},
-                             [&](const auto &field) { return std::pair(field.first, placeOf(field)); });
-    const auto now = std::ranges::find(missing, std::pair(m_selection.page(), m_selection.field()));
-    const std::size_t last = missing.size() - 1;
-    std::size_t next = forward ? 0 : last;
-    if (now != missing.end()) {
-        const auto at = static_cast<std::size_t>(now - missing.begin());
-        next = forward ? (at + 1) % missing.size() : (at + last) % missing.size();
-    } else {
-        // From no missing statement, or one that has just been made: the nearest on the page in view.
-        const Page page = m_selection.page();
-        const std::size_t here = page == Page::conditions && !m_selection.field().isEmpty()
-                                     ? placeOf({page, m_selection.field()})
-                                     : 0;
-        const auto ofPage = [page](const auto &field) { return field.first == page; };
-        const auto behind = [&](const auto &field) { return ofPage(field) && placeOf(field) >= here; };
-        auto found = forward ? std::ranges::find_if(missing, behind) : missing.end();
-        if (found == missing.end())
-            found = std::ranges::find_if(missing, ofPage);
-        if (found != missing.end())
-            next = static_cast<std::size_t>(found - missing.begin());
+    // First on the page in view, so that the walk does not jump to and fro. On a form field by field: several
+    // may be missing under one name.
+    const Page page = m_selection.page();
+    if (Form *form = formInView()) {
+        if (form->focusNextRequired(forward))
+            return true;
+    } else if (const auto here = missing.find(page); here != missing.end()) {
+        const QStringList &ids = here->second;
+        const qsizetype now = ids.indexOf(m_selection.field());
+        const qsizetype next = now < 0 ? (forward ? 0 : ids.size() - 1) : now + (forward ? 1 : -1);
+        if (next >= 0 && next < ids.size()) {
+            m_selection.setField(ids[next]);
+            return true;
+        }
     }
-    showPage(missing[next].first);
-    m_selection.setField(missing[next].second);
+    // Then on the next page that misses something, round and round.
+    auto next = forward ? missing.upper_bound(page) : missing.lower_bound(page);
+    if (forward && next == missing.end())
+        next = missing.begin();
+    else if (!forward)
+        next = std::prev(next == missing.begin() ? missing.end() : next);
+    showPage(next->first);
+    if (Form *form = formInView()) {
+        form->startOver();
+        if (form->focusNextRequired(forward))
+            return true;
+    }
+    m_selection.setField(forward ? next->second.front() : next->second.back());
     return true;
 }
 

@@ -25,6 +25,7 @@ class Evaluator;
 class ExplanationCard;
 class FigureView;
 class FindingsPanel;
+class Form;
 class KeyHints;
 class LimitsPage;
 class NavigationList;
@@ -104,6 +105,7 @@ private:
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] QString navigationKey() const;
     [[nodiscard]] bool isReportPage() const;
+    [[nodiscard]] Form *formInView() const; ///< null on pages that are none
 
     DocumentModel &m_model;
     Evaluator &m_evaluator;
@@ -140,7 +142,6 @@ private:
     ResultsPanel *m_results;
     FindingsPanel *m_findings;
     std::string m_resultsOf; ///< id of the test the results of which are shown
-    QString m_field;         ///< the missing statement walked to last, by the id of its finding
     QString m_sizesOf;       ///< the kind of test whose sizes are shown
     bool m_maximised = false;
 };

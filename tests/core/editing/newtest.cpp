@@ -4,6 +4,7 @@
 #include "document/writedocument.h"
 #include "editing/editreadings.h"
 #include "editing/measuringcycle.h"
+#include "editing/takestatements.h"
 
 #include <QTest>
 
@@ -94,6 +95,71 @@ private slots:
         QCOMPARE(firstMissing(empty), firstOfCycle(empty));
         QVERIFY(empty.refused.empty() && !document.tests[1]->date);
         QVERIFY(readDocument(writeDocument(document)) == document);
+    }
+
+    void takesOverWhatHoldsForTheWholeMachine() {
+        Test from = newTest(wanted());
+        from.instruments = {"L1"};
+        from.decisionRule.rule = Rule::iso14253_1;
+        from.limits["A"].value = 0.012;
+        from.date = "2026-11-21";
+        from.agreedPoints = {{"warmUp", AgreementState::agreed, "60 min"},
+                             {"otherAxes", AgreementState::agreed, "Y 250"},
+                             {"dwell", AgreementState::agreed, "5 s"}};
+        auto &stated = std::get<PositioningMeasurement>(from.measurement);
+        stated.conditions.common.warmUp = {WarmUpKind::procedure, "60 min"};
+        stated.conditions.common.sensors = {{SensorMeasures::machine, "table", 20.1, 20.4, {}},
+                                            {SensorMeasures::instrument, "beam", 20.2, 20.3, {}}};
+        stated.conditions.common.expansion = {11.5, 0.0};
+        stated.conditions.common.otherAxes = "Y 250";
+        stated.conditions.common.toolOffset = {0.0, 0.0, 120.0};
+        stated.conditions.feed = 5000;
+        stated.conditions.airPressure = 1008;
+        stated.conditions.gradientPerHour = 0.4;
+        stated.uncertainty.method = UncertaintyMethod::budget;
+        stated.uncertainty.device.fixed = 0.3;
+        stated.uncertainty.misalignmentRange = 1;
+        stated.uncertainty.environmentalVariation = 0.6;
+
+        NewPositioningTest next = wanted();
+        next.axis.name = "Y";
+        Test y = newTest(next);
+        takeStatements(y, from);
+        const auto &taken = std::get<PositioningMeasurement>(y.measurement);
+        QCOMPARE(y.instruments, from.instruments);
+        QVERIFY(y.decisionRule == from.decisionRule && y.limits.empty() && !y.date);
+        QCOMPARE(y.agreedPoints.size(), std::size_t{2});
+        QVERIFY(taken.axis.name == "Y" && firstMissing(taken) == firstOfCycle(taken));
+        PositioningConditions expected;
+        expected.feed = 5000;
+        expected.common.warmUp = stated.conditions.common.warmUp;
+        expected.common.expansion = stated.conditions.common.expansion;
+        expected.common.sensors = {{SensorMeasures::machine, "table", {}, {}, {}},
+                                   {SensorMeasures::instrument, "beam", {}, {}, {}}};
+        QVERIFY(taken.conditions == expected); // nothing that was measured or belongs to the axis
+        PositioningUncertaintyInputs budget;
+        budget.method = UncertaintyMethod::budget;
+        budget.device.fixed = 0.3;
+        QVERIFY(taken.uncertainty == budget);
+
+        next.axis.motion = Motion::rotary; // another instrument
+        Test c = newTest(next);
+        takeStatements(c, from);
+        Test circle = newTest(NewCircularTest());
+        takeStatements(circle, from);
+        for (const Test *other : {&c, &circle}) {
+            QVERIFY(other->instruments.empty());
+            QCOMPARE(other->agreedPoints.size(), std::size_t{1});
+            QVERIFY(other->decisionRule == from.decisionRule);
+        }
+        QVERIFY(!std::get<PositioningMeasurement>(c.measurement).conditions.feed);
+        const Conditions &common = std::get<CircularMeasurement>(circle.measurement).conditions.common;
+        QCOMPARE(common.sensors.size(), std::size_t{1});
+        QVERIFY(common.expansion == Expansion({11.5, std::nullopt}));
+        QCOMPARE(common.warmUp.text, std::string("60 min"));
+        Test drift = newDriftTest(next.axis);
+        takeStatements(drift, from);
+        QVERIFY(drift == newDriftTest(next.axis));
     }
 
     void removesWhatNamesTheTest() {

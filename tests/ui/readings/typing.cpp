@@ -13,6 +13,7 @@
 #include "ui/window/rightside.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QInputDialog>
@@ -574,6 +575,32 @@ private slots:
         QCOMPARE(m.runs.size(), std::size_t{10});
         QCOMPARE(shown.window->workplace().selection().reading(), (ReadingPlace{0, 0}));
         QCOMPARE(shown.window->focusWidget()->objectName(), QString("readings"));
+    }
+
+    void aSecondTestTakesOverWhatIsStated() {
+        for (const bool taken : {true, false}) {
+            palmer::Test first = positioningTest("ISO 230-2:2014", {0, 10}, {{0, 1}}, {{1, 2}});
+            first.decisionRule.rule = Rule::iso14253_1;
+            std::get<PositioningMeasurement>(first.measurement).axis.name = "X";
+            const TypingWindow shown(first);
+            QTimer::singleShot(0, shown.window, [taken] {
+                auto *dialog = QApplication::activeModalWidget();
+                QVERIFY(dialog);
+                auto *name = dialog->findChild<QLineEdit *>("newAxis");
+                QCOMPARE(name->text(), QString("Y"));
+                QCOMPARE(name->selectedText(), QString("Y"));
+                auto *box = dialog->findChild<QCheckBox *>("takeStatements");
+                QVERIFY(box->isVisible() && box->isChecked());
+                QVERIFY(box->text().contains("X"));
+                box->setChecked(taken);
+                QTest::keyClick(dialog, Qt::Key_Return);
+            });
+            shown.find<QAction>("addTest")->trigger();
+            const Document &after = *shown.window->model().document();
+            QCOMPARE(after.tests.size(), std::size_t{2});
+            QCOMPARE(after.tests[1]->decisionRule.rule, taken ? Rule::iso14253_1 : Rule::simpleAcceptance);
+            QCOMPARE(shown.window->model().undoStack()->count(), 1);
+        }
     }
 
     void theTargetsOfANewTestAreChosenAfterItsEdition() {

@@ -178,8 +178,14 @@ void AccessibilityTest::mnemonicsDoNotClash() {
     const Language words(language);
     CircularMeasurement circle;
     circle.nominalRadius = 100;
-    checkDialog(NewTestDialog(words));
-    checkDialog(NewCircleDialog(words));
+    NewTestDialog newTest(words);
+    NewCircleDialog newCircle(words);
+    palmer::Test other;
+    other.title = "X";
+    newTest.offerStatementsOf(other);
+    newCircle.offerStatementsOf(other);
+    checkDialog(newTest);
+    checkDialog(newCircle);
     checkDialog(ArcDialog(circle, words, QStringLiteral("1.5\n2.5\n3.5\n")));
     checkDialog(ArcDialog(circle, words, QString()));
     const ShownWindow welcome;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QCheckBox>
+
+namespace palmer::ui {
+
+/// Offers to take over what is stated of another test of the file (see takeStatements); hidden until there is
+/// one.
+class StatementsBox : public QCheckBox {
+    Q_OBJECT
+
+public:
+    explicit StatementsBox(QWidget *parent);
+
+    /// Shows itself, chosen, with the name of the test.
+    void offer(const QString &test);
+};
+
+} // namespace palmer::ui
