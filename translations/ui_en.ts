@@ -58,6 +58,14 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::AgreedPointsPage</name>
+    <message numerus="yes">
+        <source>%n of %1 points not agreed</source>
+        <translation>
+            <numerusform>%n of %1 points not agreed</numerusform><numerusform>%n of %1 points not agreed</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ArcDialog</name>
     <message numerus="yes">
         <source>&amp;Add %n point(s)</source>

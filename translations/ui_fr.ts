@@ -292,10 +292,6 @@
         <translation>texte de l’accord</translation>
     </message>
     <message>
-        <source>%1 of %2 points not agreed</source>
-        <translation>%1 points sur %2 non convenus</translation>
-    </message>
-    <message>
         <source>%1, clause %2</source>
         <translation>%1, article %2</translation>
     </message>
@@ -306,6 +302,11 @@
     <message>
         <source>take from the conditions</source>
         <translation>reprendre des conditions</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 points not agreed</source>
+        <translation>
+            <numerusform>%n point sur %1 non convenu</numerusform><numerusform>%n points sur %1 non convenus</numerusform></translation>
     </message>
 </context>
 <context>
@@ -3525,7 +3526,7 @@
     <name>palmer::ui::StatementsBox</name>
     <message>
         <source>Take &amp;over what is stated of “%1”</source>
-        <translation>Re&amp;prendre ce qui est indiqué pour « %1 »</translation>
+        <translation>Reprendre ce &amp;qui est indiqué pour « %1 »</translation>
     </message>
     <message>
         <source>Instruments, state of the machine, places of the sensors, agreed points that name no axis, decision rule; nothing that was measured, no limits.</source>

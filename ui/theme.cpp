@@ -163,7 +163,7 @@ QComboBox::down-arrow { image: url(:/icons/down-@kind.svg); width: 14px; height:
 QComboBox QAbstractItemView { background: @base; border: 1px solid @field; selection-background-color: @selected;
     selection-color: @text; outline: none; }
 QFrame[card="true"] { background: @base; border: 1px solid @line; border-radius: 6px; }
-.QWidget[ground="base"], palmer--ui--RightSide { background: @base; }
+.QWidget[ground="base"], palmer--ui--RightSide, palmer--ui--CirclesPage { background: @base; }
 QFrame[rule="true"] { background: @line; border: none; }
 QLabel[reason="true"] { background: @badGround; color: @bad; border: 1px solid @bad; border-radius: 3px; padding: 0 8px; }
 QLabel[mark="true"] { background: @unsureGround; color: @unsure; border: 1px solid @unsure; border-radius: 3px; padding: 1px 8px; }

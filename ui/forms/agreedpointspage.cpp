@@ -273,7 +273,7 @@ void AgreedPointsPage::refresh() {
     }
     const int all = static_cast<int>(m_rows.size());
     m_chip->setVisible(open > 0);
-    m_chip->setContent(tr("%1 of %2 points not agreed").arg(open).arg(all), QStringLiteral("warn"),
+    m_chip->setContent(tr("%n of %1 points not agreed", nullptr, open).arg(all), QStringLiteral("warn"),
                        Token::unsure, Token::unsureGround);
     const QString word = QString::fromUtf8(edition->word);
     m_source->setText(*edition->pointsClause == 0

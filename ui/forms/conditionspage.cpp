@@ -276,12 +276,12 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
                   positioning<conditionsMember, &PositioningConditions::approachDistance>(), 3);
     } else {
         addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed"), Quantity::feed,
-                  circular<&CircularMeasurement::feed>());
+                  circular<&CircularMeasurement::feed>(), 4);
         addText("smoothing", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Data smoothing"),
-                circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>());
+                circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>(), 3);
         addYesNo("recentredBetweenRuns",
                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Re-centred between the runs"),
-                 circular<&CircularMeasurement::conditions, &CircularConditions::recentredBetweenRuns>());
+                 circular<&CircularMeasurement::conditions, &CircularConditions::recentredBetweenRuns>(), 4);
     }
     beginRow();
     addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up"),
@@ -454,6 +454,14 @@ void ConditionsPage::addInstruments() {
         });
     }
     addWidget(new QWidget(body()));
+}
+
+bool ConditionsPage::focusField(const QString &id) {
+    if (id != QLatin1StringView("instruments") || m_instruments.empty())
+        return Form::focusField(id);
+    showPart(*m_instruments.front());
+    m_instruments.front()->setFocus(Qt::OtherFocusReason);
+    return true;
 }
 
 void ConditionsPage::refreshOthers() {

@@ -15,6 +15,9 @@ class ConditionsPage : public Form {
 public:
     ConditionsPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 
+    /// Of the instruments the first box, too.
+    bool focusField(const QString &id) override;
+
 protected:
     void prepare() override;
     void refreshOthers() override;

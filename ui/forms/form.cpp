@@ -352,7 +352,7 @@ bool Form::isMissingHere(const char *key) const {
         return finding.id == key &&
                (finding.grade == Grade::requirement ||
                 (m_page == Page::uncertainty && isMissing(finding, evaluation.edition))) &&
-               pageOf(finding, evaluation.edition) == m_page;
+               pageOf(finding, evaluation.edition, *m_evaluated.document) == m_page;
     });
 }
 
@@ -425,8 +425,7 @@ void Form::refresh() {
         if (auto *field = findChild<QWidget *>(std::exchange(m_focused, QString())))
             field->setFocus(Qt::OtherFocusReason);
     }
-    const int missing =
-        m_test < m_evaluated.tests.size() ? countMissing(*m_evaluated.tests[m_test], m_page) : 0;
+    const int missing = m_test < m_evaluated.tests.size() ? countMissing(m_evaluated, m_test, m_page) : 0;
     m_chip->setVisible(missing > 0);
     m_next->setVisible(missing > 0);
     if (missing > 0)
@@ -463,6 +462,11 @@ bool Form::focusField(const QString &id) {
     return true;
 }
 
+void Form::focusFirst() {
+    if (!m_entries.empty())
+        focusPart(*m_entries.front().field);
+}
+
 bool Form::focusNextRequired(bool forward) {
     const auto required = [](const Entry &entry) { return entry.field->isRequired(); };
     const std::size_t size = m_entries.size();
@@ -486,10 +490,14 @@ bool Form::focusNextRequired(bool forward) {
     return true;
 }
 
-void Form::focusPart(Field &field) {
-    m_scroll->ensureWidgetVisible(&field);
+void Form::showPart(QWidget &part) {
+    m_scroll->ensureWidgetVisible(&part);
     // Again when a page that was built just now has its places.
-    QTimer::singleShot(0, &field, [this, shown = &field] { m_scroll->ensureWidgetVisible(shown); });
+    QTimer::singleShot(0, &part, [this, shown = &part] { m_scroll->ensureWidgetVisible(shown); });
+}
+
+void Form::focusPart(Field &field) {
+    showPart(field);
     field.edit()->setFocus(Qt::OtherFocusReason);
 }
 

@@ -42,7 +42,8 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
     /// Moves the focus to the field of a finding; false: it has none here.
-    bool focusField(const QString &id);
+    virtual bool focusField(const QString &id);
+    void focusFirst();
     /// Moves the focus to the next field that is required and empty, or the one before; false: there is none
     /// between the field the focus came to last and the end of the page (or its beginning).
     bool focusNextRequired(bool forward);
@@ -89,6 +90,7 @@ protected:
     QPushButton *addButton(const char *text, std::function<void()> pressed);
     void addWidget(QWidget *widget, int weight = 1);
     void addStretch();
+    void showPart(QWidget &part); ///< scrolls to it
     /// Brings a field into view and the focus to it.
     void focusPart(Field &field);
     void addToBar(QWidget *widget); ///< at the right of the bar above the page

@@ -87,7 +87,7 @@ bool isMissingInput(const Finding &finding, const Edition *edition) {
 
 } // namespace
 
-Page pageOf(const Finding &finding, const Edition *edition) {
+Page pageOf(const Finding &finding, const Edition *edition, const Document &document) {
     if (isAgreedPoint(finding))
         return Page::agreedPoints;
     const auto statement = missingStatement(finding, edition);
@@ -96,6 +96,8 @@ Page pageOf(const Finding &finding, const Edition *edition) {
         return *statement == firstStatement("serialNumber", *edition) ? Page::machine : Page::instruments;
     if (isOneOf(ofMachine, finding.id))
         return Page::machine;
+    if (finding.id == "instruments" && !document.instruments.empty())
+        return Page::conditions;
     if (isOneOf(ofInstruments, finding.id))
         return Page::instruments;
     if (isOfBudget(finding, edition) || isOneOf(ofSimulation, finding.id))
@@ -112,9 +114,11 @@ bool isMissing(const Finding &finding, const Edition *edition) {
            missingStatement(finding, edition).has_value();
 }
 
-int countMissing(const TestEvaluation &evaluation, Page page) {
+int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page) {
+    const TestEvaluation &evaluation = *evaluated.tests[test];
     return static_cast<int>(std::ranges::count_if(evaluation.findings, [&](const Finding &finding) {
-        return isMissing(finding, evaluation.edition) && pageOf(finding, evaluation.edition) == page;
+        return isMissing(finding, evaluation.edition) &&
+               pageOf(finding, evaluation.edition, *evaluated.document) == page;
     }));
 }
 

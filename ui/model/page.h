@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernel/evaluation/testevaluation.h"
+#include "document/evaluateddocument.h"
 
 #include <cstddef>
 
@@ -19,13 +19,14 @@ enum class Page {
 };
 
 /// Where that of which a finding speaks is shown and will be edited.
-[[nodiscard]] Page pageOf(const Finding &finding, const Edition *edition);
+/// That a test names no instrument is mended on its page of conditions, once the document has instruments.
+[[nodiscard]] Page pageOf(const Finding &finding, const Edition *edition, const Document &document);
 
 /// Whether the finding is a statement the report needs, or a point to agree, that is not there: what badges
 /// count and F8 walks.
 [[nodiscard]] bool isMissing(const Finding &finding, const Edition *edition);
 
 /// Number of missing statements (or points) of a page.
-[[nodiscard]] int countMissing(const TestEvaluation &evaluation, Page page);
+[[nodiscard]] int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page);
 
 } // namespace palmer::ui

@@ -54,8 +54,8 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
         return result;
     const auto missing = [this](Page page) {
         int most = 0; // every test asks the same of what they share
-        for (const TestEvaluationPointer &test : m_evaluated.tests)
-            most = std::max(most, countMissing(*test, page));
+        for (std::size_t test = 0; test < m_evaluated.tests.size(); ++test)
+            most = std::max(most, countMissing(m_evaluated, test, page));
         return most;
     };
     const auto page = [&](const QString &name, const QString &icon, Page which) {

@@ -58,17 +58,20 @@ QString FindingsModel::gradeWord(Grade grade) {
     return {};
 }
 
-void FindingsModel::show(const TestEvaluationPointer &evaluation, Page page, const Language &language) {
+void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, Page page,
+                         const Language &language) {
     beginResetModel();
     m_lines.clear();
     m_summary.clear();
-    if (evaluation) {
+    if (test < evaluated.tests.size()) {
+        const TestEvaluation *evaluation = evaluated.tests[test].get();
+        const Document &document = *evaluated.document;
         const Edition *edition = evaluation->edition;
         std::array<int, 3> counts{};
         std::vector<const Finding *> here;
         for (const Finding &finding : evaluation->findings) {
             ++counts.at(static_cast<std::size_t>(finding.grade));
-            if (pageOf(finding, edition) == page)
+            if (pageOf(finding, edition, document) == page)
                 here.push_back(&finding);
         }
         std::ranges::stable_sort(here, {}, &Finding::grade);
@@ -87,7 +90,7 @@ void FindingsModel::show(const TestEvaluationPointer &evaluation, Page page, con
             int missing = 0;
             Grade worst = Grade::note;
             for (const Finding &finding : evaluation->findings) {
-                if (pageOf(finding, edition) != other)
+                if (pageOf(finding, edition, document) != other)
                     continue;
                 ++all;
                 missing += isMissing(finding, edition) ? 1 : 0;

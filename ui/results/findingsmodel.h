@@ -26,7 +26,8 @@ public:
 
     using QAbstractListModel::QAbstractListModel;
 
-    void show(const TestEvaluationPointer &evaluation, Page page, const Language &language);
+    /// `test` may be none of the document: there is nothing to show then.
+    void show(const EvaluatedDocument &evaluated, std::size_t test, Page page, const Language &language);
     [[nodiscard]] const Line &line(int row) const { return m_lines[static_cast<std::size_t>(row)]; }
     /// "7 required missing · 1 warning · 2 notes".
     [[nodiscard]] QString summary() const { return m_summary; }

@@ -99,7 +99,7 @@ void FindingsPanel::activate(const QModelIndex &index) {
 }
 
 void FindingsPanel::refresh() {
-    m_model.show(m_test < m_evaluated.tests.size() ? m_evaluated.tests[m_test] : nullptr, m_page, m_language);
+    m_model.show(m_evaluated, m_test, m_page, m_language);
     m_summary->setText(m_model.summary());
 }
 

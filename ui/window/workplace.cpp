@@ -239,6 +239,8 @@ void Workplace::focusPage() {
         m_readingPages->currentWidget()->setFocus();
         return;
     }
+    if (Form *form = formInView())
+        return form->focusFirst();
     QWidget *page = m_pages->currentWidget();
     const auto isField = [page](const QWidget *widget) {
         return page->isAncestorOf(widget) && widget->isVisible() && widget->isEnabled() &&
@@ -296,7 +298,7 @@ void Workplace::presentTest() {
     m_uncertainty->show(m_evaluated, test);
     presentResults();
     for (std::size_t i = 0; i < testPages.size(); ++i)
-        m_tabs->setCount(static_cast<int>(i), countMissing(*m_evaluated.tests[test], testPages.at(i)));
+        m_tabs->setCount(static_cast<int>(i), countMissing(m_evaluated, test, testPages.at(i)));
     restoreSizes();
     presentStatus();
 }
@@ -423,7 +425,8 @@ bool Workplace::showNextMissing(bool forward) {
     std::map<Page, QStringList> missing;
     for (const Finding &finding : evaluation.findings) {
         if (isMissing(finding, evaluation.edition))
-            missing[pageOf(finding, evaluation.edition)] += QString::fromStdString(finding.id);
+            missing[pageOf(finding, evaluation.edition, *m_evaluated.document)] +=
+                QString::fromStdString(finding.id);
     }
     if (missing.empty())
         return false;

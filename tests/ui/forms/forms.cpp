@@ -155,9 +155,8 @@ private slots:
             QVERIFY(!field->isRequired() || field->text().isEmpty());
         auto *chip = page.findChild<Chip *>(u"missingChip"_s);
         QVERIFY(chip->isVisibleTo(&page));
-        QVERIFY2(
-            chip->text().startsWith(QString::number(countMissing(*evaluated.tests[0], Page::conditions))),
-            qPrintable(chip->text()));
+        QVERIFY2(chip->text().startsWith(QString::number(countMissing(evaluated, 0, Page::conditions))),
+                 qPrintable(chip->text()));
     }
 
     void aFindingLeadsToItsField() {
@@ -190,7 +189,7 @@ private slots:
                 continue;
             const QString id = QString::fromStdString(finding.id);
             bool found = false;
-            switch (pageOf(finding, edition)) {
+            switch (pageOf(finding, edition, *evaluated.document)) {
             case Page::conditions:
                 found = conditions.focusField(id);
                 break;
@@ -207,6 +206,29 @@ private slots:
                 break;
             }
             QVERIFY2(found, qPrintable(id));
+        }
+    }
+
+    void theInstrumentOfATestIsChosenOnItsPage() {
+        Document document;
+        document.tests.push_back(std::make_shared<const palmer::Test>(example1988("ISO 230-2:2014")));
+        for (const bool known : {false, true}) {
+            if (known)
+                document.instruments.emplace_back().id = "L1";
+            const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+            const auto &findings = evaluated.tests[0]->findings;
+            const auto missing = std::ranges::find(findings, "instruments", &Finding::id);
+            QVERIFY(missing != findings.end());
+            const Page page = pageOf(*missing, evaluated.tests[0]->edition, document);
+            QCOMPARE(page, known ? Page::conditions : Page::instruments);
+            if (!known)
+                continue;
+            DocumentModel model;
+            Selection selection;
+            ConditionsPage conditions(model, selection);
+            conditions.show(evaluated, 0);
+            QVERIFY(conditions.focusField(u"instruments"_s));
+            QCOMPARE(conditions.focusWidget()->objectName(), u"uses.L1"_s);
         }
     }
 

@@ -35,8 +35,8 @@ private slots:
         results.setTable({});
         FindingsModel findings;
         QAbstractItemModelTester second(&findings, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        findings.show(evaluated.tests[0], Page::conditions, Language(Language::Id::french));
-        findings.show(nullptr, Page::readings, Language(Language::Id::french));
+        findings.show(evaluated, 0, Page::conditions, Language(Language::Id::french));
+        findings.show(EvaluatedDocument(), 0, Page::readings, Language(Language::Id::french));
         QCOMPARE(findings.rowCount(), 0);
     }
 
@@ -140,7 +140,7 @@ private slots:
         FindingsModel model;
         const EvaluatedDocument evaluated = evaluatedDocument(decidedExample());
         const Edition *edition = evaluated.tests[0]->edition;
-        model.show(evaluated.tests[0], Page::agreedPoints, Language(Language::Id::english));
+        model.show(evaluated, 0, Page::agreedPoints, Language(Language::Id::english));
         int single = 0;
         while (single < model.rowCount() && !model.line(single).id.isEmpty()) {
             QCOMPARE(model.line(single).page, Page::agreedPoints);
@@ -148,7 +148,7 @@ private slots:
         }
         const auto expected =
             std::ranges::count_if(evaluated.tests[0]->findings, [&](const Finding &finding) {
-                return pageOf(finding, edition) == Page::agreedPoints;
+                return pageOf(finding, edition, *evaluated.document) == Page::agreedPoints;
             });
         QCOMPARE(single, static_cast<int>(expected));
         // Then a line per page, each page once.
