@@ -1269,6 +1269,10 @@
         <source>Measured with: %1</source>
         <translation>Mesuré avec : %1</translation>
     </message>
+    <message>
+        <source>Reference length calibrated</source>
+        <translation>Longueur de référence étalonnée</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::DriftModel</name>

@@ -375,6 +375,9 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
         addText("positionFeedback",
                 QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
                 circular<&CircularMeasurement::positionFeedback>());
+        addYesNo("referenceLength",
+                 QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Reference length calibrated"),
+                 circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>());
         return;
     }
     using Measurement = PositioningMeasurement;

@@ -370,6 +370,8 @@ void Form::clear() {
     const QWidget *focused = QWidget::focusWidget();
     m_focused =
         focused && body()->isAncestorOf(focused) && focused->hasFocus() ? focused->objectName() : QString();
+    if (m_focused.isEmpty())
+        startOver(); // other fields come
     m_entries.clear();
     m_titles.clear();
     m_buttons.clear();

@@ -67,16 +67,43 @@ constexpr std::array<std::string_view, 13> ofBudget{"device",
                                                     "temperatureStandardUncertainty",
                                                     "expansionStandardUncertainty"};
 constexpr std::array<std::string_view, 3> ofSimulation{"uncertaintyMethods", "monteCarlo", "monteCarloShift"};
-constexpr std::array<std::string_view, 30> ofConditions{
-    "date",        "name",    "travel",          "positionFeedback",     "targetChoice", "toolOffset",
-    "otherAxes",   "sensors", "workpieceOffset", "correctionTo20",       "expansion",    "airPressure",
-    "airHumidity", "warmUp",  "gradientPerHour", "compensation",         "complete",     "levelled",
-    "unloaded",    "feed",    "dwell",           "temperature",          "centre",       "startPoint",
-    "stopPoint",   "cycle",   "smoothing",       "recentredBetweenRuns", "zone",         "ends"};
+constexpr std::array<std::string_view, 31> ofConditions{"date",
+                                                        "name",
+                                                        "travel",
+                                                        "positionFeedback",
+                                                        "targetChoice",
+                                                        "toolOffset",
+                                                        "otherAxes",
+                                                        "sensors",
+                                                        "workpieceOffset",
+                                                        "correctionTo20",
+                                                        "expansion",
+                                                        "airPressure",
+                                                        "airHumidity",
+                                                        "warmUp",
+                                                        "gradientPerHour",
+                                                        "compensation",
+                                                        "complete",
+                                                        "levelled",
+                                                        "unloaded",
+                                                        "referenceLength",
+                                                        "feed",
+                                                        "dwell",
+                                                        "temperature",
+                                                        "centre",
+                                                        "startPoint",
+                                                        "stopPoint",
+                                                        "cycle",
+                                                        "smoothing",
+                                                        "recentredBetweenRuns",
+                                                        "zone",
+                                                        "ends"};
 
 /// Of an input of a budget, and no statement that the edition asks for.
 bool isOfBudget(const Finding &finding, const Edition *edition) {
-    return isOneOf(ofBudget, finding.id) && !missingStatement(finding, edition);
+    // The reference length has a calibration and an uncertainty; no clause asks for the latter.
+    return (isOneOf(ofBudget, finding.id) && !missingStatement(finding, edition)) ||
+           (finding.id == "referenceLength" && finding.clause.empty());
 }
 
 /// An input without which there is no uncertainty: named by the finding, which no clause asks for.

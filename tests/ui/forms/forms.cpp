@@ -1,3 +1,4 @@
+#include "ui/circles.h"
 #include "ui/examples.h"
 #include "ui/forms/agreedpointspage.h"
 #include "ui/forms/conditionspage.h"
@@ -207,6 +208,27 @@ private slots:
             }
             QVERIFY2(found, qPrintable(id));
         }
+    }
+
+    void theReferenceLengthOfACircleIsStated() {
+        Test test = decidedPair();
+        circular(test).referenceLength = {};
+        circular(test).uncertainty.method = UncertaintyMethod::budget;
+        Edited<ConditionsPage> edited(documentOf(test));
+        Field *field = fields(edited.page, u"referenceLength"_s).at(0);
+        QVERIFY(field->isRequired());
+        QVERIFY(edited.page.focusField(u"referenceLength"_s));
+        auto *choice = qobject_cast<QComboBox *>(field->edit());
+        choice->setCurrentIndex(1);
+        emit choice->activated(1);
+        QCOMPARE(std::get<CircularMeasurement>(edited.test().measurement).referenceLength.calibrated,
+                 std::optional(true));
+        QVERIFY(!field->isRequired());
+        // Its uncertainty is a matter of the budget.
+        const TestEvaluation &evaluation = *edited.evaluator.current().tests[0];
+        const auto missing = std::ranges::find(evaluation.findings, "referenceLength", &Finding::id);
+        QVERIFY(missing != evaluation.findings.end());
+        QCOMPARE(pageOf(*missing, evaluation.edition, *edited.model.document()), Page::uncertainty);
     }
 
     void theInstrumentOfATestIsChosenOnItsPage() {
