@@ -1929,18 +1929,6 @@
         <translation>L’édition %1 demande l’incertitude de chaque résultat&#x202f;; aucune n’est indiquée.</translation>
     </message>
     <message>
-        <source>Whether the readings are corrected to 20 °C is not stated; nothing is corrected here.</source>
-        <translation>Il n’est pas indiqué si les relevés sont corrigés à 20&#xa0;°C&#x202f;; rien n’est corrigé ici.</translation>
-    </message>
-    <message>
-        <source>The readings are not corrected to 20 °C.</source>
-        <translation>Les relevés ne sont pas corrigés à 20&#xa0;°C.</translation>
-    </message>
-    <message>
-        <source>The material compensation of the instrument was on: the readings hold at 20 °C, nothing is corrected here.</source>
-        <translation>La compensation de matériau de l’instrument était active&#xa0;: les relevés valent pour 20&#xa0;°C, rien n’est corrigé ici.</translation>
-    </message>
-    <message>
         <source>The correction was to be made here, but temperatures or coefficients of expansion are missing: nothing is corrected.</source>
         <translation>La correction devait être faite ici, mais il manque des températures ou des coefficients de dilatation&#xa0;: rien n’est corrigé.</translation>
     </message>
@@ -4237,18 +4225,6 @@
     <message>
         <source>F and D at 20 °C: correction %1.</source>
         <translation>F et D à 20&#xa0;°C&#xa0;: correction %1.</translation>
-    </message>
-    <message>
-        <source>Whether F and D are corrected to 20 °C is not stated; nothing is corrected here.</source>
-        <translation>Il n’est pas indiqué si F et D sont ramenés à 20&#xa0;°C&#x202f;; rien n’est corrigé ici.</translation>
-    </message>
-    <message>
-        <source>F and D are not corrected to 20 °C.</source>
-        <translation>F et D ne sont pas ramenés à 20&#xa0;°C.</translation>
-    </message>
-    <message>
-        <source>The instrument corrects its readings to 20 °C; nothing is corrected here.</source>
-        <translation>L’instrument ramène ses relevés à 20&#xa0;°C&#x202f;; rien n’est corrigé ici.</translation>
     </message>
     <message>
         <source>Made here for F and D; temperatures are means of start and end.</source>

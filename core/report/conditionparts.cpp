@@ -464,10 +464,11 @@ void addUncertainty(std::vector<Block> &blocks, const TestPart &part, Uncertaint
 }
 
 void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
-    if (part.measurement.axis.motion != Motion::linear)
-        return;
-    const Writer &write = part.write;
     const Conditions &conditions = part.measurement.conditions.common;
+    if (part.measurement.axis.motion != Motion::linear ||
+        conditions.correctionTo20 != CorrectionTo20::appliedHere)
+        return; // the conditions say so
+    const Writer &write = part.write;
     const Expansion &alpha = conditions.expansion;
     const bool corrected = !part.results.corrections.empty();
     const auto temperature = [&](SensorMeasures what) {
@@ -477,39 +478,21 @@ void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
         return Number{value.value_or(0), Quantity::expansion, -1};
     };
     QString words;
-    switch (conditions.correctionTo20) {
-    case CorrectionTo20::notStated:
-        words = write.text(REPORT_TEXT(
-            "report",
-            "Whether the readings are corrected to 20 °C is not stated; nothing is corrected here."));
-        break;
-    case CorrectionTo20::notApplied:
-        words = write.text(REPORT_TEXT("report", "The readings are not corrected to 20 °C."));
-        break;
-    case CorrectionTo20::appliedByInstrument:
+    if (!corrected)
         words = write.text(
-            REPORT_TEXT("report", "The material compensation of the instrument was on: the readings hold at "
-                                  "20 °C, nothing is corrected here."));
-        break;
-    case CorrectionTo20::appliedHere:
-        if (!corrected)
-            words = write.text(REPORT_TEXT(
-                "report", "The correction was to be made here, but temperatures or coefficients of "
-                          "expansion are missing: nothing is corrected."));
-        else if (alpha.instrument == 0.0)
-            words = write.say(REPORT_TEXT("report",
-                                          "Made here for the expansion of the machine (α = %1, θ = %2); the "
-                                          "instrument compensates the air only."),
-                              {expansion(alpha.machine), temperature(SensorMeasures::machine)});
-        else
-            words = write.say(
-                REPORT_TEXT("report",
-                            "Made here for the expansion of the machine (α = %1, θ = %2) and of the "
-                            "instrument (α = %3, θ = %4)."),
-                {expansion(alpha.machine), temperature(SensorMeasures::machine), expansion(alpha.instrument),
-                 temperature(SensorMeasures::instrument)});
-        break;
-    }
+            REPORT_TEXT("report", "The correction was to be made here, but temperatures or coefficients of "
+                                  "expansion are missing: nothing is corrected."));
+    else if (alpha.instrument == 0.0)
+        words = write.say(REPORT_TEXT("report",
+                                      "Made here for the expansion of the machine (α = %1, θ = %2); the "
+                                      "instrument compensates the air only."),
+                          {expansion(alpha.machine), temperature(SensorMeasures::machine)});
+    else
+        words = write.say(
+            REPORT_TEXT("report", "Made here for the expansion of the machine (α = %1, θ = %2) and of the "
+                                  "instrument (α = %3, θ = %4)."),
+            {expansion(alpha.machine), temperature(SensorMeasures::machine), expansion(alpha.instrument),
+             temperature(SensorMeasures::instrument)});
     addHeading(blocks, write.text(REPORT_TEXT("report", "Correction to 20 °C")),
                write.text(REPORT_TEXT("report", "nominal differential expansion (NDE)")));
     blocks.emplace_back(Paragraph{words});
@@ -546,33 +529,16 @@ void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
 }
 
 void addCorrection(std::vector<Block> &blocks, const CircularPart &part) {
-    if (!part.needsLength())
-        return;
-    const Writer &write = part.write;
     const Conditions &conditions = part.measurement.conditions.common;
+    if (!part.needsLength() || conditions.correctionTo20 != CorrectionTo20::appliedHere)
+        return; // the conditions say so
+    const Writer &write = part.write;
     const std::optional<double> &correction = part.results.correction;
-    QString words;
-    switch (conditions.correctionTo20) {
-    case CorrectionTo20::notStated:
-        words = write.text(REPORT_TEXT(
-            "report", "Whether F and D are corrected to 20 °C is not stated; nothing is corrected here."));
-        break;
-    case CorrectionTo20::notApplied:
-        words = write.text(REPORT_TEXT("report", "F and D are not corrected to 20 °C."));
-        break;
-    case CorrectionTo20::appliedByInstrument:
-        words = write.text(REPORT_TEXT(
-            "report", "The instrument corrects its readings to 20 °C; nothing is corrected here."));
-        break;
-    case CorrectionTo20::appliedHere:
-        words = write.text(
-            correction
-                ? REPORT_TEXT("report", "Made here for F and D; temperatures are means of start and end.")
-                : REPORT_TEXT("report",
-                              "The correction was to be made here, but temperatures or coefficients of "
-                              "expansion are missing: nothing is corrected."));
-        break;
-    }
+    const QString words = write.text(
+        correction
+            ? REPORT_TEXT("report", "Made here for F and D; temperatures are means of start and end.")
+            : REPORT_TEXT("report", "The correction was to be made here, but temperatures or coefficients of "
+                                    "expansion are missing: nothing is corrected."));
     addHeading(blocks, write.text(REPORT_TEXT("report", "Correction to 20 °C")),
                correction ? phraseFrom(QStringLiteral("C = R·[α_i·(T_i − 20) − α_m·(T_m − 20)]")) : Phrase());
     blocks.emplace_back(Paragraph{words});

@@ -16,7 +16,8 @@ void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part);
 /// What stands behind the U of the results, where there is any or the edition asks for it.
 void addUncertainty(std::vector<Block> &blocks, const TestPart &part, UncertaintyMethod method);
 
-/// Which of the cases of the correction to 20 °C holds, and what was added to each target. Linear axes only.
+/// The correction to 20 °C where it was to be made here, and what was added to each target. Linear axes only;
+/// in all other cases the conditions say what there is to say.
 void addCorrection(std::vector<Block> &blocks, const PositioningPart &part);
 
 /// The same of F and D, with C and what it follows from; nothing where neither is asked for.

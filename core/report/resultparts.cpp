@@ -20,6 +20,7 @@ constexpr QChar noBreakSpace(u'\u00A0');
 constexpr double symbolWidth = 7.8; ///< mm, as the widths below
 constexpr double spareBesidePicture = 2;
 constexpr double letterWidth = 1.67;
+constexpr double capitalWidth = 2.3;
 constexpr double spaceWidth = 0.9;
 constexpr double cellPadding = 2.2;
 constexpr qsizetype mostOfReason = 190; ///< characters that fit on two lines of the verdict line
@@ -127,10 +128,11 @@ Phrase targetsTitle(const Writer &write) {
 
 /// Estimated width of a text of 8.5 pt, mm; combining marks take none.
 double estimatedWidth(const QString &text) {
+    const bool isWord = text.size() > 2 && text == text.toUpper() && text.at(1).isLetter(); // UPR
     double width = 0;
     for (const QChar c : text) {
         if (c.category() != QChar::Mark_NonSpacing)
-            width += c.isSpace() ? spaceWidth : letterWidth;
+            width += c.isSpace() ? spaceWidth : isWord && c.isLetter() ? capitalWidth : letterWidth;
     }
     return width;
 }
@@ -153,19 +155,23 @@ struct ResultForm {
 
 ResultForm positioningForm(const PositioningPart &part) {
     const std::string &axis = part.measurement.axis.name;
-    ResultForm form{
-        part.write.say(REPORT_TEXT("report", "Results for the %1 axis"),
-                       {axis.empty() ? std::string("–") : axis}),
-        7.8,
-        70.0,
-        13.0,
-        10.8,
-        14.0,
-        11.0,
-        21.7,
-        26.7,
-        part.results.notCorrected,
-        [&part](const Parameter &parameter) { return nameInTable(part.write, parameter.term.name); }};
+    ResultForm form{part.write.say(REPORT_TEXT("report", "Results for the %1 axis"),
+                                   {axis.empty() ? std::string("–") : axis}),
+                    7.8,
+                    70.0,
+                    13.0,
+                    10.8,
+                    14.0,
+                    11.0,
+                    21.7,
+                    26.7,
+                    part.results.notCorrected,
+                    [&part](const Parameter &parameter) {
+                        QString name = nameInTable(part.write, parameter.term.name);
+                        const QString symbol =
+                            QStringLiteral(" (%1)").arg(shownSymbol(parameter)); // stands beside it
+                        return name.endsWith(symbol) ? name.chopped(symbol.size()) : name;
+                    }};
     if (part.write.language().id() == Language::Id::english) {
         form.name = 64.0;
         form.targets = 13.5;

@@ -370,7 +370,7 @@ void Form::clear() {
     const QWidget *focused = QWidget::focusWidget();
     m_focused =
         focused && body()->isAncestorOf(focused) && focused->hasFocus() ? focused->objectName() : QString();
-    if (m_focused.isEmpty())
+    if (std::ranges::none_of(m_entries, [&](const Entry &entry) { return entry.field->edit() == focused; }))
         startOver(); // other fields come
     m_entries.clear();
     m_titles.clear();
