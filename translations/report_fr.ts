@@ -5269,5 +5269,9 @@
         <source>the picture to write, or its points; the ending says which</source>
         <translation>la figure à écrire, ou ses points&#xa0;: l’extension dit lequel</translation>
     </message>
+    <message>
+        <source>The instrument’s program states %1 (%2); the result here differs by %3.</source>
+        <translation>Le programme de l’instrument indique %1 (%2)&#x202f;; le résultat obtenu ici s’en écarte de %3.</translation>
+    </message>
 </context>
 </TS>

@@ -1,8 +1,8 @@
 #include "report/dataparts.h"
 
-#include "import/units.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "language/rounding.h"
+#include "report/instrumentresult.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -357,35 +357,9 @@ void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, con
 
 namespace {
 
-/// Which of our results says the same as one of an instrument's program. Its circularity is the difference of
-/// the largest and smallest radius over all its runs.
-const Parameter *ourResult(const TestPart &part, const std::string &name) {
-    const auto withId = [&](std::string_view id) -> const Parameter * {
-        for (const Parameter &parameter : part.evaluation.parameters) {
-            if (parameter.value && (parameterId(parameter) == id || parameter.term.id == id))
-                return &parameter;
-        }
-        return nullptr;
-    };
-    if (name.ends_with("AF_CIRCULARITY")) {
-        const Parameter *both = withId("G(b)");
-        return both ? both : withId("G");
-    }
-    return withId(name);
-}
-
-/// A result of another program in the base unit of ours; null where its unit is none of a length or angle.
-std::optional<double> inBaseUnit(const ImportedResult &result, Quantity quantity) {
-    const Unit *unit = unitOfSign(result.unit);
-    const bool angle = quantity == Quantity::angularDeviation;
-    if (!unit || unit->kind != (angle ? UnitKind::angle : UnitKind::length))
-        return {};
-    return unit->toBase(result.value);
-}
-
 /// The results that programs of instruments state, ours beside them where we have the same, and the
 /// difference.
-Table statedResults(const TestPart &part) {
+Table instrumentResultsTable(const TestPart &part) {
     const Writer &write = part.write;
     const Language &language = write.language();
     Table table;
@@ -400,24 +374,20 @@ Table statedResults(const TestPart &part) {
                      {write.text(REPORT_TEXT("report", "Value here")), {}, Alignment::right, false, 27},
                      {write.text(REPORT_TEXT("report", "Here − stated")), {}, Alignment::right, false, 27}};
     constexpr int decimals = 2; // of µm: programs state one
-    for (const ImportedFile &file : part.test.imports) {
-        for (const ImportedResult &result : file.results) {
-            const std::string name =
-                part.test.imports.size() > 1 ? file.fileName + ": " + result.name : result.name;
-            std::vector<Cell> row{QString::fromStdString(name),
-                                  language.number(result.value, Quantity::number),
-                                  QString::fromStdString(result.unit)};
-            const Parameter *ours = ourResult(part, result.name);
-            const auto stated = ours ? inBaseUnit(result, ours->term.quantity) : std::nullopt;
-            if (stated) {
-                row.emplace_back(QString::fromStdString(plainSymbol(*ours)));
-                row.emplace_back(language.quantity(*ours->value, ours->term.quantity, decimals));
-                row.emplace_back(language.quantity(*ours->value - *stated, ours->term.quantity, decimals));
-            } else {
-                row.insert(row.end(), 3, Cell());
-            }
-            table.rows.push_back(std::move(row));
+    for (const InstrumentResult &result : instrumentResults(part.test, part.evaluation)) {
+        const ImportedResult &stated = *result.stated;
+        const std::string name =
+            part.test.imports.size() > 1 ? result.file->fileName + ": " + stated.name : stated.name;
+        std::vector<Cell> row{QString::fromStdString(name), language.number(stated.value, Quantity::number),
+                              QString::fromStdString(stated.unit)};
+        if (const Parameter *ours = result.ours) {
+            row.emplace_back(QString::fromStdString(plainSymbol(*ours)));
+            row.emplace_back(language.quantity(*ours->value, ours->term.quantity, decimals));
+            row.emplace_back(language.quantity(*ours->value - result.value, ours->term.quantity, decimals));
+        } else {
+            row.insert(row.end(), 3, Cell());
         }
+        table.rows.push_back(std::move(row));
     }
     return table;
 }
@@ -436,7 +406,7 @@ void addImports(std::vector<Block> &blocks, const TestPart &part) {
         files.rows.push_back({QString::fromStdString(file.fileName), QString::fromStdString(file.sha256)});
     addHeading(blocks, write.text(REPORT_TEXT("report", "Origin of the data")));
     blocks.emplace_back(std::move(files));
-    Table results = statedResults(part);
+    Table results = instrumentResultsTable(part);
     if (!results.rows.empty())
         blocks.emplace_back(std::move(results));
 }

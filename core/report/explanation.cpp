@@ -3,6 +3,7 @@
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "report/circularexplanation.h"
+#include "report/instrumentresult.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -368,6 +369,41 @@ private:
 
 } // namespace
 
+namespace {
+
+std::optional<Explanation> explained(const Test &source, const TestEvaluation &evaluation,
+                                     const Parameter &parameter, const Language &language) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&source.measurement);
+    if (!measurement)
+        return circularExplanation(source, evaluation, parameter, language);
+    const Row *row = rowOf(*evaluation.edition, parameter);
+    if (!row)
+        return std::nullopt;
+    const auto recipe = std::ranges::find(recipes, row->value, &Recipe::function);
+    if (recipe == recipes.end())
+        return std::nullopt;
+    return Explainer(evaluation, *measurement, parameter, *recipe, language).explain();
+}
+
+/// What the instrument's own program says of the result.
+QStringList statedBeside(const Test &source, const TestEvaluation &evaluation, const Parameter &parameter,
+                         const Language &language) {
+    constexpr int decimals = 2; // of µm: programs state one
+    const Quantity quantity = parameter.term.quantity;
+    QStringList sentences;
+    for (const InstrumentResult &stated : instrumentResults(source, evaluation)) {
+        if (stated.ours == &parameter)
+            sentences << language.sentence(
+                {REPORT_TEXT("report",
+                             "The instrument’s program states %1 (%2); the result here differs by %3."),
+                 {Number{stated.value, quantity, decimals}, stated.stated->name,
+                  Number{*parameter.value - stated.value, quantity, decimals}}});
+    }
+    return sentences;
+}
+
+} // namespace
+
 std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::size_t test,
                                        std::string_view id, const Language &language) {
     if (test >= evaluated.tests.size())
@@ -380,16 +416,10 @@ std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::
         std::ranges::find(evaluation.parameters, id, [](const Parameter &p) { return parameterId(p); });
     if (parameter == evaluation.parameters.end())
         return std::nullopt;
-    const auto *measurement = std::get_if<PositioningMeasurement>(&source.measurement);
-    if (!measurement)
-        return circularExplanation(source, evaluation, *parameter, language);
-    const Row *row = rowOf(*evaluation.edition, *parameter);
-    if (!row)
-        return std::nullopt;
-    const auto recipe = std::ranges::find(recipes, row->value, &Recipe::function);
-    if (recipe == recipes.end())
-        return std::nullopt;
-    return Explainer(evaluation, *measurement, *parameter, *recipe, language).explain();
+    std::optional<Explanation> result = explained(source, evaluation, *parameter, language);
+    if (result)
+        result->words += statedBeside(source, evaluation, *parameter, language);
+    return result;
 }
 
 Formula formulaOf(const Edition &edition, const Row &row, const Language &language) {

@@ -3,6 +3,7 @@
 #include "document/savedocument.h"
 #include "import/importmeasurement.h"
 #include "report/composereport.h"
+#include "report/explanation.h"
 #include "report/plaintext.h"
 
 #include <QTest>
@@ -77,6 +78,12 @@ private slots:
         QCOMPARE(circularity[5].text.plain(),
                  english.quantity(*both->value - 0.0084, Quantity::deviation, 2));
         QVERIFY(results->rows[2][5].isMissing()); // a squareness has no counterpart
+        const auto explained = explanation(evaluated, 0, parameterId(*both), english);
+        QVERIFY(explained && !explained->words.empty());
+        QCOMPARE(explained->words.back(),
+                 QString("The instrument’s program states 8.40\u00A0µm (Renishaw: AF_CIRCULARITY); the "
+                         "result here differs by %1.")
+                     .arg(english.quantity(*both->value - 0.0084, Quantity::deviation, 2)));
     }
 };
 
