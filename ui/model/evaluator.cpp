@@ -64,14 +64,46 @@ void Evaluator::setView(std::size_t test, const std::string &edition) {
 void Evaluator::setSimulation(std::size_t test, const TestSimulation &simulation) {
     if (!m_current.document || !simulation.of)
         return;
-    const auto &tests = m_current.document->tests;
-    auto found = std::ranges::find(tests, simulation.of);
-    if (found == tests.end() && test < tests.size() && tests[test]->id == simulation.of->id)
-        found = tests.begin() + static_cast<std::ptrdiff_t>(test);
-    if (found == tests.end())
-        return;
-    m_current = withSimulation(m_current, static_cast<std::size_t>(found - tests.begin()), simulation);
-    emit evaluated(m_current);
+    m_simulations.push_back({test, simulation});
+    putSimulations();
+}
+
+/// As with edits: what takes long is done on the worker. What was superseded there waits for its turn.
+void Evaluator::putSimulations() {
+    while (!m_simulations.empty() && !isBusy()) {
+        const EndedSimulation ended = m_simulations.front();
+        m_simulations.erase(m_simulations.begin());
+        const auto &[test, simulation] = ended;
+        const auto &tests = m_current.document->tests;
+        auto found = std::ranges::find(tests, simulation.of);
+        if (found == tests.end() && test < tests.size() && tests[test]->id == simulation.of->id)
+            found = tests.begin() + static_cast<std::ptrdiff_t>(test);
+        if (found == tests.end())
+            continue;
+        const auto place = static_cast<std::size_t>(found - tests.begin());
+        if (countReadings(**found) <= atOnce) {
+            m_current = withSimulation(m_current, place, simulation);
+            emit evaluated(m_current);
+            continue;
+        }
+        const int job = ++m_started;
+        m_awaiting = m_current;
+        m_awaiting.pending = {place};
+        emit busyChanged(true);
+        m_worker.start([this, job, place, ended, current = m_current] {
+            auto evaluated = withSimulation(current, place, ended.simulation);
+            QMetaObject::invokeMethod(
+                this,
+                [this, job, ended, evaluated = std::move(evaluated)]() mutable {
+                    if (job == m_started)
+                        return take(std::move(evaluated), job);
+                    m_simulations.push_back(ended);
+                    putSimulations();
+                },
+                Qt::QueuedConnection);
+        });
+        emit awaiting(m_awaiting);
+    }
 }
 
 std::vector<std::string> Evaluator::editions() const {
@@ -109,17 +141,11 @@ void Evaluator::take(EvaluatedDocument evaluated, int job) {
     if (job != m_started)
         return;
     m_done = job;
-    // Simulations that ended while this was computed.
-    for (std::size_t i = 0; i < m_current.simulations.size() && i < evaluated.simulations.size(); ++i) {
-        const TestSimulation &latest = m_current.simulations[i];
-        if (latest.simulation && latest.simulation != evaluated.simulations[i].simulation && latest.of &&
-            latest.of->id == evaluated.document->tests[i]->id)
-            evaluated = withSimulation(evaluated, i, latest);
-    }
     m_current = std::move(evaluated);
     m_awaiting = {};
     emit busyChanged(false);
     emit this->evaluated(m_current);
+    putSimulations(); // that ended while this was computed
 }
 
 } // namespace palmer::ui

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace palmer::ui {
 
@@ -46,7 +47,13 @@ signals:
     void busyChanged(bool busy);
 
 private:
+    struct EndedSimulation {
+        std::size_t test;
+        TestSimulation simulation;
+    };
+
     void evaluate();
+    void putSimulations();
     void take(EvaluatedDocument evaluated, int job);
     [[nodiscard]] std::vector<std::string> editions() const;
 
@@ -54,6 +61,7 @@ private:
     EvaluatedDocument m_current;
     EvaluatedDocument m_awaiting;
     std::map<std::string, std::string> m_views; ///< edition by id of the test
+    std::vector<EndedSimulation> m_simulations; ///< not yet beside the results
     std::atomic<int> m_started = 0;             ///< number of the latest job
     int m_done = 0;
     QThreadPool m_worker;

@@ -48,6 +48,7 @@ private slots:
     void tellsOnlyTheLatest();
     void tellsTheDocumentBeforeItsResults();
     void evaluatesForAnotherMachineOnAThread();
+    void putsSimulationsOfLargeTestsOnAThread();
 };
 
 void EvaluatorTest::evaluatesSmallTestsInTheCall() {
@@ -159,6 +160,44 @@ void EvaluatorTest::evaluatesForAnotherMachineOnAThread() {
     QVERIFY(evaluator.isBusy());
     QTRY_VERIFY(!evaluator.isBusy());
     QVERIFY(evaluator.current().document == other);
+}
+
+void EvaluatorTest::putsSimulationsOfLargeTestsOnAThread() {
+    palmer::Test test = *large(1001, 0.001)->tests[0];
+    auto &inputs = std::get<PositioningMeasurement>(test.measurement).uncertainty;
+    inputs.method = UncertaintyMethod::budget;
+    inputs.device.fixed = 1;
+    inputs.device.perMetre = 0;
+    inputs.misalignmentRange = 0;
+    inputs.temperatureRange = {0, 0};
+    inputs.expansionRange = {0, 0};
+    inputs.environmentalVariation = 0;
+    inputs.trials = 100;
+    Document document;
+    document.tests.push_back(std::make_shared<const palmer::Test>(test));
+    Evaluator evaluator;
+    evaluator.setDocument(std::make_shared<const Document>(document));
+    QTRY_VERIFY(!evaluator.isBusy());
+    const auto simulation = simulateTest(evaluator.current(), 0, simulationOptions(test), {}, {});
+    QVERIFY(simulation);
+    const auto isBeside = [&] { return bool(evaluator.current().tests[0]->uncertainty.simulation); };
+
+    evaluator.setSimulation(0, *simulation);
+    QVERIFY(evaluator.isBusy());
+    QVERIFY(!isBeside());
+    QTRY_VERIFY(!evaluator.isBusy());
+    QVERIFY(isBeside());
+
+    // An edit that comes between does not lose it.
+    Evaluator edited;
+    edited.setDocument(std::make_shared<const Document>(document));
+    QTRY_VERIFY(!edited.isBusy());
+    edited.setSimulation(0, *simulation);
+    test.title = "edited";
+    document.tests[0] = std::make_shared<const palmer::Test>(test);
+    edited.setDocument(std::make_shared<const Document>(document));
+    QTRY_VERIFY(!edited.isBusy() && edited.current().tests[0]->uncertainty.simulation);
+    QCOMPARE(edited.current().document->tests[0]->title, std::string("edited"));
 }
 
 QTEST_GUILESS_MAIN(EvaluatorTest)
