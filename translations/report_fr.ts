@@ -4609,10 +4609,6 @@
         <translation>Commencer</translation>
     </message>
     <message>
-        <source>A new test, an import, a file, an example. A file holds one report: a machine, its instruments and any number of tests.</source>
-        <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut.</translation>
-    </message>
-    <message>
         <source>Plan</source>
         <translation>Planifier</translation>
     </message>
@@ -5272,6 +5268,10 @@
     <message>
         <source>The instrument’s program states %1 (%2); the result here differs by %3.</source>
         <translation>Le programme de l’instrument indique %1 (%2)&#x202f;; le résultat obtenu ici s’en écarte de %3.</translation>
+    </message>
+    <message>
+        <source>A new test, an import, a file, an example. A file holds one report: a machine, its instruments and any number of tests. A further test takes over what is stated of the one in view, but nothing that was measured and no limits.</source>
+        <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
     </message>
 </context>
 </TS>

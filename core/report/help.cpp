@@ -211,7 +211,8 @@ HelpPage workflowPage(const Language &language) {
         {REPORT_TEXT_FOR("report", "Start", "the first step of the work"),
          REPORT_TEXT("report",
                      "A new test, an import, a file, an example. A file holds one report: a machine, its "
-                     "instruments and any number of tests.")},
+                     "instruments and any number of tests. A further test takes over what is stated of the "
+                     "one in view, but nothing that was measured and no limits.")},
         {REPORT_TEXT("report", "Plan"),
          REPORT_TEXT("report",
                      "“Plan…” proposes targets from travel, period and seed, prints them with an empty "

@@ -770,7 +770,7 @@ void UncertaintyPage::showContributions(const TestEvaluation &evaluation) {
         size->setToolTip(share);
         m_contributions->setCell(row, column::expanded, bar.value, true);
     }
-    constexpr int leastBar = 120;
+    constexpr int leastBar = 64;
     m_contributions->fit(column::size, leastBar, {column::calculation, column::name});
     const Contribution *first = evaluation.uncertainty.complete ? toImproveFirst(contributions) : nullptr;
     m_advice->setVisible(first);
