@@ -3534,7 +3534,7 @@
     </message>
     <message>
         <source>Instruments, state of the machine, places of the sensors, agreed points that name no axis, decision rule; nothing that was measured, no limits.</source>
-        <translation>Instruments, état de la machine, positions des capteurs, points convenus indépendants de l’axe, règle de décision ; aucune valeur mesurée, aucune limite.</translation>
+        <translation>Instruments, état de la machine, positions des capteurs, points convenus indépendants de l’axe, règle de décision ; aucune valeur mesurée, aucune limite.</translation>
     </message>
 </context>
 <context>

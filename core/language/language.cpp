@@ -4,6 +4,7 @@
 
 #include <QDate>
 #include <QFile>
+#include <QLocale>
 #include <QTranslator>
 #include <algorithm>
 #include <array>
@@ -200,6 +201,14 @@ QString Language::date(const std::string &iso) const {
     const QString day = ordinal ? QStringLiteral("1er") : QString::number(date.day());
     return day + noBreakSpace + text(months[static_cast<std::size_t>(date.month() - 1)]) + u' ' +
            QString::number(date.year());
+}
+
+QString Language::shortDate(const std::string &iso) const {
+    const QDate day = QDate::fromString(QString::fromStdString(iso), Qt::ISODate);
+    if (!day.isValid())
+        return date(iso);
+    const QLocale locale(m_id == Id::french ? QLocale::French : QLocale::English);
+    return locale.toString(day, QStringLiteral("d MMM yyyy")).replace(u' ', noBreakSpace);
 }
 
 } // namespace palmer

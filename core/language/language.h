@@ -57,6 +57,8 @@ public:
     /// "20 novembre 2026", "20 November 2026"; a dash for none. `iso` is YYYY-MM-DD; what is no date is
     /// returned as it stands.
     [[nodiscard]] QString date(const std::string &iso) const;
+    /// The same where there is little room: "20 nov. 2026", "20 Nov 2026".
+    [[nodiscard]] QString shortDate(const std::string &iso) const;
 
 private:
     [[nodiscard]] QString shown(const std::string &decimal) const;

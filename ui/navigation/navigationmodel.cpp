@@ -80,7 +80,7 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
         if (unfinished)
             detail += tr("unfinished");
         else if (test.date)
-            detail += windowLanguage().date(*test.date);
+            detail += windowLanguage().shortDate(*test.date);
         const TestEvaluation &evaluation = *m_evaluated.tests[i];
         if (evaluation.edition)
             detail += shortStandard(evaluation.edition->word);

@@ -46,7 +46,7 @@ QString testSummary(const Test &test) {
         parts += say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "drift test"));
     }
     if (test.date)
-        parts += language.date(*test.date);
+        parts += language.shortDate(*test.date);
     return parts.join(QStringLiteral(" · "));
 }
 

@@ -61,6 +61,7 @@ private slots:
     void roundsUncertaintiesUp();
     void writesDates_data();
     void writesDates();
+    void writesShortDates();
     void ignoresTheLocaleOfTheSystem();
     void isSharedByThreads();
     void isMadeInNoTime();
@@ -280,6 +281,14 @@ void LanguageTest::writesDates() {
     QFETCH(QString, iso);
     QTEST(english.date(iso.toStdString()), "inEnglish");
     QTEST(french.date(iso.toStdString()), "inFrench");
+}
+
+void LanguageTest::writesShortDates() {
+    QCOMPARE(english.shortDate("2026-11-20"), "20\u00A0Nov\u00A02026");
+    QCOMPARE(french.shortDate("2026-11-20"), "20\u00A0nov.\u00A02026");
+    QCOMPARE(french.shortDate("2026-05-01"), "1\u00A0mai\u00A02026");
+    QCOMPARE(french.shortDate("in autumn"), "in autumn");
+    QCOMPARE(french.shortDate(""), french.date(""));
 }
 
 void LanguageTest::ignoresTheLocaleOfTheSystem() {

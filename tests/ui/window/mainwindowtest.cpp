@@ -225,7 +225,7 @@ void MainWindowTest::switchesTheLanguage() {
     QCOMPARE(shown.window->menuBar()->actions().constFirst()->text(), QStringLiteral("&Fichier"));
     QVERIFY(dataOf(*shown.find<QListView>("navigation")->model()).contains(QStringLiteral("Identification")));
     QVERIFY(dataOf(*shown.find<QListView>("navigation")->model())
-                .contains(Language(Language::Id::french).date("2026-11-20")));
+                .contains(Language(Language::Id::french).shortDate("2026-11-20")));
     QVERIFY(shown.find<QLabel>("testSummary")->accessibleName().startsWith(QStringLiteral("Axe C")));
     QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("Annuler"));
     QCOMPARE(writeDocument(*shown.window->model().document()), bytes);
