@@ -17,14 +17,16 @@ public:
     using QObject::QObject;
 
     bool eventFilter(QObject *watched, QEvent *event) override {
-        if (event->type() != QEvent::Wheel)
+        if (event->type() != QEvent::Wheel && event->type() != QEvent::Polish)
             return false;
-        const auto *widget = qobject_cast<QWidget *>(watched);
+        auto *widget = qobject_cast<QWidget *>(watched);
         const bool field =
             qobject_cast<const QComboBox *>(widget) || qobject_cast<const QTabBar *>(widget) ||
             qobject_cast<const QAbstractSpinBox *>(widget) ||
             (qobject_cast<const QAbstractSlider *>(widget) && !qobject_cast<const QScrollBar *>(widget));
-        if (!field || widget->hasFocus())
+        if (field && event->type() == QEvent::Polish && widget->focusPolicy() == Qt::WheelFocus)
+            widget->setFocusPolicy(Qt::StrongFocus); // Qt would give it the focus first, then the wheel
+        if (!field || event->type() == QEvent::Polish || widget->hasFocus())
             return false;
         event->ignore(); // goes on to the parent
         return true;

@@ -653,9 +653,10 @@ void CirclesPage::showCurrent() {
 }
 
 bool CirclesPage::eventFilter(QObject *watched, QEvent *event) {
-    if (watched == m_points->viewport() && event->type() == QEvent::Leave)
+    // By the kind of event first: the table that goes sends some, too.
+    if (event->type() == QEvent::Leave && watched == m_points->viewport())
         m_selection.setHovered({});
-    else if (watched == m_points->viewport() && event->type() == QEvent::Resize)
+    else if (event->type() == QEvent::Resize && watched == m_points->viewport())
         fitColumns(); // a table that comes into view has its width only then
     return QWidget::eventFilter(watched, event);
 }

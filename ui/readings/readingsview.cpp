@@ -391,7 +391,7 @@ bool ReadingsView::viewportEvent(QEvent *event) {
 }
 
 bool ReadingsView::eventFilter(QObject *watched, QEvent *event) {
-    if (watched == m_frozen->viewport() && event->type() == QEvent::Wheel) {
+    if (event->type() == QEvent::Wheel && watched == m_frozen->viewport()) {
         // One scroll bar moves both.
         QCoreApplication::sendEvent(viewport(), event);
         return true;

@@ -455,6 +455,11 @@ private slots:
                           Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
         QApplication::sendEvent(box, &wheel);
         QCOMPARE(box->currentIndex(), 0);
+        // As from a real wheel, at which Qt moves the focus first.
+        QSpontaneKeyEvent::setSpontaneous(&wheel);
+        qApp->notify(box, &wheel);
+        QCOMPARE(box->currentIndex(), 0);
+        QVERIFY(!box->hasFocus());
         QVERIFY(*edited.model.document() == before);
     }
 
