@@ -3530,7 +3530,7 @@
     <name>palmer::ui::StatementsBox</name>
     <message>
         <source>Take &amp;over what is stated of “%1”</source>
-        <translation>Reprendre ce &amp;qui est indiqué pour « %1 »</translation>
+        <translation>Reprendre ce &amp;qui est indiqué pour « %1 »</translation>
     </message>
     <message>
         <source>Instruments, state of the machine, places of the sensors, agreed points that name no axis, decision rule; nothing that was measured, no limits.</source>

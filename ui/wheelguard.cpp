@@ -24,9 +24,14 @@ public:
             qobject_cast<const QComboBox *>(widget) || qobject_cast<const QTabBar *>(widget) ||
             qobject_cast<const QAbstractSpinBox *>(widget) ||
             (qobject_cast<const QAbstractSlider *>(widget) && !qobject_cast<const QScrollBar *>(widget));
-        if (field && event->type() == QEvent::Polish && widget->focusPolicy() == Qt::WheelFocus)
-            widget->setFocusPolicy(Qt::StrongFocus); // Qt would give it the focus first, then the wheel
-        if (!field || event->type() == QEvent::Polish || widget->hasFocus())
+        if (!field)
+            return false;
+        if (event->type() == QEvent::Polish) {
+            if (widget->focusPolicy() == Qt::WheelFocus)
+                widget->setFocusPolicy(Qt::StrongFocus); // else Qt gives it the focus before the wheel
+            return false;
+        }
+        if (widget->hasFocus())
             return false;
         event->ignore(); // goes on to the parent
         return true;

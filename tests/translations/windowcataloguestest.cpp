@@ -72,6 +72,7 @@ QString fault(const QString &text) {
     static const QList<std::pair<QRegularExpression, QString>> rules{
         {QRegularExpression("(?<!\u202F)[;!?]"), "U+202F is missing before ; ! or ?"},
         {QRegularExpression("[ \u202F]:|(?<!\u00A0):(?=[\\s\u00A0]|$)"), "U+00A0 is missing before a colon"},
+        {QRegularExpression("«(?![\u00A0\u202F])|(?<![\u00A0\u202F])»"), "the space inside « » can break"},
         {QRegularExpression("'"), "a straight apostrophe"},
         {QRegularExpression("\""), "straight quotation marks"},
         {QRegularExpression("  |^ | $"), "a space too many"},

@@ -27,7 +27,7 @@ class NewTestDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `like`: the test whose axis, edition and runs are proposed; null: none.
+    /// `like`: the test the edition of which is proposed, and the axis after its own; null: none.
     explicit NewTestDialog(const Language &language, const Test *like = nullptr, QWidget *parent = nullptr);
 
     /// What was asked for; complete once the dialog is accepted.

@@ -465,8 +465,11 @@ bool Form::focusField(const QString &id) {
 }
 
 void Form::focusFirst() {
-    if (!m_entries.empty())
-        focusPart(*m_entries.front().field);
+    if (m_entries.empty())
+        return;
+    Field &field = *m_entries.front().field;
+    showPart(field);
+    field.edit()->setFocus(Qt::TabFocusReason); // selects what is in it, to be typed over
 }
 
 bool Form::focusNextRequired(bool forward) {

@@ -43,6 +43,7 @@ public:
     void setLanguage(const Language &language);
     /// Moves the focus to the field of a finding; false: it has none here.
     virtual bool focusField(const QString &id);
+    /// Moves the focus to the first field, as Tab does; nothing on a page without fields.
     void focusFirst();
     /// Moves the focus to the next field that is required and empty, or the one before; false: there is none
     /// between the field the focus came to last and the end of the page (or its beginning).

@@ -173,6 +173,16 @@ private slots:
         QVERIFY(!page.focusField(u"drift"_s));
     }
 
+    void theFirstFieldIsToBeTypedOver() {
+        Edited<ConditionsPage> edited(example());
+        edited.type(u"sensors"_s, u"20.5"_s);
+        edited.enter(u"dwell"_s);
+        edited.page.focusFirst();
+        auto *first = qobject_cast<QLineEdit *>(edited.page.focusWidget());
+        QVERIFY(first);
+        QCOMPARE(first->selectedText(), u"20.5"_s);
+    }
+
     void everyMissingStatementHasAField() {
         const EvaluatedDocument evaluated = evaluatedDocument(example1988("ISO 230-2:2006"));
         Selection selection;

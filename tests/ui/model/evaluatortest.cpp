@@ -1,4 +1,5 @@
 #include "ui/model/evaluator.h"
+#include "core/kernel/uncertainty/uncertaintydata.h"
 #include "document/savedocument.h"
 
 #include <QSignalSpy>
@@ -164,15 +165,10 @@ void EvaluatorTest::evaluatesForAnotherMachineOnAThread() {
 
 void EvaluatorTest::putsSimulationsOfLargeTestsOnAThread() {
     palmer::Test test = *large(1001, 0.001)->tests[0];
-    auto &inputs = std::get<PositioningMeasurement>(test.measurement).uncertainty;
-    inputs.method = UncertaintyMethod::budget;
-    inputs.device.fixed = 1;
-    inputs.device.perMetre = 0;
-    inputs.misalignmentRange = 0;
-    inputs.temperatureRange = {0, 0};
-    inputs.expansionRange = {0, 0};
-    inputs.environmentalVariation = 0;
-    inputs.trials = 100;
+    auto &m = std::get<PositioningMeasurement>(test.measurement);
+    testdata::stateNothing(m);
+    m.uncertainty.device.fixed = 1;
+    m.uncertainty.trials = 100;
     Document document;
     document.tests.push_back(std::make_shared<const palmer::Test>(test));
     Evaluator evaluator;
