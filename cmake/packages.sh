@@ -7,6 +7,8 @@ fontconfig fonts-liberation2 fonts-dejavu-core"
 
 testPackages="python3 python3-jsonschema poppler-utils qpdf"
 
+lintPackages="clang-14 clang-tidy-14 python3"
+
 # Installs those of the packages that are missing; says nothing when all are there.
 needPackages() {
     # shellcheck disable=SC2086 # a list of words
