@@ -934,6 +934,10 @@
         <source>Compare &amp;with a table…</source>
         <translation>C&amp;omparer à une table…</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ConditionsPage</name>

@@ -176,6 +176,8 @@ FoundTable readControlTable(QByteArrayView bytes, QStringView fileName) {
         return readHeidenhainTable(text);
     if (name == "Weihong")
         return readWeihongTable(text, false);
+    if (name == "Palmer") // what was written for LinuxCNC with a comment before it
+        return readLinuxcncTable(text, LinuxcncValues::positions);
     if (name == linuxcnc) {
         const LinuxcncValues values = valuesOf(text);
         FoundTable found = readLinuxcncTable(text, values);

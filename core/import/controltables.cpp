@@ -318,6 +318,36 @@ std::string_view cellOf(std::string_view line, const std::vector<Column> &column
     return withoutBlanks(line.substr(begin, end - begin));
 }
 
+struct ComColumns {
+    std::vector<Column> all;
+    std::size_t position = 0;
+    std::size_t axis = 0;
+    std::optional<std::size_t> reverse;
+};
+
+ComColumns comColumns(std::string_view headings) {
+    ComColumns columns{columnsOf(headings), 0, 0, {}};
+    bool hasPosition = false;
+    bool hasAxis = false;
+    for (std::size_t i = 0; i < columns.all.size(); ++i) {
+        const std::string &name = columns.all[i].name;
+        if (name == "AXISPOS") {
+            columns.position = i;
+            hasPosition = true;
+        } else if (name == "BACKLASH") {
+            columns.reverse = i;
+        } else if (name != "NR" && !hasAxis) {
+            columns.axis = i;
+            hasAxis = true;
+        }
+    }
+    if (!hasPosition || !hasAxis)
+        throw Error(Error::Kind::format,
+                    {REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
+                     {std::string("Heidenhain")}});
+    return columns;
+}
+
 } // namespace
 
 FoundTable readLinuxcncTable(std::string_view text, LinuxcncValues values) {
@@ -413,55 +443,35 @@ FoundTable readWeihongTable(std::string_view text, bool deviations) {
 }
 
 FoundTable readHeidenhainTable(std::string_view text) {
+    constexpr double inch = 25.4;
     FoundTable found{"Heidenhain", {}, {}};
-    std::vector<Column> columns;
+    CompensationTable &table = found.table;
+    std::optional<ComColumns> columns;
     double unit = 1;
-    std::size_t position = 0;
-    std::size_t value = 0;
-    std::optional<std::size_t> reverse;
     for (const Line &line : linesOf(text)) {
         const std::string code = plain(line.text);
-        if (code.starts_with("BEGIN")) {
-            constexpr double inch = 25.4;
+        if (code.starts_with("BEGIN"))
             unit = code.ends_with("INCH") ? inch : 1;
+        if (code.empty() || code == "[END]" || code.starts_with("BEGIN"))
+            continue;
+        if (!columns) {
+            columns = comColumns(line.text);
+            table.axis = columns->all[columns->axis].name;
             continue;
         }
-        if (code.empty() || code == "[END]")
-            continue;
-        if (columns.empty()) {
-            columns = columnsOf(line.text);
-            const auto column = [&](std::string_view name) -> std::optional<std::size_t> {
-                const auto at = std::ranges::find(columns, name, &Column::name);
-                return at == columns.end() ? std::nullopt
-                                           : std::optional(static_cast<std::size_t>(at - columns.begin()));
-            };
-            const auto axisPosition = column("AXISPOS");
-            reverse = column("BACKLASH");
-            const auto axis = std::ranges::find_if(columns, [](const Column &each) {
-                return each.name != "NR" && each.name != "AXISPOS" && each.name != "BACKLASH";
-            });
-            if (!axisPosition || axis == columns.end())
-                throw Error(
-                    Error::Kind::format,
-                    {REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
-                     {std::string("Heidenhain")}});
-            position = *axisPosition;
-            value = static_cast<std::size_t>(axis - columns.begin());
-            found.table.axis = axis->name;
-            continue;
-        }
-        const std::string_view forward = cellOf(line.text, columns, value);
-        const std::string_view back = reverse ? cellOf(line.text, columns, *reverse) : std::string_view();
+        const auto cell = [&](std::size_t column) { return cellOf(line.text, columns->all, column); };
+        const std::string_view forward = cell(columns->axis);
+        const std::string_view back = columns->reverse ? cell(*columns->reverse) : std::string_view();
         if (forward.empty() && back.empty())
             continue; // no entry: interpolated
         const double up = forward.empty() ? 0 : numberOf(forward, line) * unit;
-        found.table.positions.push_back(numberOf(cellOf(line.text, columns, position), line) * unit);
-        found.table.forward.push_back(rounded(up, valueFineness));
-        found.table.reverse.push_back(
-            rounded(back.empty() ? up : numberOf(back, line) * unit, valueFineness));
+        const double down = back.empty() ? up : numberOf(back, line) * unit;
+        table.positions.push_back(numberOf(cell(columns->position), line) * unit);
+        table.forward.push_back(rounded(up, valueFineness));
+        table.reverse.push_back(rounded(down, valueFineness));
     }
-    found.table.perDirection = found.table.forward != found.table.reverse;
-    demandAscent(found.table);
+    table.perDirection = table.forward != table.reverse;
+    demandAscent(table);
     found.remarks.push_back({REPORT_TEXT(
         "report", "its values are taken as corrections, added to the command: their sign is not public")});
     return found;

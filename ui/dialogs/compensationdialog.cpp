@@ -281,7 +281,7 @@ QString CompensationDialog::notes() const {
                           m_difference.direction == Direction::positive ? QStringLiteral("↑")
                                                                         : QStringLiteral("↓"));
         for (const Message &remark : m_compared->remarks)
-            lines << m_comparedName + QStringLiteral(": ") + language.sentence(remark);
+            lines << tr("%1: %2").arg(m_comparedName, language.sentence(remark));
     }
     return lines.join(u'\n');
 }

@@ -234,9 +234,9 @@ private slots:
     void isoProgram() {
         QCOMPARE(partProgram(small(), Dialect::iso, english()), QByteArray(R"(%
 O2302
-(positioning test of axis X; targets: 2; runs each way: 1)
+(positioning test of axis X, targets: 2, runs each way: 1)
 (moves from -7.000 mm to 2.250 mm: check the room before the start)
-(positions in work offset G54: set it before the start; for a compensation table to the machine zero)
+(positions in work offset G54: set it before the start, for a compensation table to the machine zero)
 G54 G90 G21 G94 G61
 (run 1)
 G1 X-7.000 F2000
@@ -390,6 +390,8 @@ M30
             for (const char c : text)
                 QVERIFY(c == '\n' || (c >= 32 && c < 127));
             QCOMPARE(text.count('('), text.count(')'));
+            if (text.contains('(')) // it ends a block
+                QVERIFY(!text.contains(';'));
         }
     }
 
