@@ -582,6 +582,8 @@ void CompensationTest::sinumerikTablesOfAFullTurnClose() {
             QVERIFY(axis.modulo());
             QCOMPARE(axis.last() - axis.first(), 360.0);
             QVERIFY(std::abs(axis.correction(begin + 45)) <= 0.5e-5 + 1e-12);
+            // The last point is the first one again: no jump where the turn closes.
+            QVERIFY(std::abs(axis.correction(axis.last() - 1e-9) - axis.correction(axis.first())) < 1e-9);
             QVERIFY(std::abs(axis.correction(begin - 0.001) - axis.correction(begin + 359.999)) < 1e-9);
             if (begin < 10) { // the points are the targets
                 const Test after =
