@@ -4871,10 +4871,6 @@
         <translation>compensation-csv&#xa0;: chaque valeur est l’incrément par rapport à la précédente</translation>
     </message>
     <message>
-        <source>compensation-csv: values with the sign of the deviations; without it corrections, added to the command</source>
-        <translation>compensation-csv&#xa0;: valeurs du signe des écarts&#x202f;; sans elle, corrections à ajouter à la consigne</translation>
-    </message>
-    <message>
         <source>siemens: index of the measuring system; without it 0, the first</source>
         <translation>siemens&#xa0;: indice du système de mesure&#x202f;; sans lui 0, le premier</translation>
     </message>
@@ -5272,6 +5268,178 @@
     <message>
         <source>A new test, an import, a file, an example. A file holds one report: a machine, its instruments and any number of tests. A further test takes over what is stated of the one in view, but nothing that was measured and no limits.</source>
         <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
+    </message>
+    <message>
+        <source>the compensation of a SINUMERIK is 0 at the reference point of the axis: say where that is</source>
+        <translation>la compensation d’une SINUMERIK est nulle au point de référence de l’axe&#xa0;: indiquez où il se trouve</translation>
+    </message>
+    <message>
+        <source>axeserr.dat knows mm only; this axis is rotary</source>
+        <translation>axeserr.dat ne connaît que les mm&#x202f;; cet axe est rotatif</translation>
+    </message>
+    <message>
+        <source>the interval of a table of a full turn divides 360°</source>
+        <translation>le pas d’une table d’un tour complet divise 360°</translation>
+    </message>
+    <message>
+        <source>LinuxCNC loads 256 points at most, this table has %1; choose an interval of %2 or more</source>
+        <translation>LinuxCNC charge 256 points au plus, cette table en a %1&#x202f;; choisissez un pas de %2 ou plus</translation>
+    </message>
+    <message>
+        <source>Nothing was measured outside %1 … %2: the values at these ends hold there.</source>
+        <translation>Rien n’a été mesuré hors de %1 … %2&#xa0;: les valeurs de ces extrémités y sont maintenues.</translation>
+    </message>
+    <message>
+        <source>Set COMP_FILE_TYPE = 0; the joint counts in mm; BACKLASH has no effect beside a COMP_FILE.</source>
+        <translation>Réglez COMP_FILE_TYPE = 0&#x202f;; l’articulation compte en mm&#x202f;; BACKLASH est sans effet à côté d’un COMP_FILE.</translation>
+    </message>
+    <message>
+        <source>Set COMP_FILE_TYPE = 0; the joint counts in degrees; BACKLASH has no effect beside a COMP_FILE.</source>
+        <translation>Réglez COMP_FILE_TYPE = 0&#x202f;; l’articulation compte en degrés&#x202f;; BACKLASH est sans effet à côté d’un COMP_FILE.</translation>
+    </message>
+    <message>
+        <source>MD38000 has to be %1 at least; MD32700 is 0 while the table is loaded.</source>
+        <translation>MD38000 doit valoir au moins %1&#x202f;; MD32700 vaut 0 pendant le chargement de la table.</translation>
+    </message>
+    <message>
+        <source>The reference point %1 lies where nothing was measured; the value at the nearest end was taken for it.</source>
+        <translation>Le point de référence %1 se trouve là où rien n’a été mesuré&#x202f;; la valeur de l’extrémité la plus proche en tient lieu.</translation>
+    </message>
+    <message>
+        <source>The values are nominal − actual, the formula of the maker&apos;s manual. Its example of a backlash has the other sign: check one point at the machine.</source>
+        <translation>Les valeurs sont nominal − réel, selon la formule du manuel du constructeur. Son exemple de jeu à l’inversion a le signe contraire&#xa0;: vérifiez un point sur la machine.</translation>
+    </message>
+    <message>
+        <source>a part program cannot move the axis “%1”: it knows the letters X, Y, Z, U, V, W, A, B and C</source>
+        <translation>un programme pièce ne peut déplacer l’axe «&#xa0;%1&#xa0;»&#xa0;: il connaît les lettres X, Y, Z, U, V, W, A, B et C</translation>
+    </message>
+    <message>
+        <source>in this dialect the axis %1 has no name of its own: %1 before a position would be axis %2 at another place; give the letter that the control knows it by</source>
+        <translation>dans ce dialecte, l’axe %1 n’a pas de nom propre&#xa0;: %1 devant une position serait l’axe %2 à un autre endroit&#x202f;; donnez la lettre sous laquelle la commande le connaît</translation>
+    </message>
+    <message>
+        <source>a part program needs targets and runs</source>
+        <translation>un programme pièce a besoin de points visés et de passes</translation>
+    </message>
+    <message>
+        <source>the dwell of a part program cannot be %1</source>
+        <translation>la temporisation d’un programme pièce ne peut être de %1</translation>
+    </message>
+    <message>
+        <source>the approach distance of a part program is above 0</source>
+        <translation>la distance d’approche d’un programme pièce est supérieure à 0</translation>
+    </message>
+    <message>
+        <source>the feed rate of a part program is above 0</source>
+        <translation>la vitesse d’avance d’un programme pièce est supérieure à 0</translation>
+    </message>
+    <message>
+        <source>two targets are the same with %1 decimals: %2</source>
+        <translation>deux points visés sont les mêmes avec %1 décimales&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>positions in the active datum: set it before the start; for a compensation table at the machine datum</source>
+        <translation>positions dans l’origine active&#xa0;: à régler avant le départ&#x202f;; pour une table de compensation, sur l’origine machine</translation>
+    </message>
+    <message>
+        <source>positions in work offset %1: set it before the start; for a compensation table to the machine zero</source>
+        <translation>positions dans le décalage d’origine %1&#xa0;: à régler avant le départ&#x202f;; pour une table de compensation, sur le zéro machine</translation>
+    </message>
+    <message>
+        <source>the axis of this test has no name; the table needs the one that the control knows</source>
+        <translation>l’axe de cet essai n’a pas de nom&#x202f;; la table a besoin de celui que connaît la commande</translation>
+    </message>
+    <message>
+        <source>the axis “%1” cannot be one of a SINUMERIK: a name is a letter with letters and digits behind it</source>
+        <translation>l’axe «&#xa0;%1&#xa0;» ne peut être celui d’une SINUMERIK&#xa0;: un nom est une lettre suivie de lettres et de chiffres</translation>
+    </message>
+    <message>
+        <source>a SINUMERIK has the measuring systems 0 and 1 of an axis; there is no %1</source>
+        <translation>une SINUMERIK a les systèmes de mesure 0 et 1 d’un axe&#x202f;; il n’y a pas de %1</translation>
+    </message>
+    <message>
+        <source>axeserr.dat knows the axes X, Y and Z only, not “%1”</source>
+        <translation>axeserr.dat ne connaît que les axes X, Y et Z, non «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>its values are taken for COMP_FILE_TYPE %1; the file does not say it</source>
+        <translation>ses valeurs sont prises pour COMP_FILE_TYPE %1&#x202f;; le fichier ne le dit pas</translation>
+    </message>
+    <message>
+        <source>the rules of this compensation table (%1) are not read here</source>
+        <translation>les règles de cette table de compensation (%1) ne sont pas lues ici</translation>
+    </message>
+    <message>
+        <source>this is no compensation table of a control that is known here</source>
+        <translation>ce n’est pas la table de compensation d’une commande connue ici</translation>
+    </message>
+    <message>
+        <source>this is a compensation table (%1), not a measurement; compare it with a test: export --compare, or “Compensation table…” in the window</source>
+        <translation>c’est une table de compensation (%1), non une mesure&#x202f;; comparez-la à un essai&#xa0;: export --compare, ou «&#xa0;Table de compensation…&#xa0;» dans la fenêtre</translation>
+    </message>
+    <message>
+        <source>point %1 of the compensation table has no value: the control would keep an older one</source>
+        <translation>le point %1 de la table de compensation n’a pas de valeur&#xa0;: la commande en garderait une ancienne</translation>
+    </message>
+    <message>
+        <source>other tables in the file that were not used: %1</source>
+        <translation>autres tables du fichier non utilisées&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>no table in it compensates an axis upon itself</source>
+        <translation>aucune de ses tables ne compense un axe sur lui-même</translation>
+    </message>
+    <message>
+        <source>its values are taken to have the sign of those of $AA_ENC_COMP</source>
+        <translation>ses valeurs sont supposées avoir le signe de celles de $AA_ENC_COMP</translation>
+    </message>
+    <message>
+        <source>“%1” is no three numbers: LinuxCNC stops here and loads nothing</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une ligne de trois nombres&#xa0;: LinuxCNC s’arrête ici et ne charge rien</translation>
+    </message>
+    <message>
+        <source>LinuxCNC stops reading at line %1</source>
+        <translation>LinuxCNC arrête la lecture à la ligne %1</translation>
+    </message>
+    <message>
+        <source>lines that LinuxCNC does not load, beyond 256 or not ascending: %1</source>
+        <translation>lignes que LinuxCNC ne charge pas, au-delà de 256 ou non croissantes&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>its values are taken as nominal − actual, the formula of the maker&apos;s manual</source>
+        <translation>ses valeurs sont prises comme nominal − réel, selon la formule du manuel du constructeur</translation>
+    </message>
+    <message>
+        <source>its values are taken as corrections, added to the command: their sign is not public</source>
+        <translation>ses valeurs sont prises comme corrections, ajoutées à la consigne&#xa0;: leur signe n’est pas public</translation>
+    </message>
+    <message>
+        <source>compensation-csv, weihong: values with the sign of the deviations; without it corrections, added to the command</source>
+        <translation>compensation-csv, weihong&#xa0;: valeurs du signe des écarts&#x202f;; sans elle, corrections à ajouter à la consigne</translation>
+    </message>
+    <message>
+        <source>siemens: the reference point of the axis, where the values are 0; owed</source>
+        <translation>siemens&#xa0;: point de référence de l’axe, où les valeurs sont nulles&#x202f;; à indiquer</translation>
+    </message>
+    <message>
+        <source>a compensation table of a control, to compare with the one written</source>
+        <translation>table de compensation d’une commande, à comparer à celle qui est écrite</translation>
+    </message>
+    <message>
+        <source>compared with a table of %1, axis %2: %3 points from %4 to %5</source>
+        <translation>comparé à une table de %1, axe %2&#xa0;: %3 points de %4 à %5</translation>
+    </message>
+    <message>
+        <source>largest difference, written − compared: %1 at %2 %3</source>
+        <translation>plus grande différence, écrite − comparée&#xa0;: %1 à %2 %3</translation>
+    </message>
+    <message>
+        <source>predicted with the compared table applied instead:</source>
+        <translation>prévision avec la table comparée à sa place&#xa0;:</translation>
+    </message>
+    <message>
+        <source>the compensation of a SINUMERIK is 0 at the reference point of the axis: say where that is (%1)</source>
+        <translation>la compensation d’une SINUMERIK est nulle au point de référence de l’axe&#xa0;: indiquez où il se trouve (%1)</translation>
     </message>
 </context>
 </TS>

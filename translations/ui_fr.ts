@@ -898,6 +898,46 @@
         <source>&amp;Close</source>
         <translation>&amp;Fermer</translation>
     </message>
+    <message>
+        <source>Reference point of the axis</source>
+        <translation>Point de référence de l’axe</translation>
+    </message>
+    <message>
+        <source>%1 (%2): the largest difference, written − compared, is %3 at %4 %5.</source>
+        <translation>%1 (%2) : la plus grande différence, écrite − comparée, est de %3 à %4 %5.</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>comparé</translation>
+    </message>
+    <message>
+        <source>Compare with a compensation table</source>
+        <translation>Comparer à une table de compensation</translation>
+    </message>
+    <message>
+        <source>%1 cannot be compared</source>
+        <translation>%1 ne peut être comparé</translation>
+    </message>
+    <message>
+        <source>Measuring system</source>
+        <translation>Système de mesure</translation>
+    </message>
+    <message>
+        <source>first (0)</source>
+        <translation>premier (0)</translation>
+    </message>
+    <message>
+        <source>second (1)</source>
+        <translation>second (1)</translation>
+    </message>
+    <message>
+        <source>Compare &amp;with a table…</source>
+        <translation>C&amp;omparer à une table…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ConditionsPage</name>
@@ -3024,6 +3064,10 @@
     <message>
         <source>Measuring cycle</source>
         <translation>Cycle de mesure</translation>
+    </message>
+    <message>
+        <source>No part program: %1</source>
+        <translation>Pas de programme pièce : %1</translation>
     </message>
 </context>
 <context>

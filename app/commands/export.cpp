@@ -2,6 +2,7 @@
 
 #include "commands/outputfile.h"
 #include "commands/streams.h"
+#include "document/savedocument.h"
 #include "export/compensation.h"
 #include "export/readingscsv.h"
 #include "kernel/evaluation/evaluatetest.h"
@@ -14,7 +15,7 @@ namespace palmer {
 namespace {
 
 constexpr std::array options{
-    Option{"as", "csv|json|linuxcnc|siemens|compensation-csv",
+    Option{"as", "csv|json|linuxcnc|siemens|weihong|compensation-csv",
            REPORT_TEXT("report", "what to write: readings and results, or a compensation table")},
     Option{"o", "OUT", REPORT_TEXT("report", "the file to write")},
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
@@ -28,10 +29,15 @@ constexpr std::array options{
     Option{"incremental", "",
            REPORT_TEXT("report", "compensation-csv: each value is the step from the one before")},
     Option{"deviations", "",
-           REPORT_TEXT("report", "compensation-csv: values with the sign of the deviations; without it "
-                                 "corrections, added to the command")},
-    Option{"encoder", "N",
+           REPORT_TEXT("report",
+                       "compensation-csv, weihong: values with the sign of the deviations; without it "
+                       "corrections, added to the command")},
+    Option{"reference", "P",
+           REPORT_TEXT("report", "siemens: the reference point of the axis, where the values are 0; owed")},
+    Option{"encoder", "0|1",
            REPORT_TEXT("report", "siemens: index of the measuring system; without it 0, the first")},
+    Option{"compare", "TABLE",
+           REPORT_TEXT("report", "a compensation table of a control, to compare with the one written")},
 };
 
 std::optional<double> numberOption(const Invocation &invocation, QLatin1StringView name) {
@@ -61,6 +67,8 @@ std::optional<CompensationFormat> compensationFormat(const QString &word) {
         return CompensationFormat::linuxcnc;
     if (word == QLatin1StringView("siemens"))
         return CompensationFormat::siemens;
+    if (word == QLatin1StringView("weihong"))
+        return CompensationFormat::weihong;
     if (word == QLatin1StringView("compensation-csv"))
         return CompensationFormat::csv;
     return {};
@@ -75,6 +83,14 @@ char decimalMark(const Invocation &invocation) {
     return word == QLatin1StringView("comma") ? ',' : '.';
 }
 
+int encoder(const Invocation &invocation) {
+    const QString word = invocation.value(QLatin1StringView("encoder")).value_or(QStringLiteral("0"));
+    if (word != QLatin1StringView("0") && word != QLatin1StringView("1"))
+        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                          {std::string("encoder"), word.toStdString(), std::string("0, 1")}});
+    return word.toInt();
+}
+
 CompensationOptions compensationOptions(const Invocation &invocation) {
     CompensationOptions result;
     result.from = numberOption(invocation, QLatin1StringView("from"));
@@ -84,25 +100,80 @@ CompensationOptions compensationOptions(const Invocation &invocation) {
     result.incremental = invocation.has(QLatin1StringView("incremental"));
     result.deviations = invocation.has(QLatin1StringView("deviations"));
     result.decimalMark = decimalMark(invocation);
-    result.encoder = static_cast<int>(numberOption(invocation, QLatin1StringView("encoder")).value_or(0));
+    result.reference = numberOption(invocation, QLatin1StringView("reference"));
+    result.encoder = encoder(invocation);
     return result;
 }
 
-/// E, M, B and what else the edition has, before and after: from the table as it was written.
-void printPrediction(const Test &test, const TestEvaluation &before, const QByteArray &written,
-                     const Document &document, const Language &language) {
-    const Test after = compensated(test, readCompensation(written));
+/// A test with what it is evaluated from.
+struct TestToCompensate {
+    const Test &test;
+    const TestEvaluation &evaluation;
+    const Document &document;
+};
+
+/// E, M, B and what else the edition has, before and after.
+void printPrediction(const Message &head, const TestToCompensate &of, const CompensationTable &table,
+                     const Language &language) {
     Surroundings surroundings;
-    surroundings.machine = &document.machine;
-    const TestEvaluation predicted = evaluateTest(after, surroundings);
-    printError(language.text(REPORT_TEXT("report", "predicted with the compensation applied:")));
-    for (std::size_t i = 0; i < std::min(before.parameters.size(), predicted.parameters.size()); ++i) {
-        const Parameter &parameter = before.parameters[i];
+    surroundings.machine = &of.document.machine;
+    const std::vector<Parameter> &measured = of.evaluation.parameters;
+    const TestEvaluation predicted = evaluateTest(compensated(of.test, table), surroundings);
+    printError(language.sentence(head));
+    for (std::size_t i = 0; i < std::min(measured.size(), predicted.parameters.size()); ++i) {
+        const Parameter &parameter = measured[i];
         const auto &value = predicted.parameters[i].value;
         if (parameter.value && value)
             printError(QString::fromStdString(plainSymbol(parameter)) + QStringLiteral(": ") +
                        language.quantity(*parameter.value, parameter.term.quantity, 2) +
                        QStringLiteral(" → ") + language.quantity(*value, parameter.term.quantity, 2));
+    }
+}
+
+/// The table of a control beside the one that was written.
+void printComparison(const FoundTable &found, const CompensationTable &written, const Language &language) {
+    const bool linear = written.motion == Motion::linear;
+    const Quantity position = linear ? Quantity::position : Quantity::angle;
+    const CompensationTable &table = found.table;
+    printError(language.sentence(
+        {REPORT_TEXT("report", "compared with a table of %1, axis %2: %3 points from %4 to %5"),
+         {std::string(found.control), table.axis.empty() ? std::string("?") : table.axis,
+          Number{static_cast<double>(table.positions.size()), Quantity::count},
+          Number{table.positions.front(), position}, Number{table.positions.back(), position}}}));
+    for (const Message &remark : found.remarks)
+        printError(language.sentence(remark));
+    const TableDifference difference = largestDifference(table, written);
+    printError(language.sentence(
+        {REPORT_TEXT("report", "largest difference, written − compared: %1 at %2 %3"),
+         {Number{difference.value, linear ? Quantity::deviation : Quantity::angularDeviation, 1},
+          Number{difference.position, position},
+          std::string(difference.direction == Direction::positive ? "↑" : "↓")}}));
+}
+
+/// `written`: the table as the control reads it.
+void printWhatItBrings(const TestToCompensate &of, const CompensationTable &written,
+                       const std::vector<Message> &remarks, const std::optional<FoundTable> &compared,
+                       const Language &language) {
+    for (const Message &remark : remarks)
+        printError(language.sentence(remark));
+    printPrediction({REPORT_TEXT("report", "predicted with the compensation applied:")}, of, written,
+                    language);
+    if (!compared)
+        return;
+    printComparison(*compared, written, language);
+    printPrediction({REPORT_TEXT("report", "predicted with the compared table applied instead:")}, of,
+                    compared->table, language);
+}
+
+std::optional<FoundTable> comparedTable(const Invocation &invocation) {
+    const auto file = invocation.value(QLatin1StringView("compare"));
+    if (!file)
+        return {};
+    try {
+        return readFoundTable(readBytes(*file), *file);
+    } catch (Error &error) {
+        error.place = file->toStdString() + (error.place.empty() ? "" : ": " + error.place);
+        throw;
     }
 }
 
@@ -113,19 +184,27 @@ int run(const Invocation &invocation) {
     if (!compensation && form != QLatin1StringView("csv") && form != QLatin1StringView("json"))
         throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
                           {std::string("as"), form.toStdString(),
-                           std::string("csv, json, linuxcnc, siemens, compensation-csv")}});
+                           std::string("csv, json, linuxcnc, siemens, weihong, compensation-csv")}});
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("export"), std::string("-o OUT")}});
     if (invocation.arguments.size() != 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("export")}});
     const CompensationOptions table = compensationOptions(invocation);
+    if (compensation == CompensationFormat::siemens && !table.reference)
+        throw UsageError(
+            {REPORT_TEXT("report", "the compensation of a SINUMERIK is 0 at the reference point of the "
+                                   "axis: say where that is (%1)"),
+             {std::string("--reference P")}});
     const QString file = invocation.arguments.front();
     const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
     try {
         const EvaluatedDocument evaluated =
             evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)));
+        const std::optional<FoundTable> compared =
+            compensation ? comparedTable(invocation) : std::optional<FoundTable>();
         QByteArray bytes;
+        CompensationTable made;
         std::size_t index = 0;
         if (form == QLatin1StringView("json")) {
             bytes = readingsJson(evaluated, file, names);
@@ -133,10 +212,10 @@ int run(const Invocation &invocation) {
             index = testIndex(invocation, evaluated.tests.size());
             const Test &test = *evaluated.document->tests[index];
             const TestEvaluation &evaluation = *evaluated.tests[index];
-            bytes = compensation
-                        ? writeCompensation(compensationTable(test, evaluation, *compensation, table),
-                                            *compensation, table)
-                        : readingsCsv(test, evaluation, names, table.decimalMark);
+            if (compensation)
+                made = compensationTable(test, evaluation, *compensation, table);
+            bytes = compensation ? writeCompensation(made, *compensation, table)
+                                 : readingsCsv(test, evaluation, names, table.decimalMark);
         }
         try {
             writeOutput(bytes, *output);
@@ -144,9 +223,13 @@ int run(const Invocation &invocation) {
             printError(*output, error, invocation.language);
             return cannotRead;
         }
-        if (compensation)
-            printPrediction(*evaluated.document->tests[index], *evaluated.tests[index], bytes,
-                            *evaluated.document, invocation.language);
+        if (compensation) {
+            CompensationTable written = readCompensation(bytes, *compensation, table);
+            written.motion = made.motion; // which the files of some controls do not say
+            printWhatItBrings(
+                {*evaluated.document->tests[index], *evaluated.tests[index], *evaluated.document}, written,
+                compensationRemarks(made, *compensation, table), compared, invocation.language);
+        }
         return done;
     } catch (const Error &error) {
         printError(file, error, invocation.language);

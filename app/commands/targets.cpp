@@ -39,7 +39,7 @@ constexpr std::array options{
     Option{"feed", "F", REPORT_TEXT("report", "feed rate, mm/min or °/min; without it rapid feed")},
     Option{"dwell", "S", REPORT_TEXT("report", "rest at each target, s; without it 5")},
     Option{"approach", "D", REPORT_TEXT("report", "distance beyond the ends, mm or degrees; without it 1")},
-    Option{"program", "iso|siemens|heidenhain",
+    Option{"program", "iso|siemens|heidenhain|linuxcnc|haas",
            REPORT_TEXT("report", "writes the part program in this dialect instead of the plan")},
     Option{"o", "OUT",
            REPORT_TEXT("report", "the file to write: the plan as text, as .pdf or as .palmer to fill in; "
@@ -96,12 +96,10 @@ std::optional<Dialect> dialect(const Invocation &invocation) {
     const auto word = invocation.value(QLatin1StringView("program"));
     if (!word)
         return std::nullopt;
-    if (*word == QLatin1StringView("iso"))
-        return Dialect::iso;
-    if (*word == QLatin1StringView("siemens"))
-        return Dialect::siemens;
-    if (*word == QLatin1StringView("heidenhain"))
-        return Dialect::heidenhain;
+    for (const DialectName &each : dialects()) {
+        if (*word == QLatin1StringView(each.word))
+            return each.dialect;
+    }
     refuse("program", *word);
 }
 
@@ -165,8 +163,8 @@ int run(const Invocation &invocation) {
                                    "to tell them apart"),
              {}});
     CycleProgram program;
-    const QString axis = invocation.value(QLatin1StringView("axis")).value_or(QStringLiteral("X"));
-    program.axis = axis.toStdString();
+    program.axis =
+        invocation.value(QLatin1StringView("axis")).value_or(QStringLiteral("X")).trimmed().toStdString();
     program.motion = asked.motion;
     program.targets = plan.targets;
     program.decimals = asked.decimals;
@@ -178,9 +176,11 @@ int run(const Invocation &invocation) {
     const auto chosen = dialect(invocation);
     QByteArray bytes;
     if (chosen) {
-        bytes = partProgram(program, *chosen, invocation.language);
-        if (bytes.isEmpty())
-            refuse("axis", axis);
+        try {
+            bytes = partProgram(program, *chosen, invocation.language);
+        } catch (const Error &error) {
+            throw UsageError(error.message);
+        }
     } else {
         bytes = planned(asked, plan, program, invocation, QFileInfo(*output).suffix().toLower());
     }

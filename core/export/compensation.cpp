@@ -1,22 +1,17 @@
 #include "export/compensation.h"
 
 #include "document/documenterror.h"
-#include "document/place.h"
-#include "import/numbercell.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <map>
 
 namespace palmer {
 
 namespace {
 
 constexpr std::size_t mostPoints = 100'000;
-constexpr std::string_view csvMark = "# Palmer compensation";
-constexpr std::string_view linuxcncMark = "# Palmer LinuxCNC compensation";
+constexpr double fullTurn = 360;
+constexpr double largest = 1e9; ///< mm, degrees
 
 // Parts of a mm or degree that positions and values are rounded to.
 double fineness(Motion motion) {
@@ -29,228 +24,211 @@ double rounded(double value, double parts) {
     return std::round(value * parts) / parts + 0.0; // no −0
 }
 
+/// Positions as whole numbers of 1e-6 mm or degrees: sums of them are exact.
+long long steps(double position) {
+    return std::llround(position * positionFineness);
+}
+
+double positionOf(long long steps) {
+    return static_cast<double>(steps) / positionFineness;
+}
+
 [[noreturn]] void refuse(Text text, std::vector<Argument> arguments = {}) {
     throw Error(Error::Kind::content, {text, std::move(arguments)});
 }
 
-double interpolated(const std::vector<double> &x, const std::vector<double> &y, double at) {
-    if (at <= x.front())
-        return y.front();
-    if (at >= x.back())
-        return y.back();
-    const auto i = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin());
-    const double part = (at - x[i - 1]) / (x[i] - x[i - 1]);
-    return y[i - 1] + part * (y[i] - y[i - 1]);
+Number count(std::size_t number) {
+    return {static_cast<double>(number), Quantity::count};
 }
 
-std::string shortest(double value) {
-    std::array<char, 32> digits{};
-    const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr;
-    return {digits.data(), end};
+[[noreturn]] void refuseInterval() {
+    refuse(
+        REPORT_TEXT("report", "the interval of a compensation is positive and gives at most 100 000 points"));
 }
 
-std::string withMark(std::string number, char mark) {
-    std::ranges::replace(number, '.', mark);
-    return number;
-}
-
-std::vector<double> positionsOf(const PositioningMeasurement &measurement, CompensationFormat format,
-                                const CompensationOptions &options) {
-    const double from = options.from.value_or(measurement.targets.front());
-    const double to = options.to.value_or(measurement.targets.back());
-    if (!(from < to) || !std::isfinite(from) || !std::isfinite(to))
-        refuse(REPORT_TEXT("report", "the range of a compensation begins before it ends"));
-    std::optional<double> interval = options.interval;
-    if (!interval && format == CompensationFormat::siemens)
-        interval =
-            (to - from) / static_cast<double>(std::max<std::size_t>(measurement.targets.size(), 2) - 1);
-    if (!interval && !options.from && !options.to)
-        return measurement.targets;
-    std::vector<double> positions;
-    if (!interval) {
-        positions.push_back(from);
-        for (const double target : measurement.targets) {
-            if (target > from && target < to)
-                positions.push_back(target);
-        }
-        positions.push_back(to);
-        return positions;
-    }
-    if (!(*interval > 0) || (to - from) / *interval > static_cast<double>(mostPoints))
+void demandPossible(const PositioningMeasurement &measurement, CompensationFormat format,
+                    const CompensationOptions &options) {
+    const bool csv = format == CompensationFormat::csv;
+    if ((options.incremental && !csv) ||
+        (options.deviations && !csv && format != CompensationFormat::weihong))
         refuse(REPORT_TEXT("report",
-                           "the interval of a compensation is positive and gives at most 100 000 points"));
-    const auto steps = static_cast<std::size_t>(std::floor((to - from) / *interval + 1e-9));
-    for (std::size_t i = 0; i <= steps; ++i)
-        positions.push_back(rounded(from + static_cast<double>(i) * *interval, positionFineness));
-    // A whole number of steps: a control that counts steps has no other; others get the end itself.
-    if (format != CompensationFormat::siemens && to - positions.back() > 1e-6)
-        positions.push_back(to);
+                           "this format knows absolute values of one sign only; choose compensation-csv"));
+    if (format == CompensationFormat::siemens && options.perDirection)
+        refuse(REPORT_TEXT("report", "this format has one value a point; combine the directions, and "
+                                     "state the reversal value as backlash"));
+    if (format == CompensationFormat::siemens && !options.reference)
+        refuse(REPORT_TEXT("report",
+                           "the compensation of a SINUMERIK is 0 at the reference point of the axis: "
+                           "say where that is"));
+    if (format == CompensationFormat::weihong && measurement.axis.motion == Motion::rotary)
+        refuse(REPORT_TEXT("report", "axeserr.dat knows mm only; this axis is rotary"));
+}
+
+/// A rotary axis of one full turn, by its targets or its stated travel: the table closes.
+bool isFullTurn(const PositioningMeasurement &measurement, const CompensationOptions &options) {
+    constexpr double same = 1e-6;
+    const auto turns = [](double travel) { return std::abs(travel - fullTurn) < same; };
+    const Axis &axis = measurement.axis;
+    const bool wanted = !options.to || turns(*options.to - options.from.value_or(0));
+    return axis.motion == Motion::rotary && wanted &&
+           measurement.targets.back() - measurement.targets.front() < fullTurn + same &&
+           (turns(measurement.targets.back() - measurement.targets.front()) ||
+            (axis.travel && turns(*axis.travel)) || (axis.range && turns(axis.range->to - axis.range->from)));
+}
+
+/// The positions of a table of equal steps: `low + i · step`, the last not beyond `high`.
+std::vector<double> evenPositions(long long low, long long high, long long step) {
+    if (step <= 0 || high <= low || (high - low) / step > static_cast<long long>(mostPoints))
+        refuseInterval();
+    std::vector<double> positions;
+    for (long long at = low; at <= high; at += step)
+        positions.push_back(positionOf(at));
     return positions;
 }
 
-// ---- reading
-
-struct Line {
-    std::string_view text;
-    std::size_t number;
-};
-
-std::vector<Line> linesOf(std::string_view text) {
-    std::vector<Line> lines;
-    std::size_t number = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-        lines.push_back({withoutBlanks(text.substr(at, end - at)), ++number});
-        at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+std::vector<double> positionsOfTurn(const PositioningMeasurement &measurement,
+                                    const CompensationOptions &options) {
+    const bool turned = measurementTravel(measurement) > fullTurn - 1e-6;
+    const long long low = steps(options.from.value_or(turned ? measurement.targets.front() : 0));
+    const long long turn = steps(fullTurn);
+    if (options.interval) {
+        const long long step = steps(*options.interval);
+        if (step <= 0 || turn % step != 0)
+            refuse(REPORT_TEXT("report", "the interval of a table of a full turn divides 360°"));
+        return evenPositions(low, low + turn, step);
     }
-    return lines;
+    const double mean = measurementTravel(measurement) / static_cast<double>(measurement.targets.size() - 1);
+    auto parts = std::max(1LL, std::llround(fullTurn / mean));
+    while (turn % parts != 0)
+        ++parts;
+    return evenPositions(low, low + turn, turn / parts);
 }
 
-[[noreturn]] void refuseLine(const Line &line) {
-    throw Error(Error::Kind::content,
-                {REPORT_TEXT("report", "“%1” is no line of a compensation table"), {excerpt(line.text)}},
-                std::to_string(line.number) + ":1");
-}
-
-double numberOf(std::string_view text, DecimalMark mark, const Line &line) {
-    const CellValue value = readCell(text, mark);
-    if (value.kind != CellKind::number)
-        refuseLine(line);
-    return value.value;
-}
-
-/// "key=value" of a comment.
-std::optional<std::string> noted(std::string_view comment, std::string_view key) {
-    const std::string wanted = ' ' + std::string(key) + '=';
-    const std::size_t at = comment.find(wanted);
-    if (at == std::string_view::npos)
-        return {};
-    const std::string_view rest = comment.substr(at + wanted.size());
-    return std::string(rest.substr(0, rest.find(' ')));
-}
-
-std::vector<std::string_view> split(std::string_view text, char delimiter) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const std::size_t end = text.find(delimiter);
-        cells.push_back(withoutBlanks(text.substr(0, end)));
-        if (end == std::string_view::npos)
-            return cells;
-        text.remove_prefix(end + 1);
+std::vector<double> positionsOf(const PositioningMeasurement &measurement, CompensationFormat format,
+                                const CompensationOptions &options, bool closes) {
+    const double from = options.from.value_or(measurement.targets.front());
+    const double to = options.to.value_or(measurement.targets.back());
+    const auto possible = [](double position) { return std::abs(position) <= largest; };
+    if (closes) {
+        if (!possible(options.from.value_or(0)))
+            refuse(REPORT_TEXT("report", "the range of a compensation begins before it ends"));
+        return positionsOfTurn(measurement, options);
     }
+    if (!(from < to) || !possible(from) || !possible(to))
+        refuse(REPORT_TEXT("report", "the range of a compensation begins before it ends"));
+    if (options.interval && !(*options.interval > 0 && *options.interval <= largest))
+        refuseInterval();
+    if (format == CompensationFormat::siemens) {
+        const auto intervals = static_cast<long long>(measurement.targets.size()) - 1;
+        const long long step =
+            options.interval ? steps(*options.interval) : (steps(to) - steps(from)) / intervals;
+        return evenPositions(steps(from), steps(to), step);
+    }
+    if (options.interval) {
+        std::vector<double> positions = evenPositions(steps(from), steps(to), steps(*options.interval));
+        if (steps(positions.back()) < steps(to))
+            positions.push_back(positionOf(steps(to)));
+        return positions;
+    }
+    if (!options.from && !options.to)
+        return measurement.targets;
+    std::vector<double> positions{from};
+    for (const double target : measurement.targets) {
+        if (target > from && target < to)
+            positions.push_back(target);
+    }
+    positions.push_back(to);
+    return positions;
 }
 
-CompensationTable readCsv(const std::vector<Line> &lines) {
-    CompensationTable table;
-    bool incremental = false;
-    bool deviations = false;
-    DecimalMark mark = DecimalMark::point;
-    for (const Line &line : lines) {
-        if (line.text.starts_with(csvMark)) {
-            table.axis = noted(line.text, "axis").value_or("");
-            table.motion = noted(line.text, "unit") == "deg" ? Motion::rotary : Motion::linear;
-            table.perDirection = noted(line.text, "values") == "perDirection";
-            incremental = noted(line.text, "form") == "incremental";
-            deviations = noted(line.text, "sign") == "deviation";
-            mark = noted(line.text, "decimalMark") == "comma" ? DecimalMark::comma : DecimalMark::point;
-        }
-        if (line.text.empty() || line.text.front() == '#' || line.text.starts_with("position"))
-            continue;
-        const auto cells = split(line.text, ';');
-        if (cells.size() != (table.perDirection ? 3U : 2U))
-            refuseLine(line);
-        table.positions.push_back(numberOf(cells[0], mark, line));
-        table.forward.push_back(numberOf(cells[1], mark, line));
-        table.reverse.push_back(numberOf(cells.back(), mark, line));
+/// The corrections at the targets.
+CompensationTable correctionsOfTargets(const PositioningMeasurement &measurement,
+                                       const PositioningResults &results, bool perDirection) {
+    CompensationTable curve;
+    curve.positions = measurement.targets;
+    for (std::size_t i = 0; i < measurement.targets.size(); ++i) {
+        const TargetStatistics &target = results.targets[i];
+        const double up = results.upward ? target.positive.mean : target.negative.mean;
+        const double down = results.downward ? target.negative.mean : target.positive.mean;
+        if (!std::isfinite(up) || !std::isfinite(down))
+            refuse(REPORT_TEXT("report", "target %1 has no mean; a compensation needs one at every target"),
+                   {count(i + 1)});
+        curve.forward.push_back(-(perDirection ? up : (up + down) / 2));
+        curve.reverse.push_back(-(perDirection ? down : (up + down) / 2));
     }
-    const double parts = fineness(table.motion);
-    for (auto *values : {&table.forward, &table.reverse}) {
-        double sum = 0;
-        for (double &value : *values) {
-            sum = incremental ? sum + value : value;
-            value = rounded(deviations ? -sum : sum, parts);
-        }
-    }
-    return table;
+    return curve;
 }
 
-CompensationTable readLinuxcnc(const std::vector<Line> &lines) {
-    CompensationTable table;
-    for (const Line &line : lines) {
-        if (line.text.starts_with(linuxcncMark)) {
-            table.axis = noted(line.text, "axis").value_or("");
-            table.motion = noted(line.text, "unit") == "deg" ? Motion::rotary : Motion::linear;
-            table.perDirection = noted(line.text, "values") == "perDirection";
-        }
-        if (line.text.empty() || line.text.front() == '#')
-            continue;
-        std::vector<double> numbers;
-        for (std::string_view rest = line.text; !rest.empty(); rest = withoutBlanks(rest)) {
-            const std::size_t end = std::min(rest.find_first_of(" \t"), rest.size());
-            numbers.push_back(numberOf(rest.substr(0, end), DecimalMark::point, line));
-            rest.remove_prefix(end);
-        }
-        if (numbers.size() != 3)
-            refuseLine(line);
-        const double parts = fineness(table.motion);
-        table.positions.push_back(numbers[0]);
-        table.forward.push_back(rounded(numbers[0] - numbers[1], parts));
-        table.reverse.push_back(rounded(numbers[0] - numbers[2], parts));
-    }
-    return table;
-}
-
-CompensationTable readSiemens(const std::vector<Line> &lines) {
-    CompensationTable table;
-    std::map<std::size_t, double> values;
-    std::optional<double> step;
-    std::optional<double> low;
-    const auto value = [](const Line &line) {
-        const std::string_view right = line.text.substr(line.text.find('=') + 1);
-        return numberOf(right.substr(0, right.find(';')), DecimalMark::point, line);
+/// The same around the full turn: what was measured at 0° and at 360° is one place, the mean of both.
+CompensationTable closed(const CompensationTable &curve, double low) {
+    constexpr double same = 1e-6;
+    struct Point {
+        double position, forward, reverse;
+        int readings;
     };
-    for (const Line &line : lines) {
-        if (line.text.find("unit=deg") != std::string_view::npos && line.text.front() == ';')
-            table.motion = Motion::rotary;
-        if (!line.text.starts_with("$AA_ENC_COMP") || line.text.find('=') == std::string_view::npos)
-            continue;
-        if (line.text.starts_with("$AA_ENC_COMP_STEP[")) {
-            step = value(line);
-        } else if (line.text.starts_with("$AA_ENC_COMP_MIN[")) {
-            low = value(line);
-        } else if (line.text.starts_with("$AA_ENC_COMP[")) {
-            const std::size_t close = line.text.find(']');
-            if (close == std::string_view::npos)
-                refuseLine(line);
-            const auto indexes = split(line.text.substr(13, close - 13), ',');
-            if (indexes.size() != 3)
-                refuseLine(line);
-            const double index = numberOf(indexes[1], DecimalMark::point, line);
-            if (index < 0 || index > static_cast<double>(mostPoints) || index != std::floor(index))
-                refuseLine(line);
-            table.axis = indexes[2];
-            values[static_cast<std::size_t>(index)] = value(line);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < curve.positions.size(); ++i) {
+        double position = std::fmod(curve.positions[i] - low, fullTurn);
+        position += position < 0 ? fullTurn : 0;
+        if (fullTurn - position < same)
+            position = 0;
+        points.push_back({position, curve.forward[i], curve.reverse[i], 1});
+    }
+    std::ranges::sort(points, {}, &Point::position);
+    std::vector<Point> places;
+    for (const Point &point : points) {
+        if (places.empty() || point.position - places.back().position > same) {
+            places.push_back(point);
+        } else {
+            places.back().forward += point.forward;
+            places.back().reverse += point.reverse;
+            ++places.back().readings;
         }
     }
-    if (values.empty() || !step || !low || !(*step > 0))
-        refuse(REPORT_TEXT("report", "the compensation table has no values, no step or no begin"));
-    const double parts = fineness(table.motion);
-    for (const auto &[index, deviation] : values) {
-        table.positions.push_back(rounded(*low + static_cast<double>(index) * *step, positionFineness));
-        table.forward.push_back(rounded(-deviation, parts));
-        table.reverse.push_back(rounded(-deviation, parts));
+    for (Point &place : places) {
+        place.forward /= place.readings;
+        place.reverse /= place.readings;
     }
-    return table;
+    CompensationTable result;
+    const auto add = [&](const Point &place, double turns) {
+        result.positions.push_back(low + place.position + turns * fullTurn);
+        result.forward.push_back(place.forward);
+        result.reverse.push_back(place.reverse);
+    };
+    add(places.back(), -1);
+    for (const Point &place : places)
+        add(place, 0);
+    add(places.front(), 1);
+    return result;
+}
+
+/// 0 at the reference point: a table that is not makes the axis jump when the compensation sets in.
+void shiftToReference(CompensationTable &table, double reference) {
+    const double there = table.correction(reference, Direction::positive);
+    for (double &value : table.forward)
+        value -= there;
+    table.reverse = table.forward;
+}
+
+void demandLoadable(const CompensationTable &table, CompensationFormat format,
+                    const PositioningMeasurement &of) {
+    if (table.positions.size() < 2)
+        refuseInterval();
+    if (std::ranges::adjacent_find(table.positions, std::ranges::greater_equal()) != table.positions.end())
+        refuse(REPORT_TEXT("report", "the positions of a compensation table ascend"));
+    if (format == CompensationFormat::linuxcnc && table.positions.size() > mostLinuxcncPoints) {
+        const double least =
+            (table.positions.back() - table.positions.front()) / static_cast<double>(mostLinuxcncPoints - 2);
+        refuse(REPORT_TEXT("report",
+                           "LinuxCNC loads 256 points at most, this table has %1; choose an interval of "
+                           "%2 or more"),
+               {count(table.positions.size()),
+                Number{std::ceil(least * 1e3) / 1e3,
+                       of.axis.motion == Motion::linear ? Quantity::position : Quantity::angle}});
+    }
 }
 
 } // namespace
-
-double CompensationTable::correction(double position, Direction direction) const {
-    if (positions.empty())
-        return 0;
-    return interpolated(positions, direction == Direction::positive ? forward : reverse, position);
-}
 
 CompensationTable compensationTable(const Test &test, const TestEvaluation &evaluation,
                                     CompensationFormat format, const CompensationOptions &options) {
@@ -260,120 +238,96 @@ CompensationTable compensationTable(const Test &test, const TestEvaluation &eval
         refuse(REPORT_TEXT("report", "a compensation is made of a positioning test; this test is none"));
     if (measurement->targets.size() < 2)
         refuse(REPORT_TEXT("report", "a compensation needs two targets at least"));
-    std::vector<double> forward;
-    std::vector<double> reverse;
-    for (std::size_t i = 0; i < measurement->targets.size(); ++i) {
-        const TargetStatistics &target = results->targets[i];
-        const double up = results->upward ? target.positive.mean : target.negative.mean;
-        const double down = results->downward ? target.negative.mean : target.positive.mean;
-        if (!std::isfinite(up) || !std::isfinite(down))
-            refuse(REPORT_TEXT("report", "target %1 has no mean; a compensation needs one at every target"),
-                   {Number{static_cast<double>(i + 1), Quantity::count}});
-        forward.push_back(-(options.perDirection ? up : (up + down) / 2));
-        reverse.push_back(-(options.perDirection ? down : (up + down) / 2));
-    }
+    demandPossible(*measurement, format, options);
+    CompensationTable curve = correctionsOfTargets(*measurement, *results, options.perDirection);
+    const bool closes = format == CompensationFormat::siemens && isFullTurn(*measurement, options);
     CompensationTable table;
     table.axis = measurement->axis.name;
     table.motion = measurement->axis.motion;
     table.perDirection = options.perDirection;
-    table.positions = positionsOf(*measurement, format, options);
-    if (format == CompensationFormat::siemens && table.positions.size() < 2)
-        refuse(REPORT_TEXT("report",
-                           "the interval of a compensation is positive and gives at most 100 000 points"));
-    const double parts = fineness(table.motion);
-    for (const double position : table.positions) {
-        table.forward.push_back(rounded(interpolated(measurement->targets, forward, position), parts));
-        table.reverse.push_back(rounded(interpolated(measurement->targets, reverse, position), parts));
+    table.measured = Interval{measurement->targets.front(), measurement->targets.back()};
+    for (const double position : positionsOf(*measurement, format, options, closes))
+        table.positions.push_back(rounded(position, positionFineness));
+    demandLoadable(table, format, *measurement);
+    if (closes) {
+        table.period = fullTurn;
+        table.measured.reset(); // the whole turn
+        curve = closed(curve, table.positions.front());
     }
+    for (const double position : table.positions) {
+        table.forward.push_back(curve.correction(position, Direction::positive));
+        table.reverse.push_back(curve.correction(position, Direction::negative));
+    }
+    if (format == CompensationFormat::siemens)
+        shiftToReference(table, *options.reference);
+    const double parts = fineness(table.motion);
+    for (auto *values : {&table.forward, &table.reverse})
+        std::ranges::transform(*values, values->begin(),
+                               [parts](double value) { return rounded(value, parts); });
     return table;
 }
 
-QByteArray writeCompensation(const CompensationTable &table, CompensationFormat format,
-                             const CompensationOptions &options) {
-    const char *const unit = table.motion == Motion::linear ? "mm" : "deg";
-    const std::string axis = table.axis.empty() ? "X" : table.axis;
-    const double parts = fineness(table.motion);
-    std::string text;
-    if (format != CompensationFormat::csv && (options.incremental || options.deviations))
-        refuse(REPORT_TEXT("report",
-                           "this format knows absolute values of one sign only; choose compensation-csv"));
+std::vector<Message> compensationRemarks(const CompensationTable &table, CompensationFormat format,
+                                         const CompensationOptions &options) {
+    std::vector<Message> remarks;
+    const Quantity position = table.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    constexpr double same = 1e-6;
+    const auto outside = [&](double at) {
+        return table.measured && (at < table.measured->from - same || at > table.measured->to + same);
+    };
+    if (outside(table.positions.front()) || outside(table.positions.back()))
+        remarks.push_back(
+            {REPORT_TEXT("report", "Nothing was measured outside %1 … %2: the values at these ends "
+                                   "hold there."),
+             {Number{table.measured->from, position}, Number{table.measured->to, position}}});
     switch (format) {
     case CompensationFormat::linuxcnc:
-        text = std::string(linuxcncMark) + " axis=" + axis + " unit=" + unit +
-               " values=" + (table.perDirection ? "perDirection" : "combined") +
-               "\n# COMP_FILE_TYPE = 0: nominal, actual going forward, actual going back\n";
-        for (std::size_t i = 0; i < table.positions.size(); ++i) {
-            const double p = table.positions[i];
-            const double fine = std::max(parts, positionFineness);
-            text += shortest(p) + ' ' + shortest(rounded(p - table.forward[i], fine)) + ' ' +
-                    shortest(rounded(p - table.reverse[i], fine)) + '\n';
-        }
+        remarks.push_back(
+            {table.motion == Motion::linear
+                 ? REPORT_TEXT("report",
+                               "Set COMP_FILE_TYPE = 0; the joint counts in mm; BACKLASH has no effect "
+                               "beside a COMP_FILE.")
+                 : REPORT_TEXT("report",
+                               "Set COMP_FILE_TYPE = 0; the joint counts in degrees; BACKLASH has no "
+                               "effect beside a COMP_FILE.")});
         break;
-    case CompensationFormat::siemens: {
-        if (table.perDirection)
-            refuse(REPORT_TEXT("report", "this format has one value a point; combine the directions, and "
-                                         "state the reversal value as backlash"));
-        const std::string head = std::to_string(options.encoder) + ',';
-        text = "%_N_AX_EEC_INI\n; Palmer, unit=" + std::string(unit) +
-               ", value = actual - target\nCHANDATA(1)\n";
-        for (std::size_t i = 0; i < table.positions.size(); ++i)
-            text += "$AA_ENC_COMP[" + head + std::to_string(i) + ',' + axis +
-                    "]=" + shortest(rounded(-table.forward[i], parts)) + '\n';
-        const double step = table.positions.size() > 1
-                                ? rounded(table.positions[1] - table.positions[0], positionFineness)
-                                : 1;
-        text += "$AA_ENC_COMP_STEP[" + head + axis + "]=" + shortest(step) + "\n$AA_ENC_COMP_MIN[" + head +
-                axis + "]=" + shortest(table.positions.front()) + "\n$AA_ENC_COMP_MAX[" + head + axis +
-                "]=" + shortest(table.positions.back()) + "\n$AA_ENC_COMP_IS_MODULO[" + head + axis +
-                "]=0\nM17\n";
+    case CompensationFormat::siemens:
+        remarks.push_back(
+            {REPORT_TEXT("report", "MD38000 has to be %1 at least; MD32700 is 0 while the table is "
+                                   "loaded."),
+             {count(table.positions.size())}});
+        if (options.reference && outside(*options.reference))
+            remarks.push_back(
+                {REPORT_TEXT("report", "The reference point %1 lies where nothing was measured; the "
+                                       "value at the nearest end was taken for it."),
+                 {Number{*options.reference, position}}});
         break;
-    }
-    case CompensationFormat::csv: {
-        const char mark = options.decimalMark;
-        text = std::string(csvMark) + " axis=" + axis + " unit=" + unit +
-               " values=" + (table.perDirection ? "perDirection" : "combined") +
-               " form=" + (options.incremental ? "incremental" : "absolute") +
-               " sign=" + (options.deviations ? "deviation" : "correction") +
-               " decimalMark=" + (mark == ',' ? "comma" : "point") + '\n';
-        text += table.perDirection ? "position;forward;reverse\n" : "position;value\n";
-        double lastForward = 0;
-        double lastReverse = 0;
-        const double sign = options.deviations ? -1 : 1;
-        for (std::size_t i = 0; i < table.positions.size(); ++i) {
-            const double forward = rounded(sign * (table.forward[i] - lastForward), parts);
-            const double reverse = rounded(sign * (table.reverse[i] - lastReverse), parts);
-            if (options.incremental) {
-                lastForward = table.forward[i];
-                lastReverse = table.reverse[i];
-            }
-            text += withMark(shortest(table.positions[i]), mark) + ';' + withMark(shortest(forward), mark);
-            if (table.perDirection)
-                text += ';' + withMark(shortest(reverse), mark);
-            text += '\n';
-        }
+    case CompensationFormat::weihong:
+        if (!options.deviations)
+            remarks.push_back({REPORT_TEXT(
+                "report",
+                "The values are nominal − actual, the formula of the maker's manual. Its example of a "
+                "backlash has the other sign: check one point at the machine.")});
+        break;
+    case CompensationFormat::csv:
         break;
     }
-    }
-    return QByteArray::fromStdString(text);
+    return remarks;
 }
 
-CompensationTable readCompensation(QByteArrayView bytes) {
-    const std::string_view text(bytes.data(), static_cast<std::size_t>(bytes.size()));
-    const std::vector<Line> lines = linesOf(text);
-    CompensationTable table;
-    if (text.find("$AA_ENC_COMP") != std::string_view::npos)
-        table = readSiemens(lines);
-    else if (text.starts_with(csvMark))
-        table = readCsv(lines);
-    else
-        table = readLinuxcnc(lines);
-    if (table.positions.empty())
-        refuse(REPORT_TEXT("report", "the compensation table has no values, no step or no begin"));
-    for (std::size_t i = 1; i < table.positions.size(); ++i) {
-        if (!(table.positions[i] > table.positions[i - 1]))
-            refuse(REPORT_TEXT("report", "the positions of a compensation table ascend"));
+TableDifference largestDifference(const CompensationTable &first, const CompensationTable &second) {
+    TableDifference largest;
+    for (const CompensationTable *table : {&first, &second}) {
+        for (const double position : table->positions) {
+            for (const Direction direction : {Direction::positive, Direction::negative}) {
+                const double value =
+                    second.correction(position, direction) - first.correction(position, direction);
+                if (std::abs(value) > std::abs(largest.value))
+                    largest = {value, position, direction};
+            }
+        }
     }
-    return table;
+    return largest;
 }
 
 Test compensated(const Test &test, const CompensationTable &table) {

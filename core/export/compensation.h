@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "import/compensationtable.h"
 #include "kernel/measurement/positioning.h"
 
 #include <QByteArray>
@@ -12,8 +13,9 @@
 namespace palmer {
 
 enum class CompensationFormat {
-    linuxcnc, ///< `nominal forward reverse` a line, COMP_FILE_TYPE 0: actual positions
-    siemens,  ///< $AA_ENC_COMP…: values with the sign of the deviation
+    linuxcnc, ///< `nominal forward reverse` a line, COMP_FILE_TYPE 0: actual positions; at most 256 lines
+    siemens,  ///< $AA_ENC_COMP…: values with the sign of the deviation, 0 at the reference point
+    weihong,  ///< axeserr.dat: `nominal, forward, backward`, nominal − actual
     csv,      ///< position and correction, one or two columns
 };
 
@@ -24,40 +26,54 @@ struct CompensationOptions {
     std::optional<double> interval; ///< null: the targets themselves (siemens: their mean interval)
     bool perDirection = false;      ///< x̄_i↑ and x̄_i↓ apart, else the mean of both
     bool incremental = false;       ///< csv: each value is the step from the one before
-    bool deviations = false;        ///< csv: values with the sign of the deviation, not of the correction
-    char decimalMark = '.';         ///< csv
-    int encoder = 0;                ///< siemens: index of the measuring system; 0 is the first
+    bool deviations = false; ///< csv, weihong: values with the sign of the deviation, not of the correction
+    char decimalMark = '.';  ///< csv
+    int encoder = 0;         ///< siemens: index of the measuring system, 0 (the first) or 1
+    std::optional<double> reference; ///< siemens: the reference point of the axis, owed
 };
 
-/// A compensation of the systematic deviations of an axis: what is added to the commanded position.
-/// Values between the positions are interpolated, those beyond them hold (as controls do).
-struct CompensationTable {
-    std::string axis;
-    Motion motion = Motion::linear;
-    bool perDirection = false;
-    std::vector<double> positions; ///< ascending, mm or degrees
-    std::vector<double> forward;   ///< −x̄_i↑, or −x̄_i; mm or degrees
-    std::vector<double> reverse;   ///< −x̄_i↓, or −x̄_i
-
-    [[nodiscard]] double correction(double position, Direction direction) const;
-    bool operator==(const CompensationTable &) const = default;
-};
+/// Most lines of a LinuxCNC table: the control leaves out the others.
+inline constexpr std::size_t mostLinuxcncPoints = 256;
 
 /// The table that takes out the means of an evaluated positioning test; linear between targets, rounded to
 /// 0.1 µm (rotary: 1e-5°), so that what is written is what is predicted. A test of one direction has the
-/// same values for both. Throws Error(content) for no positioning test, targets without a mean, a range or
-/// interval beyond sense.
+/// same values for both. Siemens: the positions are a whole number of equal steps; the value is 0 at the
+/// reference point (half of the rounding where that lies between two points); a rotary axis of 360°, by its
+/// targets or its stated travel, gets a table of the full turn that closes.
+/// Throws Error(content) for no positioning test, targets without a mean, a range or interval beyond sense,
+/// what the format cannot hold: values per direction or steps in a Siemens table, steps in a LinuxCNC or
+/// Weihong table, more points than a control loads, a rotary axis for Weihong; a reference point that is
+/// owed.
 [[nodiscard]] CompensationTable compensationTable(const Test &test, const TestEvaluation &evaluation,
                                                   CompensationFormat format,
                                                   const CompensationOptions &options);
 
-/// The table as the control reads it. Throws Error(content) for what the format cannot say: values per
-/// direction or steps in a Siemens table, steps in a LinuxCNC table.
+/// The table as the control reads it. Throws Error(content) for a name of the axis that the control does not
+/// know, an empty one included, and a measuring system that a SINUMERIK does not have.
 [[nodiscard]] QByteArray writeCompensation(const CompensationTable &table, CompensationFormat format,
                                            const CompensationOptions &options);
 
-/// Reads what writeCompensation has written. Throws Error with the line.
-[[nodiscard]] CompensationTable readCompensation(QByteArrayView bytes);
+/// What has to be known before the table is loaded: what the control has to be set to, where nothing was
+/// measured, what the sign rests on.
+[[nodiscard]] std::vector<Message> compensationRemarks(const CompensationTable &table,
+                                                       CompensationFormat format,
+                                                       const CompensationOptions &options);
+
+/// Reads what writeCompensation has written, by the rules of the control. Throws Error with the line.
+[[nodiscard]] CompensationTable readCompensation(QByteArrayView bytes, CompensationFormat format,
+                                                 const CompensationOptions &options);
+
+/// A table that was found somewhere, to compare: of a control, or written here as CSV. Throws Error.
+[[nodiscard]] FoundTable readFoundTable(QByteArrayView bytes, QStringView fileName);
+
+/// The largest difference between the corrections of two tables at the positions of both.
+struct TableDifference {
+    double value = 0; ///< second − first, mm or degrees
+    double position = 0;
+    Direction direction = Direction::positive;
+};
+[[nodiscard]] TableDifference largestDifference(const CompensationTable &first,
+                                                const CompensationTable &second);
 
 /// The test as it would be with the table applied: each deviation plus the correction at its target.
 [[nodiscard]] Test compensated(const Test &test, const CompensationTable &table);

@@ -1,19 +1,52 @@
 #include "export/partprogram.h"
 
+#include "document/documenterror.h"
+#include "document/place.h"
 #include "kernel/planning/targetplan.h"
 #include "language/rounding.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <iterator>
+#include <string_view>
+#include <vector>
 
 namespace palmer {
 namespace {
 
-bool isAxis(const std::string &axis) {
-    return !axis.empty() && std::isalpha(static_cast<unsigned char>(axis[0])) != 0 && axis.size() <= 4 &&
-           std::all_of(axis.begin() + 1, axis.end(),
-                       [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
+/// What tells the dialects of G-code apart. Heidenhain Klartext has words of its own.
+struct Code {
+    const char *open;      ///< before the first block
+    const char *close;     ///< after the last
+    const char *setUp;     ///< work offset; absolute, metric, feed per minute; exact stop at every target
+    const char *dwell;     ///< the word before the seconds
+    const char *offset;    ///< the work offset the positions are in
+    bool brackets;         ///< comments in brackets, else after a semicolon
+    bool assigns;          ///< an axis with a number is known: X1=10
+    bool pointOfPositions; ///< a position without a decimal point would be one of increments
+    bool pointOfFeed;      ///< likewise a feed
+};
+
+constexpr Code codeOf(Dialect dialect) {
+    switch (dialect) {
+    case Dialect::iso:
+        return {"%\nO2302\n", "%\n", "G54 G90 G21 G94 G61", "G4 X", "G54", true, false, true, false};
+    case Dialect::siemens:
+        return {"", "", "G54 G90 G710 G94 G60", "G4 F", "G54", false, true, false, false};
+    case Dialect::linuxcnc: // a program number would be taken for a subroutine
+        return {"", "", "G54 G90 G21 G94 G61.1", "G4 P", "G54", true, false, false, false};
+    case Dialect::haas: // P without a point would be milliseconds
+        return {"%\nO02302\n", "%\n", "G54 G90 G21 G94 G61", "G4 P", "G54", true, false, true, true};
+    case Dialect::heidenhain:
+        break;
+    }
+    return {"", "", "", "", "", false, false, false, false};
+}
+
+[[noreturn]] void refuse(Text text, std::vector<Argument> arguments = {}) {
+    throw Error(Error::Kind::content, {text, std::move(arguments)});
 }
 
 /// Text of a comment: controls know ASCII only, and brackets end a comment.
@@ -26,6 +59,8 @@ std::string commentText(const QString &text) {
             plain += '-';
         else if (c == u'\u2019')
             plain += '\'';
+        else if (c == u';') // the end of a block
+            plain += ',';
         else if (c.isSpace())
             plain += ' ';
         else if (c.unicode() >= 32 && c.unicode() < 127 && c != u'(' && c != u')')
@@ -34,105 +69,139 @@ std::string commentText(const QString &text) {
     return plain;
 }
 
+std::string withPoint(const std::string &number) {
+    return number.find('.') == std::string::npos ? number + ".0" : number;
+}
+
+/// A number above 0 with at most 3 decimals and without needless zeros: "4", "0.5".
+std::string shortNumber(double value) {
+    std::string digits = Decimal(value).rounded(3);
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.ends_with('.'))
+        digits.pop_back();
+    return digits;
+}
+
+/// The name of the axis as the control writes it.
+std::string axisName(const std::string &name, Dialect dialect) {
+    std::string axis = name;
+    std::ranges::transform(axis, axis.begin(), [](char c) {
+        return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    });
+    const bool known = !axis.empty() && axis.size() <= 4 &&
+                       std::string_view("XYZUVWABC").find(axis[0]) != std::string_view::npos &&
+                       std::all_of(axis.begin() + 1, axis.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!known)
+        refuse(REPORT_TEXT("report",
+                           "a part program cannot move the axis “%1”: it knows the letters X, Y, Z, U, "
+                           "V, W, A, B and C"),
+               {excerpt(name)});
+    if (axis.size() > 1 && !codeOf(dialect).assigns)
+        refuse(REPORT_TEXT("report", "in this dialect the axis %1 has no name of its own: %1 before a "
+                                     "position would be axis %2 at another place; give the letter that the "
+                                     "control knows it by"),
+               {axis, axis.substr(0, 1)});
+    return axis;
+}
+
 /// Writes the lines of one dialect.
 class Writer {
 public:
     Writer(const CycleProgram &program, Dialect dialect)
-        : m_program(program)
-        , m_dialect(dialect) {}
+        : m_decimals(program.decimals)
+        , m_klartext(dialect == Dialect::heidenhain)
+        , m_code(codeOf(dialect))
+        , m_axis(axisName(program.axis, dialect))
+        , m_feed(program.feed ? shortNumber(*program.feed) : std::string())
+        , m_dwell(shortNumber(program.dwell)) {}
 
     void comment(const QString &text) {
         const std::string plain = commentText(text);
-        if (m_dialect == Dialect::iso)
-            line("(" + plain + ")");
-        else
-            line("; " + plain);
+        line(m_code.brackets ? "(" + plain + ")" : "; " + plain);
     }
 
     void begin() {
-        switch (m_dialect) {
-        case Dialect::iso:
-            m_text += "%\nO2302\n";
-            break;
-        case Dialect::siemens:
-            break;
-        case Dialect::heidenhain:
+        m_text += m_code.open;
+        if (m_klartext)
             line("BEGIN PGM ISO230_2 MM");
-            break;
-        }
     }
 
     void setUp() {
-        if (m_dialect == Dialect::heidenhain)
-            return;
-        // absolute, metric, feed per minute; exact stop at every target
-        line(m_dialect == Dialect::iso ? "G90 G21 G94 G61" : "G90 G710 G94 G60");
+        if (!m_klartext)
+            line(m_code.setUp);
     }
 
     void move(double position) {
-        const std::string to = Decimal(position).rounded(m_program.decimals);
-        const std::string feed = m_program.feed ? Decimal(*m_program.feed).shortest() : std::string();
-        if (m_dialect == Dialect::heidenhain) {
+        const std::string to = Decimal(position).rounded(m_decimals);
+        if (m_klartext) {
             const std::string sign = to.starts_with('-') ? "" : "+";
-            line("L " + m_program.axis + sign + to + (feed.empty() ? " R0 FMAX" : " R0 F" + feed));
+            line("L " + m_axis + sign + to + (m_feed.empty() ? " R0 FMAX" : " R0 F" + m_feed));
             return;
         }
-        // SINUMERIK wants X1=… for an axis with a number.
-        const bool assigned = m_dialect == Dialect::siemens && m_program.axis.size() > 1;
-        line((feed.empty() ? "G0 " : "G1 ") + m_program.axis + (assigned ? "=" : "") + to +
-             (feed.empty() ? "" : " F" + feed));
+        line((m_feed.empty() ? "G0 " : "G1 ") + m_axis + (m_axis.size() > 1 ? "=" : "") +
+             (m_code.pointOfPositions ? withPoint(to) : to) +
+             (m_feed.empty() ? "" : " F" + (m_code.pointOfFeed ? withPoint(m_feed) : m_feed)));
     }
 
     void dwell() {
-        const std::string seconds = Decimal(m_program.dwell).shortest();
-        if (m_dialect == Dialect::heidenhain) {
+        if (m_klartext) {
             line("CYCL DEF 9.0 DWELL TIME");
-            line("CYCL DEF 9.1 DWELL " + seconds);
+            line("CYCL DEF 9.1 DWELL " + m_dwell);
         } else {
-            line((m_dialect == Dialect::iso ? "G4 X" : "G4 F") + withPoint(seconds));
+            line(m_code.dwell + withPoint(m_dwell)); // without a point older controls take milliseconds
         }
     }
 
     void end() {
-        if (m_dialect == Dialect::heidenhain) {
-            line("M30");
+        line("M30");
+        if (m_klartext)
             line("END PGM ISO230_2 MM");
-        } else {
-            line("M30");
-            if (m_dialect == Dialect::iso)
-                m_text += "%\n";
-        }
+        m_text += m_code.close;
     }
 
     [[nodiscard]] QByteArray text() const { return QByteArray::fromStdString(m_text); }
 
 private:
-    /// Without a point older controls take seconds for milliseconds.
-    static std::string withPoint(const std::string &number) {
-        return number.find('.') == std::string::npos ? number + ".0" : number;
-    }
-
     void line(const std::string &words) {
-        if (m_dialect == Dialect::heidenhain)
-            m_text += std::to_string(m_number++) + " " + words + "\n"; // every block has its number, from 0
-        else
-            m_text += words + "\n";
+        if (m_klartext)
+            m_text += std::to_string(m_number++) + " "; // every block has its number, from 0
+        m_text += words + "\n";
     }
 
-    const CycleProgram &m_program;
-    Dialect m_dialect;
+    int m_decimals;
+    bool m_klartext;
+    Code m_code;
+    std::string m_axis;
+    std::string m_feed; ///< empty: rapid
+    std::string m_dwell;
     std::string m_text;
     int m_number = 0;
 };
 
-} // namespace
+void demandSense(const CycleProgram &program, Dialect dialect) {
+    constexpr double shortest = 0.001; // s, mm/min: the digits that are written
+    constexpr double longestOfKlartext = 3600;
+    if (program.targets.empty() || program.runs < 1)
+        refuse(REPORT_TEXT("report", "a part program needs targets and runs"));
+    if (!(program.dwell >= shortest) || !std::isfinite(program.dwell) ||
+        (dialect == Dialect::heidenhain && program.dwell > longestOfKlartext))
+        refuse(REPORT_TEXT("report", "the dwell of a part program cannot be %1"),
+               {Number{program.dwell, Quantity::time}});
+    if (!(program.approach > 0) || !std::isfinite(program.approach))
+        refuse(REPORT_TEXT("report", "the approach distance of a part program is above 0"));
+    if (program.feed && (!(*program.feed >= shortest) || !std::isfinite(*program.feed)))
+        refuse(REPORT_TEXT("report", "the feed rate of a part program is above 0"));
+    std::string last;
+    for (const double target : program.targets) {
+        std::string written = Decimal(target).rounded(program.decimals);
+        if (written == last)
+            refuse(REPORT_TEXT("report", "two targets are the same with %1 decimals: %2"),
+                   {Number{static_cast<double>(program.decimals), Quantity::count}, written});
+        last = std::move(written);
+    }
+}
 
-QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Language &language) {
-    if (program.targets.empty() || program.runs < 1 || !(program.dwell > 0) || !(program.approach > 0) ||
-        !isAxis(program.axis) || (program.feed && !(*program.feed > 0)))
-        return {};
-    Writer writer(program, dialect);
-    writer.begin();
+void comments(Writer &writer, const CycleProgram &program, Dialect dialect, const Language &language) {
     const Quantity position = program.motion == Motion::linear ? Quantity::position : Quantity::angle;
     writer.comment(language.sentence(
         {REPORT_TEXT("report", "positioning test of axis %1; targets: %2; runs each way: %3"),
@@ -141,9 +210,41 @@ QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Langu
          {}}));
     writer.comment(
         language.sentence({REPORT_TEXT("report", "moves from %1 to %2: check the room before the start"),
-                           {Number{program.targets.front() - program.approach, position, program.decimals},
-                            Number{program.targets.back() + program.approach, position, program.decimals}},
+                           {Number{turningPoint(program, program.targets.front(), Direction::positive),
+                                   position, program.decimals},
+                            Number{turningPoint(program, program.targets.back(), Direction::negative),
+                                   position, program.decimals}},
                            {}}));
+    if (dialect == Dialect::heidenhain)
+        writer.comment(language.text(REPORT_TEXT(
+            "report", "positions in the active datum: set it before the start; for a compensation table at "
+                      "the machine datum")));
+    else
+        writer.comment(language.sentence(
+            {REPORT_TEXT("report", "positions in work offset %1: set it before the start; for a compensation "
+                                   "table to the machine zero"),
+             {std::string(codeOf(dialect).offset)},
+             {}}));
+}
+
+} // namespace
+
+std::span<const DialectName> dialects() {
+    static constexpr std::array names{
+        DialectName{Dialect::iso, "iso", "ISO (DIN 66025)", "nc"},
+        DialectName{Dialect::siemens, "siemens", "Siemens SINUMERIK", "mpf"},
+        DialectName{Dialect::heidenhain, "heidenhain", "Heidenhain", "h"},
+        DialectName{Dialect::linuxcnc, "linuxcnc", "LinuxCNC", "ngc"},
+        DialectName{Dialect::haas, "haas", "Haas", "nc"},
+    };
+    return names;
+}
+
+QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Language &language) {
+    demandSense(program, dialect);
+    Writer writer(program, dialect);
+    writer.begin();
+    comments(writer, program, dialect, language);
     writer.setUp();
     int run = -1;
     std::size_t target = program.targets.size();

@@ -23,6 +23,7 @@ constexpr std::array formats{
     ImportFormat{"b5r", isBallbarXml, readBallbarXml},
     ImportFormat{"indexed", isIndexedText, readIndexedText},
     ImportFormat{"ren", isRenText, readRenText},
+    ImportFormat{"compensation", isCompensationTable, readCompensationTable},
     ImportFormat{"table", isAnything, readTextTable},
 };
 
@@ -163,8 +164,10 @@ Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const 
             Error::Kind::format,
             {REPORT_TEXT("report", "this is a test file or a report, not a measurement; open it instead")});
     const ImportFormat &format = formatOf(bytes, options);
-    if (std::string_view(format.word) == "table" && !options.contains("format"))
+    if (std::string_view(format.word) == "table" && !options.contains("format")) {
         refuseUndocumented(bytes, fileName);
+        refuseCompensationTable(bytes, fileName);
+    }
     Imported imported;
     imported.format = format.word;
     Choices choices(options);

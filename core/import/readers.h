@@ -35,6 +35,9 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported);
 void readIndexedText(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isRenText(QByteArrayView bytes);
 void readRenText(const ImportSource &source, Choices &choices, Imported &imported);
+[[nodiscard]] bool isCompensationTable(QByteArrayView bytes);
+/// Always throws: a compensation table is no measurement; the sentence says how it is compared with one.
+void readCompensationTable(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isWorkbook(QByteArrayView bytes);
 void readWorkbook(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isAnything(QByteArrayView bytes);
@@ -42,6 +45,9 @@ void readTextTable(const ImportSource &source, Choices &choices, Imported &impor
 
 /// The table of a text or sheet → measurement; used by both.
 void readMeasurementTable(Choices &choices, Imported &imported);
+
+/// Throws Error with advice for a compensation table of a control, which is known by its ending, too.
+void refuseCompensationTable(QByteArrayView bytes, const QString &fileName);
 
 /// Throws Error with advice for a format that is known by name or content, but not described publicly.
 void refuseUndocumented(QByteArrayView bytes, const QString &fileName);

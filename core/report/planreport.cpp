@@ -87,9 +87,9 @@ Report composePlan(const TargetRequest &request, const TargetPlan &plan, const C
     report.blocks.emplace_back(head(request, plan, program, language));
     const Message room{
         REPORT_TEXT("report", "The axis moves from %1 to %2."),
-        {Number{plan.targets.empty() ? 0 : plan.targets.front() - program.approach,
+        {Number{plan.targets.empty() ? 0 : turningPoint(program, plan.targets.front(), Direction::positive),
                 request.motion == Motion::linear ? Quantity::position : Quantity::angle, request.decimals},
-         Number{plan.targets.empty() ? 0 : plan.targets.back() + program.approach,
+         Number{plan.targets.empty() ? 0 : turningPoint(program, plan.targets.back(), Direction::negative),
                 request.motion == Motion::linear ? Quantity::position : Quantity::angle, request.decimals}},
         {}};
     report.blocks.emplace_back(Paragraph{language.sentence(room)});

@@ -55,6 +55,8 @@ private slots:
     void readsMeasurementFilesWhereverFilesStand();
     void exportsEveryForm_data();
     void exportsEveryForm();
+    void asksForWhatATableOwes();
+    void comparesWithTheTableOfAControl();
     void writesThePointsOfAFigure();
     void refusesHugeFilesAtOnce();
 
@@ -147,8 +149,10 @@ void ImportExportTest::exportsEveryForm_data() {
     QTest::newRow("CSV with comma") << QStringList{"--as", "csv", "--decimal-mark", "comma"}
                                     << "2;100;0,0002;";
     QTest::newRow("JSON") << QStringList{"--as", "json"} << R"("approach": "positive")";
-    QTest::newRow("LinuxCNC") << QStringList{"--as", "linuxcnc", "--per-direction"} << "\n0 -0.0025 0.0017\n";
-    QTest::newRow("Siemens") << QStringList{"--as", "siemens", "--interval", "50"}
+    QTest::newRow("LinuxCNC") << QStringList{"--as", "linuxcnc", "--per-direction"} << "0 -0.0025 0.0017\n";
+    QTest::newRow("Weihong") << QStringList{"--as", "weihong", "--per-direction"}
+                             << "unit = mm\n[X]\n0, 0.0025, -0.0017\n";
+    QTest::newRow("Siemens") << QStringList{"--as", "siemens", "--interval", "50", "--reference", "0"}
                              << "$AA_ENC_COMP_STEP[0,X]=50\n";
     QTest::newRow("compensation as CSV")
         << QStringList{"--as", "compensation-csv", "--incremental", "--deviations"}
@@ -167,6 +171,46 @@ void ImportExportTest::exportsEveryForm() {
     const Result saved = run(QStringList{"export", DATA "rtl/typical.rtl", "-o", at("out")} + options);
     QCOMPARE(QString::fromUtf8(contents(at("out"))), result.out);
     QVERIFY(saved.out.isEmpty());
+}
+
+void ImportExportTest::asksForWhatATableOwes() {
+    const auto wanted = [this](const QStringList &options) {
+        return run(QStringList{"export", DATA "rtl/typical.rtl", "--language", "en", "-o", at("none")} +
+                   options);
+    };
+    const Result owed = wanted({"--as", "siemens"});
+    QCOMPARE(owed.code, 2);
+    QVERIFY(owed.err.contains("--reference"));
+    for (const QString word : {"-1", "2", "5", "0.5", "x"})
+        QCOMPARE(wanted({"--as", "siemens", "--reference", "0", "--encoder", word}).code, 2);
+    QCOMPARE(wanted({"--as", "linuxcnc", "--interval", "0.01"}).code, 3); // more points than it loads
+    QVERIFY(!QFile::exists(at("none")));
+    const Result outside = run({"export", DATA "rtl/typical.rtl", "--language", "en", "--as", "siemens",
+                                "--reference", "-7", "--from", "-10", "-o", "-"});
+    QVERIFY(outside.err.contains("Nothing was measured outside") &&
+            outside.err.contains("The reference point"));
+}
+
+void ImportExportTest::comparesWithTheTableOfAControl() {
+    QCOMPARE(run({"export", DATA "rtl/typical.rtl", "--as", "linuxcnc", "-o", at("old.comp")}).code, 0);
+    const QStringList form{"export",   DATA "rtl/typical.rtl", "--language", "en", "--as",
+                           "linuxcnc", "--per-direction",      "-o",         "-",  "--compare"};
+    const Result compared = run(QStringList(form) << at("old.comp"));
+    QVERIFY2(compared.code == 0, qPrintable(compared.err));
+    QVERIFY(compared.err.contains("compared with a table of LinuxCNC"));
+    QVERIFY(compared.err.contains("largest difference, written − compared: "));
+    QVERIFY(compared.err.contains("predicted with the compared table applied instead:"));
+    const Result none = run(QStringList(form) << DATA "rtl/typical.rtl");
+    QCOMPARE(none.code, 3);
+    QVERIFY(none.out.isEmpty() && none.err.contains("typical.rtl"));
+    // A table of a control is no measurement, wherever one may stand.
+    for (const char *command : {"import", "evaluate"}) {
+        const Result refused = run({command, at("old.comp"), "--language", "en", "-o", at("none")});
+        QVERIFY(refused.code == 3 || refused.code == 2);
+        QVERIFY(!QFile::exists(at("none")));
+    }
+    QVERIFY(
+        run({"evaluate", at("old.comp"), "--language", "en"}).err.contains("this is a compensation table"));
 }
 
 void ImportExportTest::writesThePointsOfAFigure() {

@@ -30,7 +30,7 @@ private slots:
     }
 
     void writesThePartProgram() {
-        for (const char *dialect : {"iso", "siemens", "heidenhain"}) {
+        for (const char *dialect : {"iso", "siemens", "heidenhain", "linuxcnc", "haas"}) {
             const palmer::testdata::CliResult result =
                 run({"targets", "--axis", "Y", "--travel", "500", "--feed", "2000", "--dwell", "3,5",
                      "--cycle", "step", "--program", dialect, "-o", "-"});
@@ -73,6 +73,8 @@ private slots:
             << QStringList{"--travel", "9", "--edition", "ISO 230-4:2005", "-o", "-"};
         QTest::newRow("an axis no control knows")
             << QStringList{"--travel", "9", "--axis", "X axis", "--program", "iso", "-o", "-"};
+        QTest::newRow("an axis with a number where the dialect has none")
+            << QStringList{"--travel", "9", "--axis", "X1", "--program", "haas", "-o", "-"};
         QTest::newRow("a file to read") << QStringList{"x.palmer", "--travel", "9", "-o", "-"};
     }
     void refusesWhatMakesNoPlan() {

@@ -38,7 +38,7 @@ constexpr int rowHeight = 24;
 constexpr int predictionRows = 6;
 constexpr const char *editionOfAll = "ISO 230-2:2014"; ///< has E, M and B
 constexpr std::array formats{CompensationFormat::linuxcnc, CompensationFormat::siemens,
-                             CompensationFormat::csv};
+                             CompensationFormat::weihong, CompensationFormat::csv};
 constexpr std::array<std::string_view, 6> predicted{"A", "E", "M", "B", "Bmean", "R"};
 
 const Parameter *parameter(const TestEvaluation &evaluation, std::string_view id) {
@@ -57,6 +57,7 @@ CompensationDialog::CompensationDialog(const EvaluatedDocument &evaluated, std::
     , m_perDirection(addSwitch("perDirection", &CompensationOptions::perDirection))
     , m_sign(addChoice("sign"))
     , m_incremental(addSwitch("incremental", &CompensationOptions::incremental))
+    , m_encoder(addChoice("encoder"))
     , m_mark(addChoice("decimalMark"))
     , m_reason(new QLabel(this))
     , m_tableTitle(new QLabel(this))
@@ -66,6 +67,7 @@ CompensationDialog::CompensationDialog(const EvaluatedDocument &evaluated, std::
     , m_predictionTitle(new QLabel(this))
     , m_prediction(new QTableWidget(this))
     , m_note(new QLabel(this))
+    , m_compare(new QPushButton(this))
     , m_save(new QPushButton(this))
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("compensationDialog"));
@@ -78,6 +80,10 @@ CompensationDialog::CompensationDialog(const EvaluatedDocument &evaluated, std::
     fields->addWidget(addNumber("to", QT_TR_NOOP("To (empty: last target)"), &CompensationOptions::to));
     fields->addWidget(
         addNumber("interval", QT_TR_NOOP("Interval (empty: the targets)"), &CompensationOptions::interval));
+    m_reference =
+        addNumber("reference", QT_TR_NOOP("Reference point of the axis"), &CompensationOptions::reference);
+    fields->addWidget(m_reference);
+    fields->addWidget(m_encoder);
     fields->addWidget(m_sign);
     fields->addWidget(m_mark);
     fields->addWidget(m_perDirection);
@@ -109,6 +115,8 @@ CompensationDialog::CompensationDialog(const EvaluatedDocument &evaluated, std::
     m_prediction->verticalHeader()->setDefaultSectionSize(rowHeight);
     m_prediction->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_prediction->setFixedHeight((predictionRows + 1) * rowHeight + 4);
+    m_note->setObjectName(QStringLiteral("compensationNote"));
+    m_note->setTextFormat(Qt::PlainText);
     m_note->setProperty("secondary", true);
     m_note->setWordWrap(true);
     for (QLabel *title : {m_tableTitle, m_curveTitle, m_predictionTitle})
@@ -138,10 +146,12 @@ CompensationDialog::CompensationDialog(const EvaluatedDocument &evaluated, std::
     m_save->setProperty("primary", true);
     m_close->setObjectName(QStringLiteral("closeCompensation"));
     auto *foot = new QHBoxLayout;
+    m_compare->setObjectName(QStringLiteral("compareCompensation"));
+    foot->addWidget(m_compare);
     foot->addStretch();
     foot->addWidget(m_close);
     foot->addWidget(m_save);
-    for (QPushButton *button : {m_save, m_close})
+    for (QPushButton *button : {m_compare, m_save, m_close})
         button->setAutoDefault(false);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(margin, margin, margin, margin);
@@ -149,6 +159,7 @@ CompensationDialog::CompensationDialog(const EvaluatedDocument &evaluated, std::
     layout->addLayout(body, 1);
     layout->addLayout(foot);
 
+    connect(m_compare, &QPushButton::clicked, this, &CompensationDialog::chooseTable);
     connect(m_save, &QPushButton::clicked, this, &CompensationDialog::chooseFile);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     retranslate();
@@ -193,40 +204,86 @@ QCheckBox *CompensationDialog::addSwitch(const char *name, bool CompensationOpti
 }
 
 CompensationFormat CompensationDialog::format() const {
-    return formats.at(static_cast<std::size_t>(std::clamp(m_format->choice(), 0, 2)));
+    return formats.at(static_cast<std::size_t>(std::max(m_format->choice(), 0)));
 }
 
 /// What a format cannot say is not asked.
+CompensationOptions CompensationDialog::optionsFor(CompensationFormat kind) const {
+    const bool csv = kind == CompensationFormat::csv;
+    const bool siemens = kind == CompensationFormat::siemens;
+    CompensationOptions options = m_options;
+    options.perDirection = options.perDirection && !siemens;
+    options.incremental = options.incremental && csv;
+    options.deviations = (csv || kind == CompensationFormat::weihong) && m_sign->choice() == 1;
+    options.decimalMark = csv && m_mark->choice() == 1 ? ',' : '.';
+    options.encoder = siemens ? std::max(m_encoder->choice(), 0) : 0;
+    if (!siemens)
+        options.reference.reset();
+    return options;
+}
+
 void CompensationDialog::compute() {
     const CompensationFormat kind = format();
     const bool csv = kind == CompensationFormat::csv;
-    m_perDirection->setEnabled(kind != CompensationFormat::siemens);
-    for (QWidget *widget : {static_cast<QWidget *>(m_sign), static_cast<QWidget *>(m_mark),
-                            static_cast<QWidget *>(m_incremental)})
-        widget->setEnabled(csv);
-    CompensationOptions options = m_options;
-    options.perDirection = options.perDirection && kind != CompensationFormat::siemens;
-    options.incremental = options.incremental && csv;
-    options.deviations = csv && m_sign->choice() == 1;
-    options.decimalMark = csv && m_mark->choice() == 1 ? ',' : '.';
+    const bool siemens = kind == CompensationFormat::siemens;
+    m_perDirection->setEnabled(!siemens);
+    m_sign->setEnabled(csv || kind == CompensationFormat::weihong);
+    m_mark->setEnabled(csv);
+    m_incremental->setEnabled(csv);
+    m_reference->setEnabled(siemens);
+    m_encoder->setEnabled(siemens);
+    const CompensationOptions options = optionsFor(kind);
     const Test &test = *m_evaluated.document->tests[m_test];
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     m_written.clear();
+    m_remarks.clear();
     m_before.reset();
     m_after.reset();
+    m_withCompared.reset();
     m_refusal.reset();
     try {
-        m_written = writeCompensation(compensationTable(test, evaluation, kind, options), kind, options);
+        const CompensationTable table = compensationTable(test, evaluation, kind, options);
+        m_written = writeCompensation(table, kind, options);
+        m_remarks = compensationRemarks(table, kind, options);
         Surroundings surroundings;
         surroundings.machine = &m_evaluated.document->machine;
         const Edition *edition = parameter(evaluation, "M") ? nullptr : findEdition(editionOfAll);
         m_before = evaluateTest(test, surroundings, edition);
-        m_after = evaluateTest(compensated(test, readCompensation(m_written)), surroundings, edition);
+        m_after = evaluateTest(compensated(test, readCompensation(m_written, kind, options)), surroundings,
+                               edition);
+        if (m_compared) {
+            m_withCompared = evaluateTest(compensated(test, m_compared->table), surroundings, edition);
+            m_difference = largestDifference(m_compared->table, table);
+        }
     } catch (const Error &error) {
         m_written.clear();
         m_refusal = error;
     }
     showPrediction();
+}
+
+/// What has to be known of the table, and of the one it is compared with.
+QString CompensationDialog::notes() const {
+    const Language &language = windowLanguage();
+    QStringList lines{
+        tr("After %1, from the table as it is written.").arg(QString::fromUtf8(m_before->edition->word))};
+    for (const Message &remark : m_remarks)
+        lines << language.sentence(remark);
+    if (m_withCompared) {
+        const auto &measurement =
+            std::get<PositioningMeasurement>(m_evaluated.document->tests[m_test]->measurement);
+        const bool linear = measurement.axis.motion == Motion::linear;
+        lines << tr("%1 (%2): the largest difference, written − compared, is %3 at %4 %5.")
+                     .arg(m_comparedName, QString::fromUtf8(m_compared->control),
+                          language.quantity(m_difference.value,
+                                            linear ? Quantity::deviation : Quantity::angularDeviation, 1),
+                          language.quantity(m_difference.position, positionQuantity(measurement.axis)),
+                          m_difference.direction == Direction::positive ? QStringLiteral("↑")
+                                                                        : QStringLiteral("↓"));
+        for (const Message &remark : m_compared->remarks)
+            lines << tr("%1: %2").arg(m_comparedName, language.sentence(remark));
+    }
+    return lines.join(u'\n');
 }
 
 void CompensationDialog::showPrediction() {
@@ -238,6 +295,9 @@ void CompensationDialog::showPrediction() {
     m_prediction->setRowCount(0);
     m_curve->setVisible(m_after.has_value());
     m_note->clear();
+    m_prediction->setColumnCount(m_withCompared ? 4 : 3);
+    m_prediction->setHorizontalHeaderLabels(
+        {tr("Quantity"), tr("measured"), tr("predicted"), tr("compared")});
     if (!m_after)
         return;
     m_curve->setFigure(
@@ -249,18 +309,41 @@ void CompensationDialog::showPrediction() {
             continue;
         const int row = m_prediction->rowCount();
         m_prediction->insertRow(row);
-        const std::array texts{QString::fromStdString(plainSymbol(*before)),
-                               language.quantity(*before->value, before->term.quantity, 1),
-                               language.quantity(*after->value, after->term.quantity, 1)};
-        for (std::size_t column = 0; column < texts.size(); ++column) {
+        QStringList texts{QString::fromStdString(plainSymbol(*before)),
+                          language.quantity(*before->value, before->term.quantity, 1),
+                          language.quantity(*after->value, after->term.quantity, 1)};
+        if (const Parameter *compared = m_withCompared ? parameter(*m_withCompared, id) : nullptr)
+            texts << language.quantity(*compared->value, compared->term.quantity, 1);
+        for (int column = 0; column < texts.size(); ++column) {
             auto *item = new QTableWidgetItem(texts[column]);
             item->setTextAlignment(column == 0 ? Qt::AlignLeft | Qt::AlignVCenter
                                                : Qt::AlignRight | Qt::AlignVCenter);
-            m_prediction->setItem(row, static_cast<int>(column), item);
+            m_prediction->setItem(row, column, item);
         }
     }
-    m_note->setText(
-        tr("After %1, from the table as it is written.").arg(QString::fromUtf8(m_before->edition->word)));
+    m_note->setText(notes());
+}
+
+void CompensationDialog::chooseTable() {
+    auto *dialog = new QFileDialog(this, tr("Compare with a compensation table"),
+                                   QSettings().value(QStringLiteral("window/exportFolder")).toString());
+    dialog->setObjectName(QStringLiteral("comparedFileDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &CompensationDialog::compareWith);
+    dialog->open();
+}
+
+bool CompensationDialog::compareWith(const QString &path) {
+    try {
+        m_compared = readFoundTable(readBytes(path), path);
+        m_comparedName = QFileInfo(path).fileName();
+        compute();
+        return true;
+    } catch (const Error &error) {
+        showError(tr("%1 cannot be compared").arg(QFileInfo(path).fileName()), error);
+        return false;
+    }
 }
 
 void CompensationDialog::chooseFile() {
@@ -270,8 +353,11 @@ void CompensationDialog::chooseFile() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     const auto kind = format();
+    if (kind == CompensationFormat::weihong)
+        dialog->selectFile(QStringLiteral("axeserr.dat")); // the control knows no other name
     dialog->setDefaultSuffix(kind == CompensationFormat::csv       ? QStringLiteral("csv")
                              : kind == CompensationFormat::siemens ? QStringLiteral("mpf")
+                             : kind == CompensationFormat::weihong ? QStringLiteral("dat")
                                                                    : QStringLiteral("comp"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
         QSettings().setValue(QStringLiteral("window/exportFolder"), QFileInfo(path).absolutePath());
@@ -285,16 +371,18 @@ bool CompensationDialog::saveTo(const QString &path) {
     try {
         saveBytes(m_written, path);
     } catch (const Error &error) {
-        auto *box =
-            new QMessageBox(QMessageBox::Critical, windowTitle(),
-                            tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), QMessageBox::Ok, this);
-        box->setObjectName(QStringLiteral("errorBox"));
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        box->setInformativeText(windowLanguage().sentence(error.message));
-        box->open();
+        showError(tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error);
         return false;
     }
     return true;
+}
+
+void CompensationDialog::showError(const QString &what, const Error &error) {
+    auto *box = new QMessageBox(QMessageBox::Critical, windowTitle(), what, QMessageBox::Ok, this);
+    box->setObjectName(QStringLiteral("errorBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(windowLanguage().sentence(error.message));
+    box->open();
 }
 
 void CompensationDialog::changeEvent(QEvent *event) {
@@ -313,8 +401,10 @@ void CompensationDialog::retranslate() {
         field->showChoice(chosen, false);
     };
     setWindowTitle(tr("Compensation table"));
-    choices(m_format, tr("Control"),
-            {QStringLiteral("LinuxCNC"), QStringLiteral("Siemens"), tr("any (CSV)")});
+    choices(
+        m_format, tr("Control"),
+        {QStringLiteral("LinuxCNC"), QStringLiteral("Siemens"), QStringLiteral("Weihong"), tr("any (CSV)")});
+    choices(m_encoder, tr("Measuring system"), {tr("first (0)"), tr("second (1)")});
     choices(m_sign, tr("Sign of the values"), {tr("corrections, added to the command"), tr("deviations")});
     choices(m_mark, tr("Decimal mark"), {tr("point ."), tr("comma ,")});
     for (const NumberField &number : m_numbers) {
@@ -332,8 +422,7 @@ void CompensationDialog::retranslate() {
     m_table->setAccessibleName(m_tableTitle->text());
     m_predictionTitle->setText(tr("Prediction"));
     m_prediction->setAccessibleName(m_predictionTitle->text());
-    m_prediction->setColumnCount(3);
-    m_prediction->setHorizontalHeaderLabels({tr("Quantity"), tr("measured"), tr("predicted")});
+    m_compare->setText(tr("Compare &with a table…"));
     m_save->setText(tr("&Save the table…"));
     m_close->setText(tr("&Close"));
     compute();

@@ -22,7 +22,7 @@ class LineView;
 
 /// "Compensation table…": the table that takes out the systematic deviations of an axis, for a control. Shows
 /// what is written, and what the axis would be with it, read back from what is written: means over those
-/// measured, and A, E, M, B. Changes no document.
+/// measured, and A, E, M, B. A table found in a control can be set beside it. Changes no document.
 class CompensationDialog : public QDialog {
     Q_OBJECT
 
@@ -34,6 +34,8 @@ public:
     [[nodiscard]] CompensationFormat format() const;
     /// Writes the table; false, and a message, when that fails.
     bool saveTo(const QString &path);
+    /// Sets a table of a control beside the one that is written; false, and a message, when it is none.
+    bool compareWith(const QString &path);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -48,18 +50,26 @@ private:
     Field *addChoice(const char *name);
     Field *addNumber(const char *name, const char *label, std::optional<double> CompensationOptions::*value);
     QCheckBox *addSwitch(const char *name, bool CompensationOptions::*value);
+    [[nodiscard]] CompensationOptions optionsFor(CompensationFormat kind) const;
+    [[nodiscard]] QString notes() const;
     void compute();
     void showPrediction();
     void chooseFile();
-    void showError(const Error &error);
+    void chooseTable();
+    void showError(const QString &what, const Error &error);
     void retranslate();
 
     EvaluatedDocument m_evaluated;
     std::size_t m_test;
     CompensationOptions m_options;
     QByteArray m_written;
+    std::vector<Message> m_remarks; ///< of what is written
+    std::optional<FoundTable> m_compared;
+    QString m_comparedName;
+    TableDifference m_difference;
     std::optional<TestEvaluation> m_before; ///< under an edition that has E, M and B
     std::optional<TestEvaluation> m_after;
+    std::optional<TestEvaluation> m_withCompared;
     std::optional<Error> m_refusal;
     std::vector<NumberField> m_numbers;
 
@@ -67,6 +77,8 @@ private:
     QCheckBox *m_perDirection;
     Field *m_sign;
     QCheckBox *m_incremental;
+    Field *m_encoder;
+    Field *m_reference = nullptr; ///< made with its row
     Field *m_mark;
     QLabel *m_reason;
     QLabel *m_tableTitle;
@@ -76,6 +88,7 @@ private:
     QLabel *m_predictionTitle;
     QTableWidget *m_prediction;
     QLabel *m_note;
+    QPushButton *m_compare;
     QPushButton *m_save;
     QPushButton *m_close;
 };

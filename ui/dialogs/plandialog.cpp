@@ -66,6 +66,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     , m_print(new QPushButton(this))
     , m_savePlan(new QPushButton(this))
     , m_dialect(new QComboBox(this))
+    , m_programReason(new QLabel(this))
     , m_saveProgram(new QPushButton(this))
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("planDialog"));
@@ -226,8 +227,12 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
 
     auto *program = new QHBoxLayout;
     m_dialect->setObjectName(QStringLiteral("dialect"));
-    m_dialect->addItems({QStringLiteral("ISO (DIN 66025)"), QStringLiteral("Siemens SINUMERIK"),
-                         QStringLiteral("Heidenhain")});
+    for (const DialectName &each : dialects())
+        m_dialect->addItem(QString::fromUtf8(each.name));
+    m_programReason->setObjectName(QStringLiteral("programReason"));
+    m_programReason->setProperty("reason", true);
+    m_programReason->setTextFormat(Qt::PlainText);
+    m_programReason->setWordWrap(true);
     m_saveProgram->setObjectName(QStringLiteral("saveProgram"));
     m_saveProgram->setIcon(lineIcon(QStringLiteral("save")));
     m_print->setObjectName(QStringLiteral("printPlan"));
@@ -253,7 +258,9 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(16);
     layout->addLayout(body, 1);
+    layout->addWidget(m_programReason);
     layout->addLayout(program);
+    connect(m_dialect, &QComboBox::currentIndexChanged, this, &PlanDialog::showWhyNoProgram);
     connect(m_saveProgram, &QPushButton::clicked, this, &PlanDialog::chooseProgramFile);
     connect(m_print, &QPushButton::clicked, this, &PlanDialog::choosePrinter);
     connect(m_savePlan, &QPushButton::clicked, this, &PlanDialog::choosePlanFile);
@@ -362,7 +369,23 @@ void PlanDialog::showFields() {
     for (QPushButton *button : {m_print, m_savePlan, m_make})
         button->setEnabled(any);
     m_fill->setEnabled(any && canFill());
-    m_saveProgram->setEnabled(!partProgram(m_program, dialect(), windowLanguage()).isEmpty());
+    showWhyNoProgram();
+}
+
+/// Whether the control chosen can be told the cycle, and if not, why.
+void PlanDialog::showWhyNoProgram() {
+    QString reason;
+    bool possible = !m_plan.targets.empty();
+    try {
+        if (possible)
+            (void)partProgram(m_program, dialect(), windowLanguage());
+    } catch (const Error &error) {
+        possible = false;
+        reason = tr("No part program: %1").arg(windowLanguage().sentence(error.message));
+    }
+    m_programReason->setText(reason);
+    m_programReason->setVisible(!reason.isEmpty());
+    m_saveProgram->setEnabled(possible);
 }
 
 QString PlanDialog::summary() const {
@@ -370,8 +393,8 @@ QString PlanDialog::summary() const {
         return tr("These numbers give no plan: too many targets, or too few decimals to tell them apart.");
     const Quantity position = m_request.motion == Motion::linear ? Quantity::position : Quantity::angle;
     const Language &language = windowLanguage();
-    const double low = m_program.targets.front() - m_program.approach;
-    const double high = m_program.targets.back() + m_program.approach;
+    const double low = turningPoint(m_program, m_program.targets.front(), Direction::positive);
+    const double high = turningPoint(m_program, m_program.targets.back(), Direction::negative);
     QString text = tr("%n target(s)", nullptr, static_cast<int>(m_plan.targets.size())) + u' ' +
                    tr("every %1, random part %2. The axis moves from %3 to %4.")
                        .arg(language.quantity(m_plan.interval, position, 1),
@@ -441,7 +464,7 @@ Report PlanDialog::report() const {
 }
 
 Dialect PlanDialog::dialect() const {
-    return static_cast<Dialect>(m_dialect->currentIndex());
+    return dialects()[static_cast<std::size_t>(std::max(m_dialect->currentIndex(), 0))].dialect;
 }
 
 bool PlanDialog::write(const QString &path, const std::function<QByteArray()> &bytes) {
@@ -493,8 +516,8 @@ void PlanDialog::chooseProgramFile() {
     QFileDialog dialog(this, tr("Save the part program"));
     dialog.setObjectName(QStringLiteral("programDialog"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    constexpr const char *endings[]{"nc", "mpf", "h"};
-    dialog.setDefaultSuffix(QLatin1StringView(endings[m_dialect->currentIndex()]));
+    dialog.setDefaultSuffix(QString::fromLatin1(
+        dialects()[static_cast<std::size_t>(std::max(m_dialect->currentIndex(), 0))].ending));
     if (dialog.exec() == QDialog::Accepted)
         saveProgram(dialog.selectedFiles().constFirst());
 }

@@ -52,6 +52,7 @@ private:
     void begin(std::size_t test);
     void replan();
     void showFields();
+    void showWhyNoProgram();
     void fillTest();
     void makeTest();
     void choosePlanFile();
@@ -94,6 +95,7 @@ private:
     QPushButton *m_print;
     QPushButton *m_savePlan;
     QComboBox *m_dialect;
+    QLabel *m_programReason;
     QPushButton *m_saveProgram;
     QPushButton *m_close;
 };

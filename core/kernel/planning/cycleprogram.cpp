@@ -1,6 +1,17 @@
 #include "kernel/planning/cycleprogram.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace palmer {
+
+double turningPoint(const CycleProgram &program, double target, Direction approach) {
+    constexpr double noise = 1e-6; // of a step: 0.1 is no whole number of hundredths as a double
+    const double steps = std::pow(10.0, program.decimals);
+    const double beyond = std::max(std::ceil(program.approach * steps - noise), 1.0);
+    const double from = std::round(target * steps);
+    return (approach == Direction::positive ? from - beyond : from + beyond) / steps;
+}
 
 std::vector<Move> cyclePath(const CycleProgram &program) {
     std::vector<Move> path;
@@ -10,8 +21,7 @@ std::vector<Move> cyclePath(const CycleProgram &program) {
         const double position = program.targets[stop.target];
         const bool newTarget = program.cycle == Cycle::step && stop.target != target;
         if (direction != stop.approach || newTarget)
-            path.push_back(
-                {position + (stop.approach == Direction::positive ? -1 : 1) * program.approach, {}});
+            path.push_back({turningPoint(program, position, stop.approach), {}});
         path.push_back({position, stop});
         direction = stop.approach;
         target = stop.target;

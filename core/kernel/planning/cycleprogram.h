@@ -13,7 +13,7 @@ struct CycleProgram {
     std::string axis = "X"; ///< letter of the axis, with a number where it has one ("X1")
     Motion motion = Motion::linear;
     std::vector<double> targets; ///< mm or degrees, ascending
-    int decimals = 3;
+    int decimals = 3;            ///< of all positions, 0 … 9
     int runs = 5;
     Cycle cycle = Cycle::standard;
     std::optional<double> feed; ///< mm/min or °/min; null: rapid
@@ -27,8 +27,12 @@ struct Move {
     std::optional<Stop> stop; ///< null: no rest
 };
 
-/// All moves of the measuring cycle in the order of time: before the direction turns the axis goes beyond the
-/// target by the approach distance, so that every target is reached from its own side.
+/// Where the axis turns round to reach a target from its side: at least the approach distance beyond it, as a
+/// position of the decimals of the program, rounded away from the target, so that it never falls upon it.
+[[nodiscard]] double turningPoint(const CycleProgram &program, double target, Direction approach);
+
+/// All moves of the measuring cycle in the order of time: before the direction turns the axis goes to the
+/// turning point of the target, so that every target is reached from its own side.
 [[nodiscard]] std::vector<Move> cyclePath(const CycleProgram &program);
 
 } // namespace palmer

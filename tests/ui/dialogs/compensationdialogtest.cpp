@@ -99,10 +99,27 @@ private slots:
         const auto enabled = [&](const char *name) { return dialog.findChild<QWidget *>(name)->isEnabled(); };
         QVERIFY(enabled("compensation.perDirection"));
         QVERIFY(!enabled("compensation.incremental"));
+        QVERIFY(!enabled("compensation.reference") && !enabled("compensation.encoder"));
         choose(dialog, "compensation.format", 1);
-        QVERIFY(dialog.written().contains("$AA_ENC_COMP"));
+        QVERIFY(dialog.written().isEmpty()); // the reference point is owed
+        QVERIFY(dialog.findChild<QLabel *>("compensationReason")->text().contains("reference point"));
+        auto *reference = dialog.findChild<QLineEdit *>("compensation.reference");
+        reference->setFocus();
+        QTest::keyClicks(reference, "100");
+        QVERIFY(dialog.written().contains("$AA_ENC_COMP[0,1,X]=0\n"));
+        QVERIFY(dialog.findChild<QLabel *>("compensationNote")->text().contains("MD38000 has to be 3"));
+        choose(dialog, "compensation.encoder", 1);
+        QVERIFY(dialog.written().contains("$AA_ENC_COMP[1,1,X]=0\n"));
         QVERIFY(!enabled("compensation.perDirection"));
         choose(dialog, "compensation.format", 2);
+        QVERIFY(dialog.written().startsWith("unit = mm\n[X]\n"));
+        QVERIFY(enabled("compensation.sign") && enabled("compensation.perDirection"));
+        QVERIFY(!enabled("compensation.reference") && !enabled("compensation.incremental"));
+        const QByteArray nominalMinusActual = dialog.written();
+        choose(dialog, "compensation.sign", 1);
+        QVERIFY(dialog.written() != nominalMinusActual);
+        choose(dialog, "compensation.sign", 0);
+        choose(dialog, "compensation.format", 3);
         QVERIFY(enabled("compensation.incremental"));
         choose(dialog, "compensation.decimalMark", 1);
         QVERIFY(dialog.written().contains(';'));
@@ -118,7 +135,8 @@ private slots:
         auto *interval = dialog.findChild<QLineEdit *>("compensation.interval");
         interval->setFocus();
         QTest::keyClicks(interval, "50");
-        QCOMPARE(readCompensation(dialog.written()).positions, (std::vector<double>{0, 50, 100, 150, 200}));
+        QCOMPARE(readCompensation(dialog.written(), dialog.format(), {}).positions,
+                 (std::vector<double>{0, 50, 100, 150, 200}));
         auto *from = dialog.findChild<QLineEdit *>("compensation.from");
         from->setFocus();
         QTest::keyClicks(from, "900");
@@ -136,6 +154,32 @@ private slots:
         QCOMPARE(file.readAll(), dialog.written());
         QVERIFY(!dialog.saveTo(folder.filePath("none/x.comp")));
         QVERIFY(dialog.findChild<QMessageBox *>("errorBox"));
+    }
+
+    void comparesWithATableOfAControl() {
+        QTemporaryDir folder;
+        CompensationDialog dialog(small(), 0);
+        dialog.show();
+        QVERIFY(dialog.saveTo(folder.filePath("old.comp"))); // both directions together
+        dialog.findChild<QCheckBox *>("compensation.perDirection")->setChecked(true);
+        QVERIFY(dialog.compareWith(folder.filePath("old.comp")));
+        const auto *table = dialog.findChild<QTableWidget *>("prediction");
+        QCOMPARE(table->columnCount(), 4);
+        const auto *note = dialog.findChild<QLabel *>("compensationNote");
+        QVERIFY(note->text().contains("old.comp (LinuxCNC): the largest difference"));
+        for (int i = 0; i < table->rowCount(); ++i) {
+            if (table->item(i, 0)->text() == "B") {
+                QCOMPARE(table->item(i, 2)->text(), QString("0.0\u00A0µm"));
+                QVERIFY(table->item(i, 3)->text() == table->item(i, 1)->text()); // a mean leaves the reversal
+            }
+        }
+        QFile none(folder.filePath("none.txt"));
+        QVERIFY(none.open(QIODevice::WriteOnly));
+        none.write("nothing of the kind\n");
+        none.close();
+        QVERIFY(!dialog.compareWith(none.fileName()));
+        QVERIFY(dialog.findChild<QMessageBox *>("errorBox"));
+        QCOMPARE(table->columnCount(), 4); // the table before stays
     }
 
     void theMenuOpensIt() {

@@ -126,12 +126,31 @@ private slots:
         QVERIFY(!dialog.findChild<QLabel *>("planSummary")->text().isEmpty());
     }
 
+    /// Axis X1 has no name of its own but at a SINUMERIK.
+    void whatMakesNoProgramIsSaid() {
+        DocumentModel model;
+        model.setDocument(emptyTest(), {});
+        PlanDialog dialog(model, 0);
+        dialog.show();
+        const auto *reason = dialog.findChild<QLabel *>("programReason");
+        QVERIFY(!reason->isVisible() && button(dialog, "saveProgram")->isEnabled());
+        type(dialog, "plan.axis", "X1");
+        auto *dialects = dialog.findChild<QComboBox *>("dialect");
+        for (int i = 0; i < dialects->count(); ++i) {
+            dialects->setCurrentIndex(i);
+            const bool siemens = dialects->itemText(i).contains("SINUMERIK");
+            QCOMPARE(reason->isVisible(), !siemens);
+            QCOMPARE(button(dialog, "saveProgram")->isEnabled(), siemens);
+            QVERIFY(siemens || reason->text().contains("X1 before a position"));
+        }
+    }
+
     void writesProgramAndPlan() {
         DocumentModel model;
         model.setDocument(emptyTest(), {});
         PlanDialog dialog(model, 0);
         QTemporaryDir folder;
-        for (int dialect = 0; dialect < 3; ++dialect) {
+        for (int dialect = 0; dialect < 5; ++dialect) {
             dialog.findChild<QComboBox *>("dialect")->setCurrentIndex(dialect);
             QVERIFY(dialog.saveProgram(folder.filePath("p.nc")));
             QFile program(folder.filePath("p.nc"));
