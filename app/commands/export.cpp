@@ -32,6 +32,7 @@ constexpr std::array options{
                                  "corrections, added to the command")},
     Option{"encoder", "N",
            REPORT_TEXT("report", "siemens: index of the measuring system; without it 0, the first")},
+    forceOption,
 };
 
 std::optional<double> numberOption(const Invocation &invocation, QLatin1StringView name) {
@@ -73,6 +74,17 @@ char decimalMark(const Invocation &invocation) {
         throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
                           {std::string("decimal-mark"), word.toStdString(), std::string("point, comma")}});
     return word == QLatin1StringView("comma") ? ',' : '.';
+}
+
+void demandEnding(const Invocation &invocation, const QString &output, const QString &form) {
+    if (form == QLatin1StringView("json"))
+        demandOutput(invocation, output, {"json"});
+    else if (form == QLatin1StringView("linuxcnc"))
+        demandOutput(invocation, output, {"comp", "txt"});
+    else if (form == QLatin1StringView("siemens"))
+        demandOutput(invocation, output, {"mpf", "spf", "ini", "txt"});
+    else
+        demandOutput(invocation, output, {"csv", "tsv", "txt"});
 }
 
 CompensationOptions compensationOptions(const Invocation &invocation) {
@@ -119,6 +131,7 @@ int run(const Invocation &invocation) {
                           {std::string("export"), std::string("-o OUT")}});
     if (invocation.arguments.size() != 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("export")}});
+    demandEnding(invocation, *output, form);
     const CompensationOptions table = compensationOptions(invocation);
     const QString file = invocation.arguments.front();
     const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
