@@ -20,8 +20,9 @@ QByteArray encoded(const QByteArray &text, QStringConverter::Encoding encoding, 
     return encoder.encode(QString::fromUtf8(text));
 }
 
-constexpr std::array encodings{QStringConverter::Utf8,    QStringConverter::Utf16LE, QStringConverter::Utf16BE,
-                               QStringConverter::Utf32LE, QStringConverter::Utf32BE, QStringConverter::Latin1};
+constexpr std::array encodings{QStringConverter::Utf8,    QStringConverter::Utf16LE,
+                               QStringConverter::Utf16BE, QStringConverter::Utf32LE,
+                               QStringConverter::Utf32BE, QStringConverter::Latin1};
 
 /// Whether the import refuses it as the test file it was.
 bool isRefused(const QByteArray &bytes, const QString &name) {
@@ -77,8 +78,9 @@ private slots:
     void isKnownBehindSomethingElse() {
         const QByteArray file = completeFile();
         for (const QByteArray &before :
-             {QByteArray("\n\n \t"), QByteArray("garbage\n"), QByteArray("0;1;2\n3;4;5\n"), QByteArray(1, '\0'),
-              QByteArray(8192, 'x'), QByteArray("# a comment\n"), QByteArray("\xEF\xBB\xBF\n")}) {
+             {QByteArray("\n\n \t"), QByteArray("garbage\n"), QByteArray("0;1;2\n3;4;5\n"),
+              QByteArray(1, '\0'), QByteArray(8192, 'x'), QByteArray("# a comment\n"),
+              QByteArray("\xEF\xBB\xBF\n")}) {
             QVERIFY2(isTestFile(before + file), before.constData());
             QVERIFY(isRefused(before + file, QStringLiteral("x.txt")));
         }
