@@ -1,4 +1,5 @@
 #include "ui/fonts.h"
+#include "ui/settings.h"
 #include "ui/theme.h"
 #include "ui/wheelguard.h"
 #include "ui/window/endofsession.h"
@@ -23,6 +24,7 @@ int main(int argc, char *argv[]) {
     QGuiApplication::setDesktopFileName(QStringLiteral("palmer"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/palmer.svg")));
     QApplication::setStyle(QStringLiteral("fusion"));
+    useSafeSettings();
     loadFonts();
     restoreWindowLanguage();
     installTheme();
