@@ -6,6 +6,7 @@
 #include <QHashFunctions>
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <memory>
 
 namespace {
@@ -76,6 +77,7 @@ std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char 
 
 int main(int argc, char *argv[]) {
     QHashSeed::setDeterministicGlobalSeed(); // else no two PDFs were alike
+    std::signal(SIGXFSZ, SIG_IGN);           // a file that may not grow is an error with a sentence
     const Language ofLocale = languageOfLocale();
     // Qt speaks UTF-8 only and would say so on stderr under any other locale.
     qputenv("LC_ALL", "C.UTF-8");

@@ -1,16 +1,21 @@
 #include "ui/fonts.h"
+#include "ui/settings.h"
 #include "ui/theme.h"
 #include "ui/wheelguard.h"
+#include "ui/window/endofsession.h"
 #include "ui/window/mainwindow.h"
 #include "ui/windowlanguage.h"
 
 #include <QApplication>
 #include <QHashSeed>
 #include <QIcon>
+#include <csignal>
 
 int main(int argc, char *argv[]) {
     using namespace palmer::ui;
     QHashSeed::setDeterministicGlobalSeed(); // before all else: the same report is the same bytes
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow and a pipe that nobody reads are errors with a
+    std::signal(SIGPIPE, SIG_IGN); // sentence
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("palmer"));
     QCoreApplication::setOrganizationName(QStringLiteral("palmer"));
@@ -19,10 +24,12 @@ int main(int argc, char *argv[]) {
     QGuiApplication::setDesktopFileName(QStringLiteral("palmer"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/palmer.svg")));
     QApplication::setStyle(QStringLiteral("fusion"));
+    useSafeSettings();
     loadFonts();
     restoreWindowLanguage();
     installTheme();
     guardWheel(application);
+    keepCopiesAtEnd(application);
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();

@@ -1519,10 +1519,6 @@
         <translation>Enregistrer la figure</translation>
     </message>
     <message>
-        <source>The figure could not be written to %1. Choose another folder or file.</source>
-        <translation>La figure n’a pas pu être écrite dans %1. Choisissez un autre dossier ou un autre fichier.</translation>
-    </message>
-    <message>
         <source>Show single readings</source>
         <translation>Afficher les relevés</translation>
     </message>
@@ -1553,6 +1549,10 @@
     <message>
         <source>Show the points that rule the result</source>
         <translation>Afficher les points qui déterminent le résultat</translation>
+    </message>
+    <message>
+        <source>%1 cannot be saved</source>
+        <translation>%1 ne peut pas être enregistré</translation>
     </message>
 </context>
 <context>
@@ -2658,6 +2658,18 @@
         <source>&amp;Export</source>
         <translation>Expor&amp;ter</translation>
     </message>
+    <message>
+        <source>%1 is no longer where it was. Save it before closing?</source>
+        <translation>%1 n’est plus à sa place. L’enregistrer avant de fermer ?</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Save what is here before closing?</source>
+        <translation>Un autre programme a modifié %1. Enregistrer ce qui est ici avant de fermer ?</translation>
+    </message>
+    <message>
+        <source>Otherwise what is here is lost.</source>
+        <translation>Sinon, ce qui est ici est perdu.</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NavigationList</name>
@@ -3460,6 +3472,18 @@
     <message>
         <source>Temperature curve</source>
         <translation>Courbe des températures</translation>
+    </message>
+    <message>
+        <source>Replace %1?</source>
+        <translation>Remplacer %1 ?</translation>
+    </message>
+    <message>
+        <source>What is there now is lost.</source>
+        <translation>Ce qui s’y trouve est perdu.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Remplacer</translation>
     </message>
 </context>
 <context>

@@ -38,6 +38,7 @@ constexpr std::array options{
            REPORT_TEXT("report", "siemens: index of the measuring system; without it 0, the first")},
     Option{"compare", "TABLE",
            REPORT_TEXT("report", "a compensation table of a control, to compare with the one written")},
+    forceOption,
 };
 
 std::optional<double> numberOption(const Invocation &invocation, QLatin1StringView name) {
@@ -89,6 +90,19 @@ int encoder(const Invocation &invocation) {
         throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
                           {std::string("encoder"), word.toStdString(), std::string("0, 1")}});
     return word.toInt();
+}
+
+void demandEnding(const Invocation &invocation, const QString &output, const QString &form) {
+    if (form == QLatin1StringView("json"))
+        demandOutput(invocation, output, {"json"});
+    else if (form == QLatin1StringView("linuxcnc"))
+        demandOutput(invocation, output, {"comp", "txt"});
+    else if (form == QLatin1StringView("siemens"))
+        demandOutput(invocation, output, {"mpf", "spf", "ini", "txt"});
+    else if (form == QLatin1StringView("weihong"))
+        demandOutput(invocation, output, {"dat", "txt"});
+    else
+        demandOutput(invocation, output, {"csv", "tsv", "txt"});
 }
 
 CompensationOptions compensationOptions(const Invocation &invocation) {
@@ -190,6 +204,7 @@ int run(const Invocation &invocation) {
                           {std::string("export"), std::string("-o OUT")}});
     if (invocation.arguments.size() != 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("export")}});
+    demandEnding(invocation, *output, form);
     const CompensationOptions table = compensationOptions(invocation);
     if (compensation == CompensationFormat::siemens && !table.reference)
         throw UsageError(

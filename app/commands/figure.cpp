@@ -129,6 +129,7 @@ int run(const Invocation &invocation) {
                           {std::string("figure"), std::string("-o OUT.svg|png|pdf|csv")}});
     if (invocation.arguments.size() != 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("figure")}});
+    demandOutput(invocation, *output, {"svg", "png", "pdf", "csv"});
     const auto wanted = invocation.value(QLatin1StringView("figure"));
     checkWord(wanted);
     const QString file = invocation.arguments.front();

@@ -2,7 +2,7 @@
 
 #include "commands/outputfile.h"
 #include "commands/streams.h"
-#include "document/writedocument.h"
+#include "document/savedocument.h"
 #include "import/importmeasurement.h"
 #include "import/profiles.h"
 
@@ -22,6 +22,7 @@ constexpr std::array options{
                "a choice of the import (unit=um, decimalMark=comma, axis=X, …); may stand several times"),
            true},
     Option{"keep-original", "", REPORT_TEXT("report", "keep the bytes of the files in the test file")},
+    forceOption,
 };
 
 ImportOptions chosenOptions(const Invocation &invocation) {
@@ -65,6 +66,7 @@ int run(const Invocation &invocation) {
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("import"), std::string("-o OUT.palmer")}});
+    demandOutput(invocation, *output, {"palmer", "json"}); // a test file is JSON
     const ImportOptions chosen = chosenOptions(invocation);
     const bool keep = invocation.has(QLatin1StringView("keep-original"));
     struct Read {
@@ -97,7 +99,7 @@ int run(const Invocation &invocation) {
         }
     }
     try {
-        writeOutput(writeDocument(document), *output);
+        writeOutput(bytesToSave(document), *output);
     } catch (const Error &error) {
         printError(*output, error, invocation.language);
         return cannotRead;

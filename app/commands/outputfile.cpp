@@ -3,10 +3,86 @@
 #include "commands/streams.h"
 #include "document/savedocument.h"
 
+#include <QFileInfo>
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace palmer {
 
+namespace {
+
+// Endings that say what a file is: those this program reads and writes, and those of everybody's files.
+constexpr auto knownEndings = std::to_array<std::string_view>({"palmer",   "palmer-template",
+                                                               "recovery", "pdf",
+                                                               "svg",      "png",
+                                                               "csv",      "tsv",
+                                                               "txt",      "json",
+                                                               "xlsx",     "xls",
+                                                               "ods",      "rtl",
+                                                               "rtx",      "b5r",
+                                                               "b5r64",    "ren",
+                                                               "pos",      "comp",
+                                                               "nc",       "ngc",
+                                                               "mpf",      "spf",
+                                                               "h",        "iso",
+                                                               "cnc",      "tap",
+                                                               "ini",      "hal",
+                                                               "xml",      "html",
+                                                               "htm",      "md",
+                                                               "rtf",      "doc",
+                                                               "docx",     "odt",
+                                                               "ppt",      "pptx",
+                                                               "odp",      "jpg",
+                                                               "jpeg",     "gif",
+                                                               "bmp",      "tif",
+                                                               "tiff",     "webp",
+                                                               "eps",      "ps",
+                                                               "zip",      "gz",
+                                                               "7z",       "tar",
+                                                               "exe",      "sh",
+                                                               "py",       "yaml",
+                                                               "yml",      "toml"});
+
+/// The name under which the system knows it.
+QString systemName(const QString &file, const char *standard) {
+    return file == QLatin1StringView("-") ? QLatin1StringView(standard) : file;
+}
+
+bool isStandardOutput(const QString &file) {
+    return file == QLatin1StringView("-") || file == QLatin1StringView("/dev/stdout") ||
+           isSameFile(file, QStringLiteral("/dev/stdout"));
+}
+
+} // namespace
+
+void demandOutput(const Invocation &invocation, const QString &file,
+                  std::initializer_list<const char *> endings) {
+    QStringList inputs = invocation.arguments;
+    if (const auto compared = invocation.value(QLatin1StringView("compare")))
+        inputs.append(*compared);
+    for (const QString &input : inputs) {
+        if (isSameFile(systemName(file, "/dev/stdout"), systemName(input, "/dev/stdin")))
+            throw UsageError({REPORT_TEXT("report", "%1 is a file to read and would be lost; choose another "
+                                                    "name for what is written"),
+                              {file.toStdString()}});
+    }
+    const std::string ending = QFileInfo(file).suffix().toLower().toStdString();
+    const bool isOwn =
+        std::ranges::any_of(endings, [&](const char *own) { return own == std::string_view(ending); });
+    if (isOwn || invocation.has(QLatin1StringView(forceOption.name)) ||
+        std::ranges::find(knownEndings, ending) == knownEndings.end())
+        return;
+    std::string expected;
+    for (const char *own : endings)
+        expected += (expected.empty() ? "." : ", .") + std::string(own);
+    throw UsageError({REPORT_TEXT("report", "%1 has the ending of another kind of file; expected %2 (--force "
+                                            "writes it all the same)"),
+                      {file.toStdString(), expected}});
+}
+
 void writeOutput(const QByteArray &bytes, const QString &file) {
-    if (file == QLatin1StringView("-"))
+    if (isStandardOutput(file))
         printOut(bytes);
     else
         saveBytes(bytes, file);

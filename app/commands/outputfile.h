@@ -1,9 +1,22 @@
 #pragma once
 
+#include "commands/command.h"
+
 #include <QByteArray>
 #include <QString>
+#include <initializer_list>
 
 namespace palmer {
+
+/// Of every command whose output has no ending of its own choice.
+constexpr Option forceOption{
+    "force", "", REPORT_TEXT("report", "write even to a name with the ending of another kind of file")};
+
+/// Throws UsageError for an output that is an input of the same call, whatever its name, or that has the
+/// ending of another kind of file than `endings` (lower case, those of the command; "" and unknown ones are
+/// free), unless --force is given. To be asked before anything is read.
+void demandOutput(const Invocation &invocation, const QString &file,
+                  std::initializer_list<const char *> endings);
 
 /// Writes to the file of that name, "-" is standard output. Throws Error(unwritable).
 void writeOutput(const QByteArray &bytes, const QString &file);

@@ -22,6 +22,7 @@ constexpr std::array options{
            REPORT_TEXT("report", "the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf")},
     Option{"language", "fr|en|fr,en",
            REPORT_TEXT("report", "language of the report; without it those the file asks for")},
+    forceOption,
 };
 
 QStringList languagesOf(const Invocation &invocation, const Document &document) {
@@ -67,6 +68,7 @@ int run(const Invocation &invocation) {
     if (invocation.arguments.size() != 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("report")}});
     refuseUnknownLanguage(invocation);
+    demandOutput(invocation, *output, {"pdf"});
     const QString file = invocation.arguments.front();
     try {
         const EvaluatedDocument evaluated = simulated(
@@ -78,11 +80,16 @@ int run(const Invocation &invocation) {
             throw UsageError(
                 {REPORT_TEXT("report", "standard output takes one report; choose --language"), {}});
         const ReportOptions reportOptions{QStringLiteral("Palmer " PALMER_VERSION), selfTest()};
+        const auto targetOf = [&](const QString &name) {
+            return languages.size() > 1 ? withLanguage(*output, name) : *output;
+        };
+        for (const QString &name : languages)
+            demandOutput(invocation, targetOf(name), {"pdf"});
         for (const QString &name : languages) {
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
             ui::writePdf(composeReport(evaluated, Language::fromName(name).value(), reportOptions), pdf);
-            const QString target = languages.size() > 1 ? withLanguage(*output, name) : *output;
+            const QString target = targetOf(name);
             try {
                 writeOutput(pdf.data(), target);
             } catch (const Error &error) {

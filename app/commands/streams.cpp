@@ -2,6 +2,7 @@
 
 #include "document/readdocument.h"
 #include "document/savedocument.h"
+#include "document/testfile.h"
 #include "import/importmeasurement.h"
 
 #include <QFile>
@@ -12,7 +13,6 @@ namespace palmer {
 
 namespace {
 
-constexpr qint64 sizeLimit = qint64(1) << 30; ///< as of a file
 constexpr qint64 blockSize = qint64(1) << 20;
 
 QByteArray standardInput() {
@@ -23,9 +23,11 @@ QByteArray standardInput() {
     QByteArray bytes;
     for (QByteArray block = input.read(blockSize); !block.isEmpty(); block = input.read(blockSize)) {
         bytes += block;
-        if (bytes.size() > sizeLimit)
-            throw Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "the file is larger than 1 GiB"), {}});
+        demandReadable(bytes.size());
     }
+    if (input.error() != QFileDevice::NoError)
+        throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
+                                              {input.errorString().toStdString()}});
     return bytes;
 }
 
@@ -80,7 +82,7 @@ QByteArray bytesFrom(const QString &file) {
 
 Document documentFrom(const QString &file, const Language &language) {
     const QByteArray bytes = bytesFrom(file);
-    if (isTestFile(bytes))
+    if (isTestFile(bytes, file))
         return readDocument(bytes);
     Imported imported = importMeasurement(bytes, file);
     const std::vector<Remark> remarks = imported.remarks;

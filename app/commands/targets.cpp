@@ -44,6 +44,7 @@ constexpr std::array options{
     Option{"o", "OUT",
            REPORT_TEXT("report", "the file to write: the plan as text, as .pdf or as .palmer to fill in; "
                                  "or the part program")},
+    forceOption,
 };
 
 [[noreturn]] void refuse(const char *option, const QString &given) {
@@ -174,6 +175,10 @@ int run(const Invocation &invocation) {
     program.dwell = number(invocation, "dwell", 0).value_or(program.dwell);
     program.approach = number(invocation, "approach", 0).value_or(program.approach);
     const auto chosen = dialect(invocation);
+    if (chosen)
+        demandOutput(invocation, *output, {"nc", "ngc", "mpf", "spf", "h", "iso", "cnc", "tap", "txt"});
+    else
+        demandOutput(invocation, *output, {"palmer", "pdf", "txt"});
     QByteArray bytes;
     if (chosen) {
         try {

@@ -7,6 +7,7 @@
 #include "document/place.h"
 #include "document/refusedreadings.h"
 
+#include <QStringDecoder>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -552,10 +553,26 @@ void migrate(json &file) {
         step(file);
 }
 
+/// Programs that save text may make UTF-16 or UTF-32 of it, with or without a byte order mark; the text is
+/// the same.
+QByteArray inUtf8(const QByteArray &bytes) {
+    const auto encoding = QStringConverter::encodingForData(bytes, u'{');
+    if (!encoding || *encoding == QStringConverter::Utf8)
+        return bytes;
+    QStringDecoder decoder(*encoding);
+    const QString text = decoder.decode(bytes);
+    if (decoder.hasError())
+        throw Error(Error::Kind::syntax,
+                    {REPORT_TEXT("report", "there are characters in it that are none of UTF-16 or UTF-32; "
+                                           "expected a test file in UTF-8")});
+    return text.toUtf8();
+}
+
 } // namespace
 
 Document readDocument(const QByteArray &bytes) {
-    json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    const QByteArray text = inUtf8(bytes);
+    json file = parseJson({text.constData(), static_cast<std::size_t>(text.size())});
     demandFormat(file);
     migrate(file);
     Document document;

@@ -2,6 +2,7 @@
 
 #include "document/json.h"
 #include "document/readdocument.h"
+#include "document/savedocument.h"
 #include "document/writedocument.h"
 
 #include <QDir>
@@ -19,12 +20,49 @@ using nlohmann::json;
 constexpr auto format = "palmer recovery";
 constexpr auto suffix = "recovery";
 
+json stateAsJson(const FileState &state) {
+    return {{"exists", state.exists},
+            {"size", state.size},
+            {"modified", state.modified.toUTC().toString(Qt::ISODateWithMs).toStdString()},
+            {"hash", state.hash.toHex().toStdString()}};
+}
+
+std::optional<FileState> stateIn(const json &head) {
+    const auto found = head.find("file");
+    if (found == head.end() || !found->is_object())
+        return std::nullopt;
+    const auto text = [&](const char *key) {
+        const auto value = found->find(key);
+        return value != found->end() && value->is_string() ? QString::fromStdString(value->get<std::string>())
+                                                           : QString();
+    };
+    const auto size = found->find("size");
+    const auto exists = found->find("exists");
+    FileState state;
+    state.exists = exists != found->end() && exists->is_boolean() && exists->get<bool>();
+    state.size = size != found->end() && size->is_number_integer() ? size->get<qint64>() : 0;
+    state.modified = QDateTime::fromString(text("modified"), Qt::ISODateWithMs);
+    state.hash = QByteArray::fromHex(text("hash").toLatin1());
+    return state;
+}
+
 } // namespace
 
+FileState knownFile(const RecoveryOrigin &origin) {
+    if (origin.file)
+        return *origin.file;
+    FileState state = stateOfFile(origin.path, true);
+    if (state.exists && state.modified > origin.saved)
+        return {true, -1, origin.saved, {}}; // no file is like this
+    return state;
+}
+
 QByteArray writeRecovery(const Document &document, const RecoveryOrigin &origin) {
-    const json head{{"format", format},
-                    {"path", origin.path.toStdString()},
-                    {"saved", origin.saved.toUTC().toString(Qt::ISODateWithMs).toStdString()}};
+    json head{{"format", format},
+              {"path", origin.path.toStdString()},
+              {"saved", origin.saved.toUTC().toString(Qt::ISODateWithMs).toStdString()}};
+    if (origin.file)
+        head["file"] = stateAsJson(*origin.file);
     return QByteArray::fromStdString(compactJson(head)) + '\n' + writeDocument(document);
 }
 
@@ -42,7 +80,7 @@ Recovery readRecovery(const QByteArray &bytes) {
         throw Error(Error::Kind::format,
                     {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
     Recovery recovery;
-    recovery.origin = {text("path"), QDateTime::fromString(text("saved"), Qt::ISODateWithMs)};
+    recovery.origin = {text("path"), QDateTime::fromString(text("saved"), Qt::ISODateWithMs), stateIn(head)};
     recovery.document = std::make_shared<const Document>(readDocument(bytes.mid(end + 1)));
     const Document &document = *recovery.document;
     recovery.title =
@@ -60,11 +98,8 @@ std::vector<Recovery> abandonedRecoveries(const QString &folder) {
         lock.setStaleLockTime(0); // a living program keeps it however long
         if (!lock.tryLock(0))
             continue;
-        QFile file(path);
-        if (!file.open(QIODevice::ReadOnly))
-            continue;
         try {
-            Recovery recovery = readRecovery(file.readAll());
+            Recovery recovery = readRecovery(readBytes(path));
             recovery.file = path;
             found.push_back(std::move(recovery));
         } catch (const Error &) {

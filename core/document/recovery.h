@@ -2,10 +2,12 @@
 
 #include "document/document.h"
 #include "document/documenterror.h"
+#include "document/filestate.h"
 
 #include <QByteArray>
 #include <QDateTime>
 #include <QString>
+#include <optional>
 #include <vector>
 
 namespace palmer {
@@ -15,8 +17,9 @@ namespace palmer {
 
 /// Where the copy of a document came from.
 struct RecoveryOrigin {
-    QString path;    ///< of the user's file; empty: never saved
-    QDateTime saved; ///< when the copy was written, UTC
+    QString path;                       ///< of the user's file; empty: never saved
+    QDateTime saved;                    ///< when the copy was written, UTC
+    std::optional<FileState> file = {}; ///< of the user's file as the document knew it
 };
 
 /// A copy found, and what it holds; `document` is never null.
@@ -26,6 +29,10 @@ struct Recovery {
     std::shared_ptr<const Document> document;
     QString title; ///< of report or machine, to know it by
 };
+
+/// What the user's file was when the document was read from it or saved to it last. Copies of former versions
+/// do not say: then a file that is not newer than the copy is taken for it.
+[[nodiscard]] FileState knownFile(const RecoveryOrigin &origin);
 
 /// The copy as bytes: a line of JSON about the origin, then the test file.
 [[nodiscard]] QByteArray writeRecovery(const Document &document, const RecoveryOrigin &origin);

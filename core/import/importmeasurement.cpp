@@ -1,6 +1,8 @@
 #include "import/importmeasurement.h"
 
 #include "document/edits.h"
+#include "document/savedocument.h"
+#include "document/testfile.h"
 #include "import/readers.h"
 
 #include <QCryptographicHash>
@@ -13,8 +15,6 @@
 namespace palmer {
 
 namespace {
-
-constexpr qsizetype sizeLimit = qsizetype(1) << 30;
 
 constexpr std::array formats{
     ImportFormat{"workbook", isWorkbook, readWorkbook},
@@ -145,21 +145,10 @@ std::string sha256(QByteArrayView bytes) {
     return hash.result().toHex().toStdString();
 }
 
-bool isTestFile(QByteArrayView bytes) {
-    if (bytes.startsWith("%PDF-"))
-        return true;
-    qsizetype at = bytes.startsWith("\xEF\xBB\xBF") ? 3 : 0;
-    while (at < bytes.size() &&
-           (bytes[at] == ' ' || bytes[at] == '\t' || bytes[at] == '\r' || bytes[at] == '\n'))
-        ++at;
-    return at < bytes.size() && bytes[at] == '{';
-}
-
 Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
     demandKnown(options);
-    if (bytes.size() > sizeLimit)
-        throw Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "the file is larger than 1 GiB")});
-    if (isTestFile(bytes))
+    demandReadable(bytes.size());
+    if (isTestFile(bytes, fileName))
         throw Error(
             Error::Kind::format,
             {REPORT_TEXT("report", "this is a test file or a report, not a measurement; open it instead")});

@@ -12,12 +12,10 @@ namespace palmer {
 /// What the bytes of a measurement file say: tables in all layouts, workbooks, files of instruments. The
 /// format is known by the content; the name serves the title of errors and formats that cannot be read.
 /// `options`: what the user has chosen; everything else is recognised or guessed, each guess with a remark.
-/// Throws Error with the place and what to do: unknown words, nothing that can be read, undocumented formats.
+/// Throws Error with the place and what to do: unknown words, nothing that can be read, undocumented formats;
+/// a test file or a report, whole or damaged, by its content or its name.
 [[nodiscard]] Imported importMeasurement(QByteArrayView bytes, const QString &fileName,
                                          const ImportOptions &options = {});
-
-/// Whether the bytes are a test file or a report, which are opened and not imported.
-[[nodiscard]] bool isTestFile(QByteArrayView bytes);
 
 /// Puts what was imported into a document: the test with the name of the file, its SHA-256 and, if wanted,
 /// its bytes; machine, instrument and operator where the document states none; temperatures into the tests

@@ -3,7 +3,6 @@
 #include "document/savedocument.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -29,13 +28,9 @@ QString importProfilesPath() {
 }
 
 ImportProfiles readImportProfiles(const QString &path) {
-    QFile file(path);
-    if (!file.exists())
+    if (!QFileInfo::exists(path))
         return {};
-    if (!file.open(QIODevice::ReadOnly) || file.size() > sizeLimit)
-        throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
-                                              {file.errorString().toStdString()}});
-    const QJsonDocument json = QJsonDocument::fromJson(file.readAll());
+    const QJsonDocument json = QJsonDocument::fromJson(readBytes(path, sizeLimit));
     if (!json.isObject())
         refuse();
     ImportProfiles profiles;

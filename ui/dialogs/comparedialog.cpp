@@ -1,6 +1,8 @@
 #include "ui/dialogs/comparedialog.h"
 
+#include "document/readdocument.h"
 #include "document/savedocument.h"
+#include "document/testfile.h"
 #include "import/importmeasurement.h"
 #include "ui/circles/quiettable.h"
 #include "ui/dialogs/comparisonview.h"
@@ -13,7 +15,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QEvent>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -35,7 +36,6 @@ namespace {
 constexpr int listWidth = 190;
 constexpr int rowHeight = 26;
 constexpr int cellMargin = 6;
-constexpr qint64 headSize = 4096; ///< bytes that tell a test file
 
 constexpr int symbolRole = Qt::UserRole + 1;
 
@@ -135,10 +135,9 @@ bool isOfSameAxis(const Test &a, const Test &b) {
 
 /// The tests of a test file, or the one of a file of measurements; its guesses go into `guesses`.
 Document readTests(const QString &path, std::vector<Message> &guesses) {
-    QFile file(path);
-    if (path.startsWith(u':') || !file.open(QIODevice::ReadOnly) || isTestFile(file.peek(headSize)))
-        return openDocument(path); // says what is wrong, too
-    const QByteArray bytes = file.readAll();
+    const QByteArray bytes = readBytes(path);
+    if (isTestFile(bytes, path))
+        return readDocument(bytes);
     Imported imported = importMeasurement(bytes, path);
     for (const Remark &remark : imported.remarks) {
         if (remark.grade != RemarkGrade::note)

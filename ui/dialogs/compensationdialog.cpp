@@ -1,6 +1,7 @@
 #include "ui/dialogs/compensationdialog.h"
 
 #include "document/savedocument.h"
+#include "document/testfile.h"
 #include "figures/linefigure.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/evaluatetest.h"
@@ -369,6 +370,7 @@ void CompensationDialog::chooseFile() {
 
 bool CompensationDialog::saveTo(const QString &path) {
     try {
+        demandNoTestFileName(path);
         saveBytes(m_written, path);
     } catch (const Error &error) {
         showError(tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error);

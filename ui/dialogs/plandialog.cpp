@@ -3,6 +3,7 @@
 #include "document/edits.h"
 #include "document/plannedtest.h"
 #include "document/savedocument.h"
+#include "document/testfile.h"
 #include "kernel/evaluation/edition.h"
 #include "language/decimals.h"
 #include "language/entry.h"
@@ -469,6 +470,7 @@ Dialect PlanDialog::dialect() const {
 
 bool PlanDialog::write(const QString &path, const std::function<QByteArray()> &bytes) {
     try {
+        demandNoTestFileName(path);
         saveBytes(bytes(), path);
         return true;
     } catch (const Error &error) {

@@ -1,6 +1,7 @@
 #include "ui/dialogs/reportdialog.h"
 
-#include "document/documenterror.h"
+#include "document/savedocument.h"
+#include "document/testfile.h"
 #include "report/composereport.h"
 #include "ui/dialogs/pagecolumn.h"
 #include "ui/model/page.h"
@@ -9,6 +10,7 @@
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
+#include <QBuffer>
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,7 +26,6 @@
 #include <QPrinter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -423,51 +424,80 @@ void ReportDialog::choosePdf() {
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilter(tr("PDF files (*.pdf)"));
     dialog.setDefaultSuffix(QStringLiteral("pdf"));
+    // The names that are written are others where there are two languages: they are asked about here.
+    dialog.setOption(QFileDialog::DontConfirmOverwrite);
     const QFileInfo file(m_model.path());
     if (!m_model.path().isEmpty()) {
         dialog.setDirectory(file.absolutePath());
         dialog.selectFile(file.completeBaseName() + QStringLiteral(".pdf"));
     }
-    if (dialog.exec() == QDialog::Accepted)
-        saveTo(dialog.selectedFiles().constFirst());
+    while (dialog.exec() == QDialog::Accepted) {
+        const QString path = dialog.selectedFiles().constFirst();
+        if (mayReplace(filesOf(path))) {
+            saveTo(path);
+            return;
+        }
+    }
+}
+
+QStringList ReportDialog::filesOf(const QString &path) const {
+    if (m_reports.size() == 1)
+        return {path};
+    const QFileInfo name(path);
+    QStringList files;
+    for (const Report &report : m_reports)
+        files +=
+            name.dir().filePath(QStringLiteral("%1.%2.pdf").arg(name.completeBaseName(), report.language));
+    return files;
+}
+
+bool ReportDialog::mayReplace(const QStringList &files) {
+    QStringList there;
+    for (const QString &file : files) {
+        if (QFileInfo(file).isFile())
+            there += QFileInfo(file).fileName();
+    }
+    if (there.isEmpty())
+        return true;
+    QMessageBox box(QMessageBox::Warning, windowTitle(),
+                    tr("Replace %1?").arg(there.join(QStringLiteral(", "))), QMessageBox::Cancel, this);
+    box.setObjectName(QStringLiteral("replaceBox"));
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(tr("What is there now is lost."));
+    auto *replace = box.addButton(tr("&Replace"), QMessageBox::AcceptRole);
+    replace->setObjectName(QStringLiteral("replace"));
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == replace;
+}
+
+void ReportDialog::refuse(const QString &file, const QString &why) {
+    auto *box =
+        new QMessageBox(QMessageBox::Critical, windowTitle(),
+                        tr("%1 cannot be saved").arg(QFileInfo(file).fileName()), QMessageBox::Ok, this);
+    box->setObjectName(QStringLiteral("errorBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(why);
+    box->open();
 }
 
 QStringList ReportDialog::saveTo(const QString &path) {
-    QStringList written;
-    const QFileInfo name(path);
-    for (const Report &report : m_reports) {
-        const QString file =
-            m_reports.size() == 1
-                ? path
-                : name.dir().filePath(
-                      QStringLiteral("%1.%2.pdf").arg(name.completeBaseName(), report.language));
-        QSaveFile device(file);
-        QString why;
-        if (!device.open(QIODevice::WriteOnly)) {
-            why = device.errorString();
-        } else {
-            try {
-                writePdf(report, device);
-                if (!device.commit())
-                    why = device.errorString();
-            } catch (const Error &error) {
-                why = windowLanguage().sentence(error.message);
-            }
-        }
-        if (!why.isEmpty()) {
-            auto *box = new QMessageBox(QMessageBox::Critical, windowTitle(),
-                                        tr("%1 cannot be saved").arg(QFileInfo(file).fileName()),
-                                        QMessageBox::Ok, this);
-            box->setObjectName(QStringLiteral("errorBox"));
-            box->setAttribute(Qt::WA_DeleteOnClose);
-            box->setInformativeText(why);
-            box->open();
+    const QStringList files = filesOf(path);
+    for (std::size_t i = 0; i < m_reports.size(); ++i) {
+        const QString &file = files[static_cast<qsizetype>(i)];
+        try {
+            demandNoTestFileName(file);
+            QBuffer pdf;
+            pdf.open(QIODevice::WriteOnly);
+            writePdf(m_reports[i], pdf);
+            saveBytes(pdf.data(), file);
+        } catch (const Error &error) {
+            refuse(file, windowLanguage().sentence(error.message));
             return {};
         }
-        written += file;
     }
-    m_summary->setText(tr("Saved: %1").arg(written.join(QStringLiteral(", "))));
-    return written;
+    m_summary->setText(tr("Saved: %1").arg(files.join(QStringLiteral(", "))));
+    return files;
 }
 
 void ReportDialog::choosePrinter() {

@@ -70,6 +70,11 @@ private:
     void setScale(double scale);
     void fitWidth();
     void choosePdf();
+    /// The files that saving under that path writes.
+    [[nodiscard]] QStringList filesOf(const QString &path) const;
+    /// Asks before files that are there are replaced.
+    [[nodiscard]] bool mayReplace(const QStringList &files);
+    void refuse(const QString &file, const QString &why);
     void choosePrinter();
     void retranslate();
 

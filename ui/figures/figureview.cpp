@@ -1,5 +1,7 @@
 #include "ui/figures/figureview.h"
 
+#include "document/savedocument.h"
+#include "document/testfile.h"
 #include "figures/deviationfigure.h"
 #include "figures/driftfigure.h"
 #include "language/decimals.h"
@@ -21,7 +23,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -379,13 +380,23 @@ bool FigureView::saveTo(const QString &path) {
     if (!shown)
         return false;
     const QString suffix = QFileInfo(path).suffix().toLower();
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
+    try {
+        demandNoTestFileName(path);
+        saveBytes(suffix == QStringLiteral("svg")   ? figureAsSvg(shown->figure, shown->title)
+                  : suffix == QStringLiteral("png") ? figureAsPng(shown->figure)
+                                                    : figureAsPdf(shown->figure, shown->title),
+                  path);
+        return true;
+    } catch (const Error &error) {
+        auto *box =
+            new QMessageBox(QMessageBox::Critical, tr("Save figure"),
+                            tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), QMessageBox::Ok, this);
+        box->setObjectName(QStringLiteral("errorBox"));
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->setInformativeText(m_language.sentence(error.message));
+        box->open();
         return false;
-    file.write(suffix == QStringLiteral("svg")   ? figureAsSvg(shown->figure, shown->title)
-               : suffix == QStringLiteral("png") ? figureAsPng(shown->figure)
-                                                 : figureAsPdf(shown->figure, shown->title));
-    return file.commit();
+    }
 }
 
 void FigureView::askWhereToSave() {
@@ -394,20 +405,22 @@ void FigureView::askWhereToSave() {
         return;
     const QStringList filters{tr("PDF, vectors (*.pdf)"), tr("SVG, vectors (*.svg)"),
                               tr("PNG, picture (*.png)")};
-    QString chosen = filters.front();
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Save figure"), shown->title + QStringLiteral(".pdf"),
-                                     filters.join(QStringLiteral(";;")), &chosen);
-    if (path.isEmpty())
-        return;
-    constexpr std::array suffixes{".pdf", ".svg", ".png"};
-    if (QFileInfo(path).suffix().isEmpty())
-        path += QString::fromLatin1(
-            suffixes.at(static_cast<std::size_t>(std::max<qsizetype>(0, filters.indexOf(chosen)))));
-    if (!saveTo(path))
-        QMessageBox::warning(
-            this, tr("Save figure"),
-            tr("The figure could not be written to %1. Choose another folder or file.").arg(path));
+    constexpr std::array suffixes{"pdf", "svg", "png"};
+    auto *dialog = new QFileDialog(this, tr("Save figure"));
+    dialog->setObjectName(QStringLiteral("figureFileDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters(filters);
+    // The dialog adds it before it asks whether a file may be replaced.
+    const auto followFilter = [=] {
+        const auto chosen = std::max<qsizetype>(0, filters.indexOf(dialog->selectedNameFilter()));
+        dialog->setDefaultSuffix(QLatin1StringView(suffixes.at(static_cast<std::size_t>(chosen))));
+    };
+    followFilter();
+    connect(dialog, &QFileDialog::filterSelected, dialog, followFilter);
+    dialog->selectFile(shown->title + QStringLiteral(".pdf"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { saveTo(path); });
+    dialog->open();
 }
 
 void FigureView::retranslate() {

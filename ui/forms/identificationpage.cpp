@@ -1,11 +1,11 @@
 #include "ui/forms/identificationpage.h"
 
+#include "document/savedocument.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/pdf/logo.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
-#include <QFile>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
@@ -145,15 +145,18 @@ void IdentificationPage::choosePicture(Picture picture) {
     dialog.setNameFilters({tr("Pictures (*.png *.svg)"), tr("All files (*)")});
     if (dialog.exec() != QDialog::Accepted)
         return;
-    QFile file(dialog.selectedFiles().constFirst());
     QString problem;
     QByteArray bytes;
-    if (!file.open(QIODevice::ReadOnly))
-        problem = tr("The file cannot be read.");
-    else if (file.size() > largestPicture)
-        problem = tr("The picture is larger than 4 MB: it stands in every report. Choose a smaller one.");
-    else if (bytes = file.readAll(); Logo(bytes).empty())
-        problem = tr("This is no picture that a report can show. Choose a PNG or an SVG.");
+    try {
+        bytes = readBytes(dialog.selectedFiles().constFirst(), largestPicture);
+        if (Logo(bytes).empty())
+            problem = tr("This is no picture that a report can show. Choose a PNG or an SVG.");
+    } catch (const Error &error) {
+        problem =
+            error.kind == Error::Kind::tooLarge
+                ? tr("The picture is larger than 4 MB: it stands in every report. Choose a smaller one.")
+                : tr("The file cannot be read.");
+    }
     if (!problem.isEmpty()) {
         QMessageBox box(QMessageBox::Warning, tr("Choose a picture"), problem, QMessageBox::Ok, this);
         box.setObjectName(QStringLiteral("pictureBox"));

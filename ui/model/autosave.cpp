@@ -28,7 +28,10 @@ Autosave::Autosave(DocumentModel &model, QObject *parent)
     m_writer.setMaxThreadCount(1);
     m_timer.setSingleShot(true);
     m_timer.setInterval(delay);
-    connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        if (m_model.isModified())
+            write();
+    });
     connect(&m_model, &DocumentModel::changed, this, &Autosave::follow);
     connect(&m_model, &DocumentModel::fileChanged, this, &Autosave::follow);
 }
@@ -47,24 +50,25 @@ void Autosave::follow() {
 }
 
 void Autosave::write() {
-    if (!m_model.isModified())
-        return;
+    m_kept = false;
     if (!m_lock) {
         QDir().mkpath(folder());
         m_lock = std::make_unique<QLockFile>(recoveryLock(m_file));
         m_lock->setStaleLockTime(0);
         m_lock->tryLock(0); // of a name of its own; where it fails, so will the copy
     }
-    m_writer.start([this, document = m_model.document(), path = m_model.path(), job = ++m_job] {
-        std::optional<Error> error;
-        try {
-            saveBytes(writeRecovery(*document, {path, QDateTime::currentDateTimeUtc()}), m_file);
-        } catch (const Error &failure) {
-            error = failure;
-        }
-        QMetaObject::invokeMethod(
-            this, [this, document, error, job] { finish(document, error, job); }, Qt::QueuedConnection);
-    });
+    m_writer.start(
+        [this, document = m_model.document(), path = m_model.path(), state = m_fileState, job = ++m_job] {
+            std::optional<Error> error;
+            try {
+                saveBytes(writeRecovery(*document, {path, QDateTime::currentDateTimeUtc(), state}), m_file);
+                m_kept = true;
+            } catch (const Error &failure) {
+                error = failure;
+            }
+            QMetaObject::invokeMethod(
+                this, [this, document, error, job] { finish(document, error, job); }, Qt::QueuedConnection);
+        });
 }
 
 void Autosave::finish(const DocumentPointer &document, const std::optional<Error> &error, int job) {
@@ -77,10 +81,12 @@ void Autosave::finish(const DocumentPointer &document, const std::optional<Error
     m_failing = error.has_value();
 }
 
-void Autosave::flush() {
+bool Autosave::flush() {
     m_timer.stop();
+    m_writer.waitForDone(); // what is being written is no longer the latest
     write();
     m_writer.waitForDone();
+    return m_kept;
 }
 
 void Autosave::discard() {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "document/documenterror.h"
+#include "document/filestate.h"
 #include "ui/model/documentmodel.h"
 
 #include <QLockFile>
 #include <QObject>
 #include <QThreadPool>
 #include <QTimer>
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -28,8 +30,12 @@ public:
     /// Time from a change to its copy, ms.
     void setDelay(int milliseconds) { m_timer.setInterval(milliseconds); }
 
-    /// Writes what waits, now, and returns when it is on the disk.
-    void flush();
+    /// What the file was when it was read or saved last: it stands in the copies, so that another one found
+    /// in its place after a crash is not overwritten in silence.
+    void setFileState(const FileState &state) { m_fileState = state; }
+
+    /// Writes a copy now, of a document without changes too; true: it is on the disk.
+    bool flush();
 
     /// The document was saved or given up: the copy goes.
     void discard();
@@ -49,8 +55,10 @@ private:
     QTimer m_timer;
     QThreadPool m_writer;
     QString m_file;
+    FileState m_fileState;
     std::unique_ptr<QLockFile> m_lock;
-    int m_job = 0; ///< number of the latest; discarding makes all earlier ones void
+    std::atomic<bool> m_kept = false; ///< the latest copy is on the disk
+    int m_job = 0;                    ///< number of the latest; discarding makes all earlier ones void
     bool m_failing = false;
 };
 

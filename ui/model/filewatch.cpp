@@ -1,16 +1,9 @@
 #include "ui/model/filewatch.h"
 
-#include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
 
 namespace palmer::ui {
-
-namespace {
-
-constexpr qint64 mostHashed = 4 * 1024 * 1024; ///< bytes; of larger files size and time have to do
-
-} // namespace
 
 FileWatch::FileWatch(QObject *parent)
     : QObject(parent) {
@@ -18,29 +11,20 @@ FileWatch::FileWatch(QObject *parent)
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &FileWatch::look);
 }
 
-FileWatch::State FileWatch::stateOf(bool withHash) const {
-    const QFileInfo info(m_path);
-    State state{info.exists(), info.size(), info.lastModified(), {}};
-    if (!withHash || !state.exists || state.size > mostHashed)
-        return state;
-    QFile file(m_path);
-    QCryptographicHash hash(QCryptographicHash::Sha1);
-    if (file.open(QIODevice::ReadOnly) && hash.addData(&file))
-        state.hash = hash.result();
-    return state;
+void FileWatch::watch(const QString &path) {
+    watch(path, path.isEmpty() ? FileState{} : stateOfFile(path, true));
 }
 
-void FileWatch::watch(const QString &path) {
+void FileWatch::watch(const QString &path, const FileState &known) {
     const QStringList watched = m_watcher.files() + m_watcher.directories();
     if (!watched.isEmpty())
         m_watcher.removePaths(watched);
     m_path = path;
-    m_known = {};
+    m_known = known;
     m_told = {};
     if (path.isEmpty())
         return;
-    m_known = stateOf(true);
-    m_told = m_known;
+    m_told = stateOfFile(path, true);
     m_watcher.addPath(path);
     m_watcher.addPath(QFileInfo(path).absolutePath()); // programs that save atomically replace the file
 }
@@ -48,16 +32,14 @@ void FileWatch::watch(const QString &path) {
 bool FileWatch::isChanged() {
     if (m_path.isEmpty())
         return false;
-    State now = stateOf(false);
+    FileState now = stateOfFile(m_path, false);
     if (now.exists && m_known.exists && now.size == m_known.size && now.modified == m_known.modified)
         return false;
-    now = stateOf(true);
-    if (now.exists == m_known.exists && now.size == m_known.size && !now.hash.isEmpty() &&
-        now.hash == m_known.hash) {
-        m_known.modified = now.modified; // touched, no more
-        return false;
-    }
-    return true;
+    now = stateOfFile(m_path, true);
+    if (!now.isSameContent(m_known))
+        return true;
+    m_known.modified = now.modified; // touched, no more
+    return false;
 }
 
 void FileWatch::look() {
@@ -67,7 +49,7 @@ void FileWatch::look() {
         m_watcher.addPath(m_path); // replaced files are dropped
     if (!isChanged())
         return;
-    const State now = stateOf(true);
+    const FileState now = stateOfFile(m_path, true);
     if (now.exists == m_told.exists && now.modified == m_told.modified && now.hash == m_told.hash)
         return;
     m_told = now;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <QByteArray>
-#include <QDateTime>
+#include "document/filestate.h"
+
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
@@ -18,6 +18,11 @@ public:
 
     /// Takes the file as it is now for known; an empty path watches nothing.
     void watch(const QString &path);
+    /// Takes what the file once was for known, which it may be no longer.
+    void watch(const QString &path, const FileState &known);
+
+    /// The state that is known.
+    [[nodiscard]] const FileState &known() const { return m_known; }
 
     /// Whether the file is another than the one known, or gone. Looks at the disk.
     [[nodiscard]] bool isChanged();
@@ -27,19 +32,12 @@ signals:
     void changed();
 
 private:
-    struct State {
-        bool exists = false;
-        qint64 size = 0;
-        QDateTime modified;
-        QByteArray hash;
-    };
-    [[nodiscard]] State stateOf(bool withHash) const;
     void look();
 
     QFileSystemWatcher m_watcher;
     QString m_path;
-    State m_known;
-    State m_told; ///< the state told last
+    FileState m_known;
+    FileState m_told; ///< the state told last
 };
 
 } // namespace palmer::ui

@@ -12,7 +12,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr qint64 largestFile = 16 * 1024 * 1024; ///< bytes: two large pictures
+constexpr qint64 largestTemplate = 16 * 1024 * 1024; ///< bytes: two large pictures
 
 QDir folder() {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
@@ -56,17 +56,7 @@ void storeTemplate(const Template &content) {
 }
 
 Template openTemplate(const QString &path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        throw Error(
-            Error::Kind::unreadable,
-            {REPORT_TEXT("report", "the file cannot be read; check its permissions and the medium it is on"),
-             {},
-             {}});
-    const QByteArray bytes = file.read(largestFile + 1);
-    if (bytes.size() > largestFile)
-        throw Error(Error::Kind::format, {REPORT_TEXT("report", "this is no template of Palmer"), {}, {}});
-    return readTemplate(bytes);
+    return readTemplate(readBytes(path, largestTemplate));
 }
 
 void removeTemplate(const StoredTemplate &stored) {

@@ -1,6 +1,7 @@
 #include "ui/window/exports.h"
 
 #include "document/savedocument.h"
+#include "document/testfile.h"
 #include "export/readingscsv.h"
 #include "figures/circlefigure.h"
 #include "figures/deviationfigure.h"
@@ -60,6 +61,7 @@ void ask(QWidget *window, const QString &title, const QStringList &forms,
     QObject::connect(dialog, &QFileDialog::fileSelected, window, [=](const QString &path) {
         QSettings().setValue(QLatin1StringView(folderSetting), QFileInfo(path).absolutePath());
         try {
+            demandNoTestFileName(path);
             saveBytes(bytes(formOf()), path);
         } catch (const Error &error) {
             refuse(window, path, error);

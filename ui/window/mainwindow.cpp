@@ -2,6 +2,7 @@
 #include "ui/sizeonscreen.h"
 
 #include "document/savedocument.h"
+#include "document/testfile.h"
 #include "editing/newtest.h"
 #include "editing/takestatements.h"
 #include "ui/circles/circlespage.h"
@@ -64,12 +65,15 @@ constexpr int statusHeight = 27;
 constexpr qint64 readAtOnce = 256 * 1024; ///< bytes; larger files are read on a thread
 constexpr int iconsOnlyBelow = 1180;
 
-/// Whether a file is no test file, by its content unless its name says that it is one.
+/// Whether a file is no test file; of what cannot be read opening says why.
 bool isMeasurement(const QString &path) {
-    if (isExample(path) || path.endsWith(QStringLiteral(".palmer"), Qt::CaseInsensitive))
+    if (isExample(path) || isTestFileName(path))
         return false;
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) && !isTestFile(file.peek(4096));
+    try {
+        return !isTestFile(readBytes(path));
+    } catch (const Error &) {
+        return false;
+    }
 }
 
 /// The tooltip of an action: its name and its shortcut.
@@ -543,17 +547,18 @@ void MainWindow::read(const QString &path) {
         finish(open());
         return;
     }
-    const int job = ++m_reading;
+    if (m_reading.contains(path))
+        return;
+    m_reading += path;
     m_state->setText(tr("Reading %1…").arg(QFileInfo(path).fileName()));
-    m_reader.start([this, job, open, finish] {
+    m_reader.start([this, path, open, finish] {
         auto outcome = std::make_shared<Outcome>(open());
         QMetaObject::invokeMethod(
             this,
-            [this, job, finish, outcome] {
-                if (job == m_reading) {
-                    showState();
-                    finish(std::move(*outcome));
-                }
+            [this, path, finish, outcome] {
+                m_reading.removeAll(path);
+                showState();
+                finish(std::move(*outcome));
             },
             Qt::QueuedConnection);
     });
@@ -572,7 +577,7 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
     m_rememberNext = !isExample(path);
     m_stack->setCurrentWidget(m_workplace); // has its size before it is filled
     m_model.setDocument(std::move(document), isExample(path) ? QString() : path, modified);
-    m_watch.watch(m_model.path());
+    watchFile();
     showState();
     return this;
 }
@@ -682,8 +687,26 @@ void MainWindow::openRecovery(const Recovery &recovery) {
     if (m_open && !m_model.isModified() && m_model.path() == recovery.origin.path)
         m_open = false;
     MainWindow *window = take(*recovery.document, recovery.origin.path, true);
-    window->m_autosave.flush(); // a copy of its own before that one goes
-    discardRecovery(recovery.file);
+    window->watchFile(knownFile(recovery.origin));
+    if (window->m_watch.isChanged())
+        window->fileChangedOutside();
+    if (window->m_autosave.flush()) // a copy of its own before that one goes
+        discardRecovery(recovery.file);
+}
+
+void MainWindow::watchFile(const std::optional<FileState> &known) {
+    if (known)
+        m_watch.watch(m_model.path(), *known);
+    else
+        m_watch.watch(m_model.path());
+    m_autosave.setFileState(m_watch.known());
+    m_outsideAsked = false;
+    m_fileGone = false;
+}
+
+void MainWindow::keepCopy() {
+    if (isUnsaved())
+        m_autosave.flush();
 }
 
 void MainWindow::offerRecoveries() {
@@ -699,7 +722,9 @@ void MainWindow::offerRecoveries() {
 void MainWindow::fileChangedOutside() {
     const QString name = QFileInfo(m_model.path()).fileName();
     m_outsideAsked = false;
-    if (!QFileInfo::exists(m_model.path())) {
+    m_fileGone = !QFileInfo::exists(m_model.path());
+    showState();
+    if (m_fileGone) {
         m_notice->show(tr("%1 is no longer where it was. Save to write it anew.").arg(name),
                        {{QStringLiteral("saveAgain"), tr("&Save"), [this] { save(); }},
                         {QStringLiteral("closeNotice"), tr("&Close"), {}}});
@@ -710,14 +735,18 @@ void MainWindow::fileChangedOutside() {
             ? tr("Another program has changed %1. Loading it gives up the changes made here.").arg(name)
             : tr("Another program has changed %1.").arg(name),
         {{QStringLiteral("reload"), tr("&Load it"), [this] { reload(); }},
-         {QStringLiteral("keepMine"), tr("&Keep what is here"), [this] { m_outsideAsked = true; }}});
+         {QStringLiteral("keepMine"), tr("&Keep what is here"), [this] {
+              m_outsideAsked = true;
+              showState();
+          }}});
 }
 
 void MainWindow::reload() {
     try {
         Document document = openDocument(m_model.path());
         m_model.setDocument(std::move(document), m_model.path());
-        m_watch.watch(m_model.path());
+        watchFile();
+        showState();
     } catch (const Error &error) {
         showError(tr("%1 cannot be opened").arg(QFileInfo(m_model.path()).fileName()), m_model.path(), error);
     }
@@ -781,9 +810,8 @@ bool MainWindow::saveTo(const QString &path) {
     }
     m_savedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
     m_autosavedAt.clear();
-    m_outsideAsked = false;
     m_notice->hide();
-    m_watch.watch(m_model.path());
+    watchFile();
     remember();
     showState();
     return true;
@@ -794,14 +822,27 @@ void MainWindow::remember() {
         rememberFile(describeFile(m_model.path(), m_evaluator.current()));
 }
 
+bool MainWindow::isUnsaved() const {
+    return m_open && (m_model.isModified() || m_outsideAsked || m_fileGone);
+}
+
 bool MainWindow::mayClose() {
-    if (!m_open || !m_model.isModified())
+    m_fileGone = m_open && !m_model.path().isEmpty() && !QFileInfo::exists(m_model.path());
+    if (!isUnsaved())
         return true;
-    QMessageBox box(QMessageBox::Question, tr("Close"), tr("Save the changes before closing?"),
+    const QString name = QFileInfo(m_model.path()).fileName();
+    const bool onlyHere = m_fileGone || m_outsideAsked;
+    QMessageBox box(QMessageBox::Question, tr("Close"),
+                    m_fileGone ? tr("%1 is no longer where it was. Save it before closing?").arg(name)
+                    : m_outsideAsked
+                        ? tr("Another program has changed %1. Save what is here before closing?").arg(name)
+                        : tr("Save the changes before closing?"),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     box.setObjectName(QStringLiteral("closeBox"));
+    box.setTextFormat(Qt::PlainText);
     box.setDefaultButton(QMessageBox::Save);
-    box.setInformativeText(tr("Otherwise the changes since the last saving are lost."));
+    box.setInformativeText(onlyHere ? tr("Otherwise what is here is lost.")
+                                    : tr("Otherwise the changes since the last saving are lost."));
     const int answer = box.exec();
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
@@ -889,17 +930,21 @@ void MainWindow::showState() {
 
     if (!m_open) {
         setWindowTitle(QStringLiteral("Palmer"));
-        m_state->setText(QStringLiteral("Palmer " PALMER_VERSION));
+        m_state->setText(m_reading.isEmpty()
+                             ? QStringLiteral("Palmer " PALMER_VERSION)
+                             : tr("Reading %1…").arg(QFileInfo(m_reading.constFirst()).fileName()));
         return;
     }
     setWindowFilePath(m_model.path());
     const QString name = m_model.path().isEmpty() ? QString::fromStdString(m_model.document()->report.title)
                                                   : QFileInfo(m_model.path()).fileName();
     setWindowTitle(QStringLiteral("%1[*] — Palmer").arg(name.isEmpty() ? tr("Untitled") : name));
-    setWindowModified(m_model.isModified());
-    if (m_evaluator.isBusy())
+    setWindowModified(isUnsaved());
+    if (!m_reading.isEmpty())
+        m_state->setText(tr("Reading %1…").arg(QFileInfo(m_reading.constFirst()).fileName()));
+    else if (m_evaluator.isBusy())
         m_state->setText(tr("Computing…"));
-    else if (m_model.isModified())
+    else if (isUnsaved())
         m_state->setText(m_autosavedAt.isEmpty() ? tr("Changed")
                                                  : tr("Kept automatically at %1").arg(m_autosavedAt));
     else if (!m_savedAt.isEmpty())

@@ -55,6 +55,9 @@ public:
     /// Asks what becomes of copies that a crash has left; nothing where there are none.
     void offerRecoveries();
 
+    /// Puts what is not saved into a copy at once, before the program is ended from outside.
+    void keepCopy();
+
     [[nodiscard]] Autosave &autosave() { return m_autosave; }
     [[nodiscard]] DocumentModel &model() { return m_model; }
     [[nodiscard]] Evaluator &evaluator() { return m_evaluator; }
@@ -85,6 +88,10 @@ private:
     bool save();
     bool saveAs();
     bool mayClose();
+    /// Whether closing would lose something: changes, or a file that is on no disk as it is here.
+    [[nodiscard]] bool isUnsaved() const;
+    /// Takes the file as it is, or as it was, for what this document was read from.
+    void watchFile(const std::optional<FileState> &known = {});
     void read(const QString &path);
     MainWindow *take(Document document, const QString &path, bool modified = false);
     /// `ofThisFile`: the statements of the test in view may be taken over.
@@ -118,7 +125,7 @@ private:
     Autosave m_autosave{m_model};
     FileWatch m_watch;
     QThreadPool m_reader;
-    int m_reading = 0; ///< number of the latest file being read
+    QStringList m_reading; ///< files being read on that thread
     bool m_open = false;
     bool m_rememberNext = false;
     QStringList m_toImport; ///< measurement files that wait for the assistant
@@ -127,6 +134,7 @@ private:
     QPointer<HelpWindow> m_help;
     QString m_autosavedAt;
     bool m_outsideAsked = false; ///< the user knows that the file is another
+    bool m_fileGone = false;     ///< the file is no longer there
 
     QWidget *m_centre; ///< made first: whatever moves to another parent costs all styles below it anew
     NoticeBar *m_notice;

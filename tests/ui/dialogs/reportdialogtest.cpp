@@ -5,13 +5,18 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDir>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPrinter>
 #include <QProcess>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QUndoStack>
 
 using namespace palmer;
@@ -64,6 +69,9 @@ private slots:
     void printsTheFilesEditionAndNoView();
     void prints();
     void saysWhySavingFailed();
+    void asksBeforeItReplacesAFile_data();
+    void asksBeforeItReplacesAFile();
+    void leavesTestFilesAlone();
 };
 
 void ReportDialogTest::savesWhatItShows() {
@@ -90,85 +98,45 @@ void ReportDialogTest::savesAFileForEachLanguage() {
     QVERIFY(textOf(folder.filePath(QStringLiteral("report.en.pdf"))).contains(QStringLiteral("accuracy")));
 }
 
-void ReportDialogTest::doesNotSpeakTheLanguageOfTheWindow() {
+void ReportDialogTest::asksBeforeItReplacesAFile_data() {
+    QTest::addColumn<QString>("languages");
+    QTest::addColumn<QString>("existing");
+    QTest::addColumn<bool>("asks");
+    QTest::newRow("one language") << "reportEnglish"
+                                  << "r.pdf" << true;
+    QTest::newRow("one language, another file") << "reportEnglish"
+                                                << "r.fr.pdf" << false;
+    QTest::newRow("two languages, the first") << "reportBoth"
+                                              << "r.fr.pdf" << true;
+    QTest::newRow("two languages, the second") << "reportBoth"
+                                               << "r.en.pdf" << true;
+    QTest::newRow("two languages, a file that is not written") << "reportBoth"
+                                                               << "r.pdf" << false;
+}
+
+/// Through the dialog of the user, refused first and then allowed.
+void ReportDialogTest::asksBeforeItReplacesAFile() {
+    QFETCH(QString, languages);
+    QFETCH(QString, existing);
+    QFETCH(bool, asks);
     const QTemporaryDir folder;
     const ShownWindow window(examplePath("rotary-axis"));
     ShownDialog shown(window);
-    shown.click("reportEnglish");
-    const QString first = folder.filePath(QStringLiteral("a.pdf")),
-                  second = folder.filePath(QStringLiteral("b.pdf"));
-    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
-    QVERIFY(!shown.dialog.saveTo(first).isEmpty());
-    setWindowLanguage(Language::Id::french);
-    QTRY_COMPARE(shown.dialog.findChild<QAbstractButton *>(QStringLiteral("savePdf"))->text(),
-                 QStringLiteral("&Enregistrer le PDF…"));
-    QVERIFY(!shown.dialog.saveTo(second).isEmpty());
-    QVERIFY(!textOf(first).isEmpty());
-    QCOMPARE(textOf(second), textOf(first));
-}
-
-void ReportDialogTest::choicesAreEditsOfTheDocument() {
-    const ShownWindow window(examplePath("rotary-axis"));
-    ShownDialog shown(window);
-    const auto before = window.window->model().document();
-    const int pages = shown.dialog.pageCount();
-    shown.click("partReadings");
-    shown.click("partTargetTable");
-    shown.click("signLaboratory");
-    const ReportHead &head = window.window->model().document()->report;
-    QCOMPARE(head.leaveOut.size(), before->report.leaveOut.size() + 2);
-    QVERIFY(head.signatures != before->report.signatures);
-    QVERIFY(shown.dialog.pageCount() <= pages);
-    auto *paper = shown.dialog.findChild<QComboBox *>(QStringLiteral("paper"));
-    emit paper->activated(1);
-    QVERIFY(window.window->model().document()->report.paper == Paper::letter);
-    QCOMPARE(window.window->model().undoStack()->count(), 1); // one step, whatever was tried out
-    window.window->model().undoStack()->undo();
-    QVERIFY(*window.window->model().document() == *before);
-    QCOMPARE(shown.dialog.pageCount(), pages);
-}
-
-void ReportDialogTest::printsTheFilesEditionAndNoView() {
-    const QTemporaryDir folder;
-    const ShownWindow window(examplePath("iso230-2-1988-example"));
-    const QString own = folder.filePath(QStringLiteral("own.pdf")),
-                  view = folder.filePath(QStringLiteral("view.pdf"));
-    {
-        ShownDialog shown(window);
-        shown.click("reportEnglish");
-        QVERIFY(!shown.dialog.saveTo(own).isEmpty());
-    }
-    window.window->evaluator().setView(0, "ISO 230-2:2014");
-    ShownDialog shown(window);
-    QVERIFY(!shown.dialog.saveTo(view).isEmpty());
-    QVERIFY(!textOf(own).isEmpty());
-    QCOMPARE(textOf(view), textOf(own));
-}
-
-void ReportDialogTest::prints() {
-    const QTemporaryDir folder;
-    const ShownWindow window(examplePath("rotary-axis"));
-    ShownDialog shown(window);
-    QPrinter printer(QPrinter::HighResolution);
-    const QString path = folder.filePath(QStringLiteral("printed.pdf"));
-    printer.setOutputFileName(path);
-    QVERIFY(shown.dialog.printOn(printer));
-    QCOMPARE(pagesOf(path), shown.dialog.pageCount());
-    printer.setPrintRange(QPrinter::PageRange);
-    printer.setFromTo(2, 2);
-    QVERIFY(shown.dialog.printOn(printer));
-    QCOMPARE(pagesOf(path), 1);
-}
-
-void ReportDialogTest::saysWhySavingFailed() {
-    const QTemporaryDir folder;
-    const ShownWindow window(examplePath("rotary-axis"));
-    ShownDialog shown(window);
-    QVERIFY(shown.dialog.saveTo(folder.filePath(QStringLiteral("missing/report.pdf"))).isEmpty());
-    auto *box = shown.dialog.findChild<QMessageBox *>(QStringLiteral("errorBox"));
-    QVERIFY(box && !box->informativeText().isEmpty());
-    box->close();
-}
-
-QTEST_MAIN(ReportDialogTest)
-#include "reportdialogtest.moc"
+    shown.click(languages.toUtf8().constData());
+    const auto put = [&] {
+        QFile file(folder.filePath(existing));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("signed") == 6);
+    };
+    put();
+    int asked = 0;
+    bool allow = false;
+    QTimer user;
+    connect(&user, &QTimer::timeout, this, [&] {
+        QWidget *modal = QApplication::activeModalWidget();
+        if (auto *dialog = qobject_cast<QFileDialog *>(modal);
+            dialog && dialog->objectName() == "pdfDialog") {
+            if (asked > 0 && !allow) {
+                dialog->reject(); // asked for another name
+                return;
+            }
+            dialog->findChild<QLineEdit *>("fileNameEdit")->setText(folder.filePath("r.pdf"));

@@ -4,8 +4,11 @@
 
 #include "document/recovery.h"
 #include "document/savedocument.h"
+#include "document/writedocument.h"
 #include "editing/editreadings.h"
 #include "ui/dialogs/recoverydialog.h"
+#include "ui/import/importassistant.h"
+#include "ui/window/endofsession.h"
 
 #include <QAction>
 #include <QDir>
@@ -20,8 +23,11 @@
 #include <QTextStream>
 #include <QTimer>
 #include <QUndoStack>
+#include <csignal>
 #include <cstdio>
 #include <random>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -70,6 +76,85 @@ int typeUntilKilled(const QString &file, unsigned seed) {
     timer.start(3);
     out << "ready" << Qt::endl;
     return QApplication::exec();
+}
+
+/// The part of this program that is ended: a real window with a change that no timer keeps in time.
+int waitUntilEnded(const QString &file, QGuiApplication &application) {
+    auto *window = new MainWindow;
+    window->show();
+    window->openFile(file);
+    window->autosave().setDelay(3'600'000);
+    keepCopiesAtEnd(application);
+    rename(window->model(), "typed last");
+    QTextStream(stdout) << "ready" << Qt::endl;
+    return QApplication::exec();
+}
+
+/// While it lives no file of this process grows beyond its limit, as on a disk that is full.
+class FullDisk {
+public:
+    explicit FullDisk(qint64 limit) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &m_before);
+        const rlimit less{static_cast<rlim_t>(limit), m_before.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &less);
+    }
+    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &m_before); }
+    FullDisk(const FullDisk &) = delete;
+    FullDisk &operator=(const FullDisk &) = delete;
+
+private:
+    rlimit m_before{};
+};
+
+QByteArray contentOf(const QString &path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Clicks a button of the box that is to appear; says whether it was this one.
+struct Answer {
+    Answer(const char *box, QMessageBox::StandardButton button, QObject *context) {
+        QTimer::singleShot(0, context, [this, box, button] {
+            auto *shown = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+            if (!shown)
+                return;
+            asked = shown->objectName() == QLatin1StringView(box);
+            text = shown->text();
+            shown->button(button)->click();
+        });
+    }
+    bool asked = false;
+    QString text;
+};
+
+/// A test file of more bytes than are read at once.
+Document largeDocument(const char *name) {
+    Document document = openDocument(examplePath("rotary-axis"));
+    document.machine.name = name;
+    document.report.remarks = std::string(400'000, 'x');
+    return document;
+}
+
+std::vector<std::string> openMachines() {
+    std::vector<std::string> names;
+    for (QWidget *widget : QApplication::topLevelWidgets()) {
+        auto *window = qobject_cast<MainWindow *>(widget);
+        if (window && window->hasDocument())
+            names.push_back(window->model().document()->machine.name);
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+void deleteOtherWindows(const MainWindow *kept) {
+    QList<QPointer<MainWindow>> others;
+    for (QWidget *widget : QApplication::topLevelWidgets()) {
+        if (auto *window = qobject_cast<MainWindow *>(widget); window && window != kept)
+            others += window;
+    }
+    for (const auto &window : others)
+        delete window;
 }
 
 } // namespace
@@ -175,7 +260,7 @@ private slots:
         document.machine.name = "recovered lathe";
         QVERIFY(QDir().mkpath(Autosave::folder()));
         const QString copy = Autosave::folder() + "/crashed.recovery";
-        saveBytes(writeRecovery(document, {"/data/lathe.palmer", QDateTime::currentDateTimeUtc()}), copy);
+        saveBytes(writeRecovery(document, {"/data/lathe.palmer", QDateTime::currentDateTimeUtc(), {}}), copy);
         const ShownWindow shown;
         shown.window->offerRecoveries();
         auto *dialog = shown.find<RecoveryDialog>("recoveryDialog");
@@ -252,6 +337,217 @@ private slots:
         QVERIFY(!shown.window->isWindowModified());
     }
 
+    void aFullDiskLosesNothing() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("x.palmer");
+        saveDocument(openDocument(examplePath("rotary-axis")), path);
+        const QByteArray before = contentOf(path);
+        const ShownWindow shown(path);
+        shown.window->autosave().setDelay(3'600'000);
+        rename(shown.window->model(), "lathe");
+        QVERIFY(shown.window->autosave().flush());
+        const QString copy =
+            Autosave::folder() + '/' + QDir(Autosave::folder()).entryList({"*.recovery"}).value(0);
+        const QByteArray kept = contentOf(copy);
+        rename(shown.window->model(), "another lathe");
+        for (qint64 limit = 0; limit < before.size(); limit += 997) {
+            const FullDisk disk(limit);
+            QVERIFY(!shown.window->saveTo(path));
+            QMessageBox *box = errorBox();
+            QVERIFY(box && !box->informativeText().isEmpty());
+            delete box;
+            QCOMPARE(contentOf(path), before);
+            QVERIFY(shown.window->isWindowModified());
+            QVERIFY(!shown.window->autosave().flush());
+            QCOMPARE(contentOf(copy), kept);
+        }
+        QVERIFY(shown.window->saveTo(path));
+        QVERIFY(!shown.window->isWindowModified());
+        QTRY_COMPARE(copies(), 0);
+    }
+
+    void aCopyThatCannotBeKeptIsNotThrownAway() {
+        const QString copy = Autosave::folder() + "/crashed.recovery";
+        saveBytes(writeRecovery(openDocument(examplePath("rotary-axis")),
+                                {{}, QDateTime::currentDateTimeUtc(), {}}),
+                  copy);
+        const ShownWindow shown;
+        {
+            const FullDisk disk(100);
+            shown.window->openRecovery(abandonedRecoveries(Autosave::folder()).at(0));
+        }
+        QVERIFY(shown.window->hasDocument());
+        QVERIFY(QFile::exists(copy));
+        discardRecovery(copy);
+    }
+
+    void aRecoveredCopyDoesNotOverwriteANewerFile_data() {
+        QTest::addColumn<bool>("changed");
+        QTest::addColumn<bool>("stated");
+        QTest::newRow("the same file") << false << true;
+        QTest::newRow("another file, before or after the copy") << true << true;
+        QTest::newRow("the same file, a copy of a former version") << false << false;
+        QTest::newRow("a newer file, a copy of a former version") << true << false;
+    }
+
+    void aRecoveredCopyDoesNotOverwriteANewerFile() {
+        QFETCH(bool, changed);
+        QFETCH(bool, stated);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("x.palmer");
+        Document document = openDocument(examplePath("rotary-axis"));
+        saveDocument(document, path);
+        const FileState known = stateOfFile(path, true);
+        if (changed) {
+            Document newer = document;
+            newer.machine.name = "by a colleague";
+            saveDocument(newer, path);
+        }
+        document.machine.name = "recovered";
+        // A copy of this version says what the file was; of a former one only its time tells.
+        const QDateTime now = QDateTime::currentDateTimeUtc();
+        const QDateTime time = stated ? now.addDays(1) : changed ? now.addDays(-1) : now.addSecs(5);
+        const QString copy = Autosave::folder() + "/crashed.recovery";
+        saveBytes(writeRecovery(document, {path, time, stated ? std::optional(known) : std::nullopt}), copy);
+        const ShownWindow shown;
+        shown.window->openRecovery(abandonedRecoveries(Autosave::folder()).at(0));
+        QVERIFY(!QFile::exists(copy));
+        QCOMPARE(shown.find<QWidget>("notice")->isVisible(), changed);
+        const Answer answer("overwriteBox", QMessageBox::Cancel, shown.window);
+        shown.find<QAction>("save")->trigger();
+        QCOMPARE(answer.asked, changed);
+        QCOMPARE(openDocument(path).machine.name, std::string(changed ? "by a colleague" : "recovered"));
+        QCOMPARE(shown.window->isWindowModified(), changed);
+    }
+
+    void aFileThatIsGoneIsAskedAbout() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("x.palmer");
+        saveDocument(openDocument(examplePath("rotary-axis")), path);
+        const ShownWindow shown(path);
+        QVERIFY(QFile::remove(path));
+        {
+            const Answer answer("closeBox", QMessageBox::Cancel, shown.window);
+            QVERIFY(!shown.window->close());
+            QVERIFY(answer.asked && answer.text.contains("x.palmer"));
+        }
+        QTRY_VERIFY(shown.window->isWindowModified());
+        const Answer answer("closeBox", QMessageBox::Save, shown.window);
+        QVERIFY(shown.window->close());
+        QVERIFY(answer.asked);
+        QVERIFY(openDocument(path) == openDocument(examplePath("rotary-axis")));
+    }
+
+    void whatIsKeptAgainstTheFileIsAskedAbout() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("x.palmer");
+        Document document = openDocument(examplePath("rotary-axis"));
+        saveDocument(document, path);
+        const ShownWindow shown(path);
+        document.machine.name = "by another program";
+        saveDocument(document, path);
+        QTRY_VERIFY(shown.find<QWidget>("notice")->isVisible());
+        shown.find<QPushButton>("keepMine")->click();
+        QVERIFY(shown.window->isWindowModified());
+        const Answer answer("closeBox", QMessageBox::Discard, shown.window);
+        QVERIFY(shown.window->close());
+        QVERIFY(answer.asked);
+    }
+
+    void theEndOfTheSessionKeepsTheChanges() {
+        const ShownWindow shown(examplePath("rotary-axis"));
+        shown.window->autosave().setDelay(3'600'000);
+        keepCopiesOfAllWindows();
+        QCOMPARE(copies(), 0); // nothing has changed
+        rename(shown.window->model(), "typed last");
+        keepCopiesOfAllWindows();
+        QCOMPARE(copies(), 1);
+    }
+
+    void aSignalKeepsTheChanges_data() {
+        QTest::addColumn<int>("number");
+        for (const int number : {SIGTERM, SIGINT, SIGHUP})
+            QTest::addRow("%d", number) << number;
+    }
+
+    void aSignalKeepsTheChanges() {
+        QFETCH(int, number);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("x.palmer");
+        saveDocument(openDocument(examplePath("rotary-axis")), path);
+        const QByteArray before = contentOf(path);
+        QProcess process;
+        process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        process.start(QCoreApplication::applicationFilePath(),
+                      {"--wait", path, "0", QCoreApplication::applicationName()});
+        QVERIFY(process.waitForStarted());
+        QByteArray output;
+        while (!output.contains("ready") && process.waitForReadyRead(20'000))
+            output += process.readAllStandardOutput();
+        QCOMPARE(copies(), 0);
+        ::kill(static_cast<pid_t>(process.processId()), number);
+        QVERIFY(process.waitForFinished());
+        QCOMPARE(process.exitStatus(), QProcess::CrashExit); // by that signal
+        QCOMPARE(process.exitCode(), number);
+        const auto found = abandonedRecoveries(Autosave::folder());
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(found[0].document->machine.name, std::string("typed last"));
+        QCOMPARE(found[0].origin.path, path);
+        discardRecovery(found[0].file);
+        QCOMPARE(contentOf(path), before);
+    }
+
+    void severalLargeFilesAllOpen() {
+        const QTemporaryDir folder;
+        const ShownWindow shown;
+        for (const char *name : {"L1", "L2", "L3"}) {
+            const QString path = folder.filePath(QString(name) + ".palmer");
+            saveDocument(largeDocument(name), path);
+            shown.window->openFile(path);
+            shown.window->openFile(path); // twice is once
+        }
+        QTRY_COMPARE(openMachines(), (std::vector<std::string>{"L1", "L2", "L3"}));
+        deleteOtherWindows(shown.window);
+    }
+
+    void whatIsNoFileIsRefusedAtOnce() {
+        const QTemporaryDir folder;
+        const ShownWindow shown;
+        for (const char *name : {"pipe.palmer", "pipe.csv"})
+            QCOMPARE(::mkfifo(QFile::encodeName(folder.filePath(name)).constData(), 0600), 0);
+        for (const QString &path : {folder.filePath("pipe.palmer"), folder.filePath("pipe.csv"),
+                                    QString("/dev/zero"), folder.path(), folder.filePath("none.csv")}) {
+            shown.window->openFile(path);
+            QMessageBox *box = errorBox();
+            QVERIFY2(box && !box->informativeText().isEmpty(), qPrintable(path));
+            delete box;
+        }
+        QVERIFY(!shown.window->hasDocument());
+        QVERIFY(!shown.window->findChild<ImportAssistant *>());
+    }
+
+    /// Whatever its name and its encoding: never the assistant, which would make readings without limits of
+    /// it.
+    void aDamagedTestFileIsNoMeasurement() {
+        const QTemporaryDir folder;
+        const ShownWindow shown;
+        const QByteArray file = writeDocument(openDocument(examplePath("rotary-axis")));
+        QByteArray wide("\xFF\xFE", 2);
+        for (const char c : file.mid(file.indexOf('\n') + 1))
+            wide += QByteArray{&c, 1} + QByteArray(1, '\0');
+        for (const char *name : {"x.palmer", "x.csv", "x.txt"}) {
+            for (const QByteArray &bytes : {file.mid(file.indexOf('\n') + 1), wide, "0;1\n100;2\n" + file}) {
+                saveBytes(bytes, folder.filePath(name));
+                shown.window->openFile(folder.filePath(name));
+                QMessageBox *box = errorBox();
+                QVERIFY2(box, name);
+                delete box;
+                QVERIFY(!shown.window->findChild<ImportAssistant *>());
+            }
+        }
+        QVERIFY(!shown.window->hasDocument());
+    }
+
     /// A real process, killed at any moment: nothing older than the last copy is lost, and every copy can be
     /// read.
     void survivesKill() {
@@ -311,6 +607,10 @@ int main(int argc, char *argv[]) {
     if (arguments.value(1) == "--type") {
         QCoreApplication::setApplicationName(arguments.value(4)); // the folder of who started it
         return typeUntilKilled(arguments.value(2), arguments.value(3).toUInt());
+    }
+    if (arguments.value(1) == "--wait") {
+        QCoreApplication::setApplicationName(arguments.value(4));
+        return waitUntilEnded(arguments.value(2), application);
     }
     SafetyTest test;
     return QTest::qExec(&test, argc, argv);

@@ -1,0 +1,58 @@
+#include "ui/settings.h"
+
+#include <QFile>
+#include <QFileDevice>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSettings>
+#include <unistd.h>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr QLatin1StringView bytesKey("base64");
+
+QJsonValue asJson(const QVariant &value) {
+    if (value.typeId() == QMetaType::QByteArray)
+        return QJsonObject{{bytesKey, QString::fromLatin1(value.toByteArray().toBase64())}};
+    return QJsonValue::fromVariant(value);
+}
+
+QVariant fromJson(const QJsonValue &value) {
+    if (value.isObject())
+        return QByteArray::fromBase64(value.toObject().value(bytesKey).toString().toLatin1());
+    return value.toVariant();
+}
+
+bool read(QIODevice &device, QSettings::SettingsMap &settings) {
+    const QJsonObject all = QJsonDocument::fromJson(device.readAll()).object();
+    for (auto entry = all.begin(); entry != all.end(); ++entry)
+        settings[entry.key()] = fromJson(entry.value());
+    return true; // of a damaged file the defaults are better than none at all
+}
+
+bool write(QIODevice &device, const QSettings::SettingsMap &settings) {
+    QJsonObject all;
+    for (auto entry = settings.begin(); entry != settings.end(); ++entry)
+        all[entry.key()] = asJson(entry.value());
+    const QByteArray bytes = QJsonDocument(all).toJson();
+    // The device takes the place of the file when this says that all is there; it does not look itself.
+    auto *file = qobject_cast<QFileDevice *>(&device);
+    return device.write(bytes) == bytes.size() && file && file->flush() && file->size() == bytes.size() &&
+           ::fsync(file->handle()) == 0;
+}
+
+} // namespace
+
+void useSafeSettings() {
+    const QSettings former;
+    QSettings::setDefaultFormat(QSettings::registerFormat(QStringLiteral("json"), read, write));
+    QSettings settings;
+    if (QFile::exists(settings.fileName()))
+        return;
+    for (const QString &key : former.allKeys())
+        settings.setValue(key, former.value(key));
+}
+
+} // namespace palmer::ui
