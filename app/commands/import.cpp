@@ -2,6 +2,7 @@
 
 #include "commands/outputfile.h"
 #include "commands/streams.h"
+#include "document/bounds.h"
 #include "document/writedocument.h"
 #include "import/importmeasurement.h"
 #include "import/profiles.h"
@@ -97,6 +98,7 @@ int run(const Invocation &invocation) {
         }
     }
     try {
+        demandBounds(document);
         writeOutput(writeDocument(document), *output);
     } catch (const Error &error) {
         printError(*output, error, invocation.language);

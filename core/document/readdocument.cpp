@@ -1,5 +1,6 @@
 #include "document/readdocument.h"
 
+#include "document/bounds.h"
 #include "document/fields.h"
 #include "document/fileversion.h"
 #include "document/filewords.h"
@@ -554,12 +555,18 @@ void migrate(json &file) {
 
 } // namespace
 
-Document readDocument(const QByteArray &bytes) {
+Document readUnbounded(const QByteArray &bytes) {
     json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
     demandFormat(file);
     migrate(file);
     Document document;
     ObjectReader::readStruct(file, document, {}, {"format", "version"});
+    return document;
+}
+
+Document readDocument(const QByteArray &bytes) {
+    Document document = readUnbounded(bytes);
+    demandBounds(document);
     return document;
 }
 

@@ -1,5 +1,6 @@
 #include "document/savedocument.h"
 
+#include "document/bounds.h"
 #include "document/readdocument.h"
 #include "document/writedocument.h"
 
@@ -65,6 +66,7 @@ void saveBytes(const QByteArray &bytes, const QString &path) {
 }
 
 void saveDocument(const Document &document, const QString &path) {
+    demandBounds(document);
     saveBytes(writeDocument(document), path);
 }
 
