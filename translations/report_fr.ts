@@ -5273,5 +5273,21 @@
         <source>A new test, an import, a file, an example. A file holds one report: a machine, its instruments and any number of tests. A further test takes over what is stated of the one in view, but nothing that was measured and no limits.</source>
         <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
     </message>
+    <message>
+        <source>this text has %1 characters; expected no more than %2</source>
+        <translation>ce texte compte %1 caractères&#x202f;; attendu&#xa0;: %2 au plus</translation>
+    </message>
+    <message>
+        <source>expected a reading between −%1 and %1 mm (rotary axis: degrees)</source>
+        <translation>attendu&#xa0;: un relevé compris entre −%1 et %1 mm (axe rotatif&#xa0;: degrés)</translation>
+    </message>
+    <message>
+        <source>a reading beyond any machine</source>
+        <translation>un relevé hors de portée de toute machine</translation>
+    </message>
+    <message>
+        <source>Left out: %1 rows, for a report prints no more than %2 of them unasked. The test file holds all readings. To print the rows as well, choose “All readings” for the report, or write “allReadings” under “include” in the test file.</source>
+        <translation>Omis&#xa0;: %1 lignes, car un rapport n’en imprime pas plus de %2 sans qu’on le demande. Le fichier d’essai contient tous les relevés. Pour imprimer aussi ces lignes, choisir «&#xa0;Tous les relevés&#xa0;» pour le rapport, ou écrire «&#xa0;allReadings&#xa0;» sous «&#xa0;include&#xa0;» dans le fichier d’essai.</translation>
+    </message>
 </context>
 </TS>
