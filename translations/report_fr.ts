@@ -5270,6 +5270,22 @@
         <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
     </message>
     <message>
+        <source>this text has %1 characters; expected no more than %2</source>
+        <translation>ce texte compte %1 caractères&#x202f;; attendu&#xa0;: %2 au plus</translation>
+    </message>
+    <message>
+        <source>expected a reading between −%1 and %1 mm (rotary axis: degrees)</source>
+        <translation>attendu&#xa0;: un relevé compris entre −%1 et %1 mm (axe rotatif&#xa0;: degrés)</translation>
+    </message>
+    <message>
+        <source>a reading beyond any machine</source>
+        <translation>un relevé hors de portée de toute machine</translation>
+    </message>
+    <message>
+        <source>Left out: %1 rows, for a report prints no more than %2 of them unasked. The test file holds all readings. To print the rows as well, choose “All readings” for the report, or write “allReadings” under “include” in the test file.</source>
+        <translation>Omis&#xa0;: %1 lignes, car un rapport n’en imprime pas plus de %2 sans qu’on le demande. Le fichier d’essai contient tous les relevés. Pour imprimer aussi ces lignes, choisir «&#xa0;Tous les relevés&#xa0;» pour le rapport, ou écrire «&#xa0;allReadings&#xa0;» sous «&#xa0;include&#xa0;» dans le fichier d’essai.</translation>
+    </message>
+    <message>
         <source>there are characters in it that are none of UTF-16 or UTF-32; expected a test file in UTF-8</source>
         <translation>il contient des caractères qui ne sont ni de l’UTF-16 ni de l’UTF-32 ; un fichier d’essai en UTF-8 est attendu</translation>
     </message>

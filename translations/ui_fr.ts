@@ -308,6 +308,10 @@
         <translation>
             <numerusform>%n point sur %1 non convenu</numerusform><numerusform>%n points sur %1 non convenus</numerusform></translation>
     </message>
+    <message>
+        <source>%1 characters, where a test file holds no more than %2: the text before is kept.</source>
+        <translation>%1 caractères, alors qu’un fichier d’essai en admet %2 au plus : le texte précédent est conservé.</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ArcCurvesView</name>
@@ -1494,6 +1498,10 @@
     <message>
         <source>%1; %2 kept.</source>
         <translation>%1 ; %2 gardé.</translation>
+    </message>
+    <message>
+        <source>%1 characters, where a test file holds no more than %2</source>
+        <translation>%1 caractères, alors qu’un fichier d’essai en admet %2 au plus</translation>
     </message>
 </context>
 <context>
@@ -3472,6 +3480,10 @@
     <message>
         <source>Temperature curve</source>
         <translation>Courbe des températures</translation>
+    </message>
+    <message>
+        <source>All readings (over 2000 rows)</source>
+        <translation>Tous les relevés (plus de 2 000 lignes)</translation>
     </message>
     <message>
         <source>Replace %1?</source>

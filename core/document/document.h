@@ -22,7 +22,12 @@ enum class ReportPart {
     signatures,
     temperatureCurve
 };
-enum class ReportExtra { readingMarks, meanRepeatability, repetitions };
+enum class ReportExtra {
+    readingMarks,
+    meanRepeatability,
+    repetitions,
+    allReadings ///< tables of readings and targets however many rows they have
+};
 enum class CircleFigures { combined, separate };
 
 struct Laboratory {

@@ -16,6 +16,8 @@ enum Demand : unsigned {
     date = 1U << 3U,        ///< YYYY-MM-DD, a day that exists
     timeOfDay = 1U << 4U,   ///< HH:MM
     base64 = 1U << 5U,
+    longText = 1U << 6U, ///< remarks, what is agreed, addresses: `mostOfText` instead of `mostOfLine`
+    reading = 1U << 7U,  ///< within ± `mostOfReading`
 };
 
 // The fields of the test file: one function for each struct, used by reader and writer alike, so a key exists
@@ -28,7 +30,7 @@ concept Like = std::same_as<std::remove_const_t<T>, Struct>;
 template <class Visit, Like<Laboratory> T>
 void fields(Visit &visit, T &laboratory) {
     visit("name", laboratory.name);
-    visit("address", laboratory.address);
+    visit("address", laboratory.address, longText);
     visit("accreditation", laboratory.accreditation);
     visit("logo", laboratory.logo, base64);
     visit("mark", laboratory.mark, base64);
@@ -37,7 +39,7 @@ void fields(Visit &visit, T &laboratory) {
 template <class Visit, Like<Party> T>
 void fields(Visit &visit, T &party) {
     visit("name", party.name);
-    visit("address", party.address);
+    visit("address", party.address, longText);
 }
 
 template <class Visit, Like<Authorisation> T>
@@ -71,7 +73,7 @@ void fields(Visit &visit, T &report) {
     visit("editions", report.editions);
     visit("figures", report.figures);
     visit("adjustments", report.adjustments);
-    visit("remarks", report.remarks);
+    visit("remarks", report.remarks, longText);
 }
 
 template <class Visit, Like<Machine> T>
@@ -126,14 +128,14 @@ void fields(Visit &visit, T &choice) {
 template <class Visit, Like<Run> T>
 void fields(Visit &visit, T &run) {
     visit("approach", run.approach, obligatory);
-    visit("deviations", run.deviations, obligatory);
+    visit("deviations", run.deviations, obligatory | reading);
 }
 
 template <class Visit, Like<ExcludedReading> T>
 void fields(Visit &visit, T &excluded) {
     visit("run", excluded.run, obligatory | positive);
     visit("target", excluded.target, obligatory | positive);
-    visit("value", excluded.value, obligatory);
+    visit("value", excluded.value, obligatory | reading);
     visit("reason", excluded.reason);
 }
 
@@ -268,7 +270,7 @@ template <class Visit, Like<AgreedPoint> T>
 void fields(Visit &visit, T &agreed) {
     visit("point", agreed.point, obligatory);
     visit("state", agreed.state);
-    visit("text", agreed.text);
+    visit("text", agreed.text, longText);
 }
 
 template <class Visit, Like<Limit> T>
@@ -317,7 +319,7 @@ void fields(Visit &visit, T &arc) {
     visit("sense", arc.sense, obligatory);
     visit("angleReference", arc.angleReference);
     visit("angles", arc.angles, obligatory);
-    visit("radialDeviations", arc.radialDeviations, obligatory);
+    visit("radialDeviations", arc.radialDeviations, obligatory | reading);
     visit("evaluated", arc.evaluated);
     visit("sampleInterval", arc.sampleInterval, positive);
 }
@@ -359,7 +361,7 @@ void fields(Visit &visit, T &measurement) {
         axis("motion", measurement.axis.motion);
     });
     visit("times", measurement.times, obligatory);
-    visit("deviations", measurement.deviations, obligatory);
+    visit("deviations", measurement.deviations, obligatory | reading);
 }
 
 /// The keys of a test with the keys of its measurement beside them; `kind` is the reader's and the writer's.
@@ -378,7 +380,7 @@ void fields(Visit &visit, T &test) {
         visit("decisionRule", test.decisionRule);
         visit("imports", test.imports);
     }
-    visit("remarks", test.remarks);
+    visit("remarks", test.remarks, longText);
     visit.extensions("extensions", test.extensions);
     std::visit([&](auto &measurement) { fields(visit, measurement); }, test.measurement);
 }

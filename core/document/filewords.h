@@ -112,7 +112,8 @@ template <>
 inline constexpr auto fileWords<ReportExtra> =
     std::to_array<FileWord<ReportExtra>>({{ReportExtra::readingMarks, "readingMarks"},
                                           {ReportExtra::meanRepeatability, "meanRepeatability"},
-                                          {ReportExtra::repetitions, "repetitions"}});
+                                          {ReportExtra::repetitions, "repetitions"},
+                                          {ReportExtra::allReadings, "allReadings"}});
 template <>
 inline constexpr auto fileWords<ReportPart> =
     std::to_array<FileWord<ReportPart>>({{ReportPart::readings, "readings"},

@@ -1,5 +1,6 @@
 #include "document/readdocument.h"
 
+#include "document/bounds.h"
 #include "document/fields.h"
 #include "document/fileversion.h"
 #include "document/filewords.h"
@@ -570,13 +571,19 @@ QByteArray inUtf8(const QByteArray &bytes) {
 
 } // namespace
 
-Document readDocument(const QByteArray &bytes) {
+Document readUnbounded(const QByteArray &bytes) {
     const QByteArray text = inUtf8(bytes);
     json file = parseJson({text.constData(), static_cast<std::size_t>(text.size())});
     demandFormat(file);
     migrate(file);
     Document document;
     ObjectReader::readStruct(file, document, {}, {"format", "version"});
+    return document;
+}
+
+Document readDocument(const QByteArray &bytes) {
+    Document document = readUnbounded(bytes);
+    demandBounds(document);
     return document;
 }
 

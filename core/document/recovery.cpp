@@ -1,7 +1,7 @@
 #include "document/recovery.h"
 
+#include "document/bounds.h"
 #include "document/json.h"
-#include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/writedocument.h"
 
@@ -81,7 +81,7 @@ Recovery readRecovery(const QByteArray &bytes) {
                     {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
     Recovery recovery;
     recovery.origin = {text("path"), QDateTime::fromString(text("saved"), Qt::ISODateWithMs), stateIn(head)};
-    recovery.document = std::make_shared<const Document>(readDocument(bytes.mid(end + 1)));
+    recovery.document = std::make_shared<const Document>(readUnbounded(bytes.mid(end + 1)));
     const Document &document = *recovery.document;
     recovery.title =
         QString::fromStdString(document.report.title.empty() ? document.machine.name : document.report.title);

@@ -1,5 +1,6 @@
 #include "document/savedocument.h"
 
+#include "document/bounds.h"
 #include "document/readdocument.h"
 #include "document/writedocument.h"
 
@@ -134,6 +135,7 @@ void saveBytes(const QByteArray &bytes, const QString &path) {
 }
 
 QByteArray bytesToSave(const Document &document) {
+    demandBounds(document);
     const QByteArray bytes = writeDocument(document);
     if (bytes.size() > largestFile)
         throw Error(

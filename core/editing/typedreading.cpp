@@ -1,5 +1,6 @@
 #include "editing/typedreading.h"
 
+#include "document/bounds.h"
 #include "editing/editreadings.h"
 #include "language/decimals.h"
 
@@ -21,6 +22,8 @@ NumberEntry typedReading(QStringView text, const Axis &axis, const DisplayUnits 
         enteredNumber(typed, target ? positionQuantity(axis) : deviationQuantity(axis), units);
     if (target && entry.value)
         entry.value = deviationFrom(*target, *entry.value);
+    if (entry.value && !(std::abs(*entry.value) <= mostOfReading))
+        return {{}, REPORT_TEXT("report", "a reading beyond any machine")};
     return entry;
 }
 

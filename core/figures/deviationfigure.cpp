@@ -107,6 +107,7 @@ void addBands(CurveFigure &figure, const Source &source, Direction direction) {
 void addReadings(CurveFigure &figure, const Source &source) {
     int ups = 0;
     int downs = 0;
+    figure.readings.reserve(source.targets() * source.measurement.runs.size());
     for (const Run &run : source.measurement.runs) {
         const int number = run.approach == Direction::positive ? ++ups : ++downs;
         for (std::size_t i = 0; i < std::min(source.targets(), run.deviations.size()); ++i) {

@@ -50,6 +50,7 @@ CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, cons
     figure.title = language.sentence(
         {REPORT_TEXT("report", "Drift of the %1 axis"), {measurement.axis.name}, std::nullopt});
     Curve curve{CurveRole::drift, {}};
+    curve.points.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
         curve.points.push_back({measurement.times[i] / unit.seconds, measurement.deviations[i] * scale,
                                 static_cast<int>(i) + 1});

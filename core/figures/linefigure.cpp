@@ -1,5 +1,6 @@
 #include "figures/linefigure.h"
 
+#include "figures/thinning.h"
 #include "figures/ticks.h"
 #include "language/decimals.h"
 
@@ -12,7 +13,7 @@ namespace palmer {
 namespace {
 
 constexpr double secondsPerHour = 3600;
-constexpr std::size_t partsOfTime = 500;
+constexpr std::size_t partsOfLine = 500;
 constexpr double mostTimeTicks = 8;
 constexpr double mostPositionTicks = 6.5;
 constexpr double mostValueTicks = 8;
@@ -36,33 +37,15 @@ struct Bounds {
     }
 };
 
-/// First, least, greatest and last of each part of the range, in their order.
+/// Points enough to draw a line.
 std::vector<QPointF> thinned(std::vector<QPointF> points) {
-    if (points.size() <= 4 * partsOfTime)
+    if (points.size() <= 4 * partsOfLine)
         return points;
     std::vector<QPointF> kept;
-    const double from = points.front().x();
-    const double span = points.back().x() - from;
-    std::size_t begin = 0;
-    while (begin < points.size()) {
-        const auto partOf = [&](const QPointF &point) {
-            return span > 0 ? std::floor((point.x() - from) / span * partsOfTime) : 0.0;
-        };
-        std::size_t end = begin + 1;
-        while (end < points.size() && partOf(points[end]) == partOf(points[begin]))
-            ++end;
-        const auto [least, greatest] =
-            std::minmax_element(points.begin() + static_cast<std::ptrdiff_t>(begin),
-                                points.begin() + static_cast<std::ptrdiff_t>(end),
-                                [](const QPointF &a, const QPointF &b) { return a.y() < b.y(); });
-        std::vector<std::size_t> places{begin, static_cast<std::size_t>(least - points.begin()),
-                                        static_cast<std::size_t>(greatest - points.begin()), end - 1};
-        std::ranges::sort(places);
-        places.erase(std::unique(places.begin(), places.end()), places.end());
-        for (const std::size_t place : places)
-            kept.push_back(points[place]);
-        begin = end;
-    }
+    for (const std::size_t place : thinnedPlaces(
+             points.size(), points.front().x(), points.back().x(), partsOfLine,
+             [&](std::size_t i) { return points[i].x(); }, [&](std::size_t i) { return points[i].y(); }))
+        kept.push_back(points[place]);
     return kept;
 }
 
@@ -166,6 +149,7 @@ LineFigure compensationFigure(const Test &test, const TestEvaluation &before, co
             positions.include(line.points.back().x());
             values.include(line.points.back().y());
         }
+        line.points = thinned(std::move(line.points));
         if (!line.points.empty())
             figure.lines.push_back(std::move(line));
     };

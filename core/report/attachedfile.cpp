@@ -3,6 +3,7 @@
 #include "document/writedocument.h"
 
 #include <QCryptographicHash>
+#include <algorithm>
 
 namespace palmer {
 
@@ -16,6 +17,9 @@ constexpr int groupSize = 4;
 QByteArray attachedFile(const Document &document) {
     Document attached = document;
     for (TestPointer &test : attached.tests) {
+        if (std::ranges::none_of(test->imports,
+                                 [](const ImportedFile &file) { return file.data.has_value(); }))
+            continue; // many readings are not copied for nothing
         Test withoutBytes = *test;
         for (ImportedFile &file : withoutBytes.imports)
             file.data.reset();

@@ -1,5 +1,6 @@
 #include "report/composereport.h"
 
+#include "figures/thinning.h"
 #include "report/attachedfile.h"
 #include "report/circularparts.h"
 #include "report/closingparts.h"
@@ -14,12 +15,20 @@ namespace palmer {
 
 namespace {
 
-std::vector<TestPart> testParts(const EvaluatedDocument &evaluated, const Writer &write) {
+std::vector<EvaluatedDocument> viewsOf(const EvaluatedDocument &evaluated) {
+    std::vector<EvaluatedDocument> views;
+    for (const std::string &word : evaluated.document->report.editions)
+        views.push_back(evaluate(evaluated.document, nullptr, word));
+    return views;
+}
+
+std::vector<TestPart> testParts(const EvaluatedDocument &evaluated, const Writer &write,
+                                const std::vector<EvaluatedDocument> &views) {
     std::vector<TestPart> parts;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         if (evaluated.tests[i]->edition) // drift tests have no page
             parts.push_back({write, evaluated, *evaluated.document->tests[i], *evaluated.tests[i], i,
-                             static_cast<int>(parts.size()) + 1, 0});
+                             static_cast<int>(parts.size()) + 1, 0, &views});
     }
     for (TestPart &part : parts)
         part.count = static_cast<int>(parts.size());
@@ -75,7 +84,18 @@ void addCircular(std::vector<Block> &blocks, const TestPart &test, const Circula
     addEditionsAndRemarks(blocks, part, remarksBeside(part));
 }
 
+/// Paper shows no more of a figure; and a report is copied with its figures.
+void thinFigures(std::vector<Block> &blocks, std::size_t from) {
+    for (std::size_t i = from; i < blocks.size(); ++i) {
+        auto *block = std::get_if<FigureBlock>(&blocks[i]);
+        const auto *figure = block ? std::get_if<CurveFigure>(&block->figure) : nullptr;
+        if (figure && !isOrdinary(*figure))
+            block->figure = thinned(*figure);
+    }
+}
+
 void addTest(std::vector<Block> &blocks, const TestPart &part) {
+    const std::size_t first = blocks.size();
     if (!blocks.empty())
         blocks.emplace_back(PageBreak{});
     blocks.emplace_back(runningHead(part));
@@ -85,6 +105,7 @@ void addTest(std::vector<Block> &blocks, const TestPart &part) {
     else
         addCircular(blocks, part, std::get<CircularMeasurement>(part.test.measurement),
                     std::get<CircularResults>(part.evaluation.results));
+    thinFigures(blocks, first);
 }
 
 } // namespace
@@ -109,7 +130,8 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
         write.say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"), shortFingerprint(report.fingerprint));
     report.footerRight = write.text(REPORT_TEXT("report", "page %1 / %2"));
 
-    const std::vector<TestPart> parts = testParts(evaluated, write);
+    const std::vector<EvaluatedDocument> views = viewsOf(evaluated);
+    const std::vector<TestPart> parts = testParts(evaluated, write, views);
     const bool several = parts.size() > 1;
     if (several)
         addSummary(report.blocks, parts);

@@ -20,6 +20,8 @@ constexpr double digitWidth = 1.67; ///< mm, of 8.5 pt
 constexpr double cellPadding = 2;
 constexpr std::size_t mostRunsSideBySide = 7;
 constexpr std::size_t rowsOfAGroup = 5;
+constexpr double narrowestReading = 12;
+constexpr std::size_t mostRows = 2000;       ///< of readings or targets that are printed unasked
 constexpr qsizetype mostRemarksBeside = 600; ///< characters; longer remarks take the whole width
 
 Phrase indexed(const QString &base, const QString &index, const QString &after = {}) {
@@ -71,8 +73,35 @@ std::vector<const Run *> runsOf(const PositioningMeasurement &measurement, Direc
     return runs;
 }
 
+bool printsAllRows(const PositioningPart &part) {
+    return std::ranges::find(part.head().include, ReportExtra::allReadings) != part.head().include.end();
+}
+
+void addLeftOut(std::vector<Block> &blocks, const Writer &write, std::size_t rows) {
+    const auto count = [](std::size_t value) {
+        return Number{static_cast<double>(value), Quantity::count, 0};
+    };
+    blocks.emplace_back(Paragraph{write.say(
+        REPORT_TEXT("report",
+                    "Left out: %1 rows, for a report prints no more than %2 of them unasked. The test "
+                    "file holds all readings. To print the rows as well, choose “All readings” for the "
+                    "report, or write “allReadings” under “include” in the test file."),
+        {count(rows), count(mostRows)})});
+}
+
 class ReadingTables {
 public:
+    /// Rows of all tables together, or of the least there can be where these are too many as it is.
+    static std::size_t leastRows(const PositioningPart &part) {
+        const std::size_t up = runsOf(part.measurement, Direction::positive).size();
+        const std::size_t down = runsOf(part.measurement, Direction::negative).size();
+        const std::size_t targets = part.measurement.targets.size();
+        if (up > 0 && down > 0 && std::max(up, down) <= mostRunsSideBySide)
+            return targets;
+        const std::size_t atATime = runsAtATime(part, narrowestReading);
+        return targets * ((up + atATime - 1) / atATime + (down + atATime - 1) / atATime);
+    }
+
     explicit ReadingTables(const PositioningPart &part)
         : m_part(part)
         , m_up(runsOf(part.measurement, Direction::positive))
@@ -90,7 +119,7 @@ public:
     }
 
     [[nodiscard]] std::vector<Table> tables() const {
-        const double room = textWidth - numberWidth(m_part) - positionWidth;
+        const double room = roomForReadings(m_part);
         const std::size_t most = std::max(m_up.size(), m_down.size());
         const bool sideBySide =
             most <= mostRunsSideBySide && !m_up.empty() && !m_down.empty() &&
@@ -103,7 +132,7 @@ public:
             result.push_back(std::move(table));
             return result;
         }
-        const auto atATime = static_cast<std::size_t>(std::max(1.0, room / std::max(m_columnWidth, 12.0)));
+        const std::size_t atATime = runsAtATime(m_part, std::max(m_columnWidth, narrowestReading));
         for (const Direction direction : {Direction::positive, Direction::negative}) {
             const std::size_t count = runs(direction).size();
             for (std::size_t first = 0; first < count; first += atATime) {
@@ -116,6 +145,13 @@ public:
     }
 
 private:
+    static double roomForReadings(const PositioningPart &part) {
+        return textWidth - numberWidth(part) - positionWidth;
+    }
+    static std::size_t runsAtATime(const PositioningPart &part, double columnWidth) {
+        return static_cast<std::size_t>(std::max(1.0, roomForReadings(part) / columnWidth));
+    }
+
     [[nodiscard]] const std::vector<const Run *> &runs(Direction direction) const {
         return direction == Direction::positive ? m_up : m_down;
     }
@@ -164,14 +200,14 @@ private:
     double m_columnWidth = 0;
 };
 
-/// Which run of its direction it is, from 1; `run` counts all runs from 1. 0 where there is no such run.
-int numberInDirection(const PositioningMeasurement &measurement, int run) {
-    if (run < 1 || static_cast<std::size_t>(run) > measurement.runs.size())
-        return 0;
-    const auto end = measurement.runs.begin() + run;
-    return static_cast<int>(std::count_if(measurement.runs.begin(), end, [&](const Run &other) {
-        return other.approach == measurement.runs[static_cast<std::size_t>(run) - 1].approach;
-    }));
+/// Which of its direction each run is, from 1.
+std::vector<int> numbersInDirection(const PositioningMeasurement &measurement) {
+    std::vector<int> numbers;
+    int ups = 0;
+    int downs = 0;
+    for (const Run &run : measurement.runs)
+        numbers.push_back(run.approach == Direction::positive ? ++ups : ++downs);
+    return numbers;
 }
 
 /// "2006"; whole designations where there is more than the year to tell apart.
@@ -191,13 +227,12 @@ struct EditionColumn {
 
 std::vector<EditionColumn> editionColumns(const TestPart &part) {
     std::vector<EditionColumn> columns{{&part.edition(), part.evaluated.tests[part.index]}};
-    for (const std::string &word : part.head().editions) {
-        const Edition *edition = findEdition(word);
+    for (std::size_t i = 0; part.views && i < part.views->size(); ++i) {
+        const Edition *edition = findEdition(part.head().editions[i]);
         const auto shown = [&](const EditionColumn &column) { return column.edition == edition; };
         if (!edition || edition->kind != part.edition().kind || std::ranges::any_of(columns, shown))
             continue;
-        const EvaluatedDocument view = evaluate(part.evaluated.document, nullptr, word);
-        columns.push_back({edition, view.tests[part.index]});
+        columns.push_back({edition, (*part.views)[i].tests[part.index]});
     }
     return columns;
 }
@@ -255,6 +290,14 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
     const int places = positionDecimals(part.measurement.targets, part.along());
     const int digits = statisticDecimals(part.measurement);
     const auto ruling = rulingCells(part.evaluation);
+    addHeading(
+        blocks, write.text(REPORT_TEXT("report", "Results per target position")),
+        write.say(REPORT_TEXT("report", "factor %1; bold: the value that rules the parameter of the axis"),
+                  {Number{edition.c, Quantity::number, -1}}));
+    if (targets.size() > mostRows && !printsAllRows(part)) {
+        addLeftOut(blocks, write, targets.size());
+        return;
+    }
     Table table;
     table.columns = {targetColumn(part), positionColumn(part)};
     std::vector<const char *> ids;
@@ -277,10 +320,6 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
         table.rows.push_back(std::move(row));
     }
     addGroupRules(table);
-    addHeading(
-        blocks, write.text(REPORT_TEXT("report", "Results per target position")),
-        write.say(REPORT_TEXT("report", "factor %1; bold: the value that rules the parameter of the axis"),
-                  {Number{edition.c, Quantity::number, -1}}));
     blocks.emplace_back(std::move(table));
 }
 
@@ -297,7 +336,18 @@ void addReadings(std::vector<Block> &blocks, const PositioningPart &part) {
         note.spans.push_back({QStringLiteral(", ") +
                               write.text(REPORT_TEXT("report", "as read, without the correction to 20 °C"))});
     addHeading(blocks, write.text(REPORT_TEXT("report", "Readings")), std::move(note));
-    for (Table &table : ReadingTables(part).tables())
+    const bool all = printsAllRows(part);
+    std::size_t rows = ReadingTables::leastRows(part);
+    std::vector<Table> tables;
+    if (all || rows <= mostRows) {
+        tables = ReadingTables(part).tables();
+        rows = tables.size() * part.measurement.targets.size();
+    }
+    if (!all && rows > mostRows) {
+        addLeftOut(blocks, write, rows);
+        return;
+    }
+    for (Table &table : tables)
         blocks.emplace_back(std::move(table));
 }
 
@@ -315,15 +365,17 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
         {QStringLiteral("j"), {}, Alignment::right, false, 12},
         {indexed(QStringLiteral("x"), QStringLiteral("ij")), unit, Alignment::decimal, false, 25},
         {write.text(REPORT_TEXT("report", "Reason")), {}, Alignment::left, true, 112}};
+    const std::vector<int> numbers = numbersInDirection(measurement);
     for (const ExcludedReading &reading : measurement.excluded) {
         const auto target = static_cast<std::size_t>(reading.target) - 1;
         const auto run = static_cast<std::size_t>(reading.run) - 1;
-        const int j = numberInDirection(measurement, reading.run);
         table.rows.push_back({QString::number(reading.target),
                               target < measurement.targets.size()
                                   ? write.language().number(measurement.targets[target], part.along(), places)
                                   : QString(),
-                              j > 0 ? QString::number(j) + arrow(measurement.runs[run].approach) : QString(),
+                              run < numbers.size()
+                                  ? QString::number(numbers[run]) + arrow(measurement.runs[run].approach)
+                                  : QString(),
                               write.language().number(reading.value, part.deviation()),
                               QString::fromStdString(reading.reason)});
     }

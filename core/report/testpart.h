@@ -45,6 +45,8 @@ struct TestPart {
     std::size_t index = 0;            ///< in the document
     int number = 1;                   ///< in the report
     int count = 1;
+    /// The file under each edition the head names, in its order: evaluated once for all tests.
+    const std::vector<EvaluatedDocument> *views = nullptr;
 
     [[nodiscard]] const Document &document() const { return *evaluated.document; }
     [[nodiscard]] const ReportHead &head() const { return document().report; }

@@ -1,6 +1,6 @@
 #include "validation/referenceset.h"
 
-#include "document/readdocument.h"
+#include "document/bounds.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -115,7 +115,7 @@ ReferenceSet readReferenceSet(const QByteArray &bytes) {
                                {QStringLiteral("version"), 1},
                                {QStringLiteral("tests"), tests}};
     set.document = std::make_shared<const Document>(
-        readDocument(QJsonDocument(document).toJson(QJsonDocument::Compact)));
+        readUnbounded(QJsonDocument(document).toJson(QJsonDocument::Compact)));
     const QJsonArray expected = file.value(QLatin1StringView("expected")).toArray();
     for (qsizetype i = 0; i < expected.size(); ++i)
         set.expected.push_back(expectation(expected[i].toObject(), "expected[" + std::to_string(i) + "]"));

@@ -1,9 +1,11 @@
 #include "ui/figures/drawcurvefigure.h"
 
+#include "figures/thinning.h"
 #include "ui/figures/bandoverlap.h"
 #include "ui/figures/curvechart.h"
 #include "ui/figures/drawtext.h"
 
+#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
@@ -34,9 +36,11 @@ constexpr double diamondWidth = 2.0 * mm;
 constexpr double dotRadius = 0.36 * mm;
 constexpr double squareWidth = 0.56 * mm;
 constexpr double readingShift = 1.15 * mm;
-constexpr double whiskerCap = 0.8 * mm; ///< half
-constexpr double markerGap = 0.7 * mm;  ///< between markers of one curve
-constexpr double labelGap = 1.6 * mm;   ///< between numbers of an axis
+constexpr double whiskerCap = 0.8 * mm;   ///< half
+constexpr double sizeOfShapes = 0.6;      ///< of readings, part of the full size; smaller ones are dots
+constexpr std::size_t fewReadings = 2000; ///< each is a thing of its own in a file
+constexpr double markerGap = 0.7 * mm;    ///< between markers of one curve
+constexpr double labelGap = 1.6 * mm;     ///< between numbers of an axis
 constexpr double sampleHeight = 3 * mm;
 constexpr double readingsSampleWidth = 2.8 * mm;
 constexpr double titleCentre = 2.3 * mm; ///< of the rotated title, from the left edge
@@ -186,15 +190,27 @@ private:
         for (const Band &band : m_figure.bands)
             drawBand(band.points,
                      bandColor(band.role == CurveRole::up, band.role == CurveRole::down, m_medium));
-        for (const Band &up : m_figure.bands) {
-            for (const Band &down : m_figure.bands) {
-                if (up.role != CurveRole::up || down.role != CurveRole::down)
-                    continue;
-                for (const auto &overlap : bandOverlap(up.points, down.points))
-                    drawBand(overlap, bandColor(true, true, m_medium));
-            }
-        }
+        drawOverlaps();
         p.restore();
+    }
+
+    /// The bands of a direction follow one another without overlapping, so each pair that meets is met once.
+    void drawOverlaps() {
+        const auto bandsOf = [&](CurveRole role) {
+            std::vector<const Band *> bands;
+            for (const Band &band : m_figure.bands) {
+                if (band.role == role && band.points.size() > 1)
+                    bands.push_back(&band);
+            }
+            return bands;
+        };
+        const std::vector<const Band *> ups = bandsOf(CurveRole::up);
+        const std::vector<const Band *> downs = bandsOf(CurveRole::down);
+        for (std::size_t i = 0, k = 0; i < ups.size() && k < downs.size();) {
+            for (const auto &overlap : bandOverlap(ups[i]->points, downs[k]->points))
+                drawBand(overlap, bandColor(true, true, m_medium));
+            ups[i]->points.back().x < downs[k]->points.back().x ? ++i : ++k;
+        }
     }
 
     /// Lines along the axes fill whole pixels of a screen.
@@ -301,6 +317,10 @@ private:
     void drawReadings() {
         const double shift = shiftOfReadings();
         const double size = std::clamp(pitch() / (6 * dotRadius), 0.5, 1.0);
+        if (size < sizeOfShapes && m_figure.readings.size() > fewReadings) {
+            drawManyReadings(shift, size);
+            return;
+        }
         for (const ReadingMark &reading : m_figure.readings) {
             if (!shows(reading.x, reading.y))
                 continue;
@@ -309,12 +329,35 @@ private:
         }
     }
 
+    /// Thousands of them in two strokes of the pen.
+    void drawManyReadings(double shift, double size) {
+        for (const CurveRole role : {CurveRole::up, CurveRole::down}) {
+            QPainterPath dots;
+            dots.setFillRule(Qt::WindingFill);
+            for (const ReadingMark &reading : m_figure.readings) {
+                if (reading.role == role && shows(reading.x, reading.y))
+                    dots.addRect(
+                        dot({x(reading.x) + (role == CurveRole::up ? -shift : shift), y(reading.y)}, size));
+            }
+            p.fillPath(dots, colourOfDots(role, size));
+        }
+    }
+
+    [[nodiscard]] static QRectF dot(QPointF at, double size) {
+        const double half = 0.9 * dotRadius * size;
+        return {at - QPointF(half, half), at + QPointF(half, half)};
+    }
+    [[nodiscard]] static double strengthOf(double size) {
+        return 0.4 + 1.2 * (size - 0.5);
+    } ///< 1 at full size
+    [[nodiscard]] QColor colourOfDots(CurveRole role, double size) const {
+        return paler(colour(role == CurveRole::up ? FigureRole::up : FigureRole::down), strengthOf(size));
+    }
+
     void drawReading(QPointF at, CurveRole role, double size) {
-        const double strength = 0.4 + 1.2 * (size - 0.5); // of the colour: 1 at full size
-        if (size < 0.6) { // too small for a shape: quickly drawn, thousands of them
-            const double half = 0.9 * dotRadius * size;
-            p.fillRect(QRectF(at - QPointF(half, half), at + QPointF(half, half)),
-                       paler(colour(role == CurveRole::up ? FigureRole::up : FigureRole::down), strength));
+        const double strength = strengthOf(size);
+        if (size < sizeOfShapes) { // too small for a shape
+            p.fillRect(dot(at, size), colourOfDots(role, size));
         } else if (role == CurveRole::up) {
             p.setPen(Qt::NoPen);
             p.setBrush(paler(colour(FigureRole::up), strength));
@@ -341,13 +384,8 @@ private:
         for (const CurveRole role : {CurveRole::down, CurveRole::up}) {
             const int phase = role == CurveRole::up ? 0 : stride / 2; // dense curves take turns
             for (const Curve &curve : m_figure.curves) {
-                if (curve.role != role)
-                    continue;
-                for (const FigurePoint &point : curve.points) {
-                    const bool lonely = curve.points.size() == 1;
-                    if ((lonely || (point.target - 1) % stride == phase) && shows(point.x, point.y))
-                        drawMarker({x(point.x), y(point.y)}, role);
-                }
+                if (curve.role == role)
+                    drawMarkers(curve, stride, phase);
             }
         }
         for (const Curve &curve : m_figure.curves) {
@@ -357,6 +395,22 @@ private:
                 p.setPen(QPen(colour(FigureRole::mean), pen(FigureRole::mean).widthF()));
                 p.drawLine(at - QPointF(diamondWidth, 0), at + QPointF(diamondWidth, 0));
             }
+        }
+    }
+
+    void drawMarkers(const Curve &curve, int stride, int phase) {
+        const bool lonely = curve.points.size() == 1;
+        int last = -1; // turn that has its marker
+        for (const FigurePoint &point : curve.points) {
+            // Of a thinned curve the target whose turn it is may be missing: the next one takes it.
+            const int turn = point.target - 1 < phase ? -1 : (point.target - 1 - phase) / stride;
+            const bool misses = &point != &curve.points.front() && (&point)[-1].target + 1 < point.target;
+            const bool exact = turn >= 0 && (point.target - 1 - phase) % stride == 0;
+            if (!lonely && !exact && !(misses && turn > last))
+                continue;
+            last = turn;
+            if (shows(point.x, point.y))
+                drawMarker({x(point.x), y(point.y)}, curve.role);
         }
     }
 
@@ -565,7 +619,9 @@ private:
 
 FigureTransform drawCurveFigure(QPainter &painter, const QRectF &area, const CurveFigure &figure,
                                 Medium medium) {
-    return CurveFigurePainter(painter, area, figure, medium).draw();
+    if (isOrdinary(figure))
+        return CurveFigurePainter(painter, area, figure, medium).draw();
+    return CurveFigurePainter(painter, area, thinned(figure), medium).draw();
 }
 
 } // namespace palmer::ui

@@ -1,5 +1,6 @@
 #include "ui/forms/agreedpointspage.h"
 
+#include "document/bounds.h"
 #include "document/edits.h"
 #include "report/agreedtext.h"
 #include "ui/elidedlabel.h"
@@ -18,6 +19,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <limits>
 
 namespace palmer::ui {
 
@@ -117,12 +119,19 @@ void AgreedPointsPage::build(const Edition &edition) {
                 new QToolButton(area),
                 new QToolButton(area),
                 new AgreementEdit(area),
-                new QPushButton(area)};
+                new QPushButton(area),
+                new QLabel(area)};
         row.name->setBuddy(row.text);
         row.text->begun = [this] { ++m_visit; };
         row.text->setProperty("helpTopic", QStringLiteral("agreedPoints"));
-        connect(row.text, &QLineEdit::textEdited, this,
-                [this, &point](const QString &text) { setText(point, text); });
+        row.text->setMaxLength(std::numeric_limits<int>::max()); // nothing is cut in silence
+        row.refusal->setObjectName(QStringLiteral("refusal.") + QString::fromLatin1(point.point));
+        row.refusal->setWordWrap(true);
+        row.refusal->hide();
+        connect(row.text, &QLineEdit::textEdited, this, [this, row, &point](const QString &text) {
+            if (!refuses(row, text))
+                setText(point, text);
+        });
         row.take->setProperty("link", true);
         row.take->setAutoDefault(false);
         row.take->setIcon(lineIcon(QStringLiteral("link")));
@@ -158,6 +167,7 @@ void AgreedPointsPage::build(const Edition &edition) {
         layout->setSpacing(4);
         layout->addLayout(head);
         layout->addLayout(body);
+        layout->addWidget(row.refusal);
         m_body->addWidget(area);
         m_rows.push_back(row);
     }
@@ -181,6 +191,24 @@ void AgreedPointsPage::setState(const AgreementPoint &point, AgreementState stat
                               [&](Test &test) { setAgreedPoint(test, point.point, state, text); });
                  });
     refresh(); // the button is checked as the document says, whatever was clicked
+}
+
+/// A text longer than a test file holds is refused with a sentence; the one before is kept.
+bool AgreedPointsPage::refuses(const Row &row, const QString &text) const {
+    const std::size_t length = lengthOf(text);
+    const bool tooLong = length > mostOfText;
+    row.refusal->setVisible(tooLong);
+    if (tooLong) {
+        row.refusal->setText(
+            tr("%1 characters, where a test file holds no more than %2: the text before is kept.")
+                .arg(length)
+                .arg(mostOfText));
+        row.refusal->setFont(themeFont(TextSize::small));
+        QPalette palette = row.refusal->palette();
+        palette.setColor(QPalette::WindowText, token(Token::bad, palette));
+        row.refusal->setPalette(palette);
+    }
+    return tooLong;
 }
 
 /// A text for what was not agreed is its agreement; taken away again, it is not.
@@ -217,6 +245,10 @@ void AgreedPointsPage::takeFromConditions(const AgreementPoint &point) {
 
 void AgreedPointsPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
+    if (m_test != test) {
+        for (const Row &row : m_rows)
+            row.refusal->hide();
+    }
     m_test = test;
     refresh();
 }
@@ -257,7 +289,7 @@ void AgreedPointsPage::refresh() {
         row.notApplicable->setChecked(state == AgreementState::notApplicable);
         const QString text =
             found == test.agreedPoints.end() ? QString() : QString::fromStdString(found->text);
-        if (row.text->text() != text) {
+        if (row.text->text() != text && row.refusal->isHidden()) {
             row.text->setText(text);
             row.text->setCursorPosition(0);
         }

@@ -45,11 +45,13 @@ private:
         QToolButton *notApplicable;
         AgreementEdit *text;
         QPushButton *take; ///< what the conditions say
+        QLabel *refusal;   ///< of a text that is too long
     };
 
     void build(const Edition &edition);
     [[nodiscard]] const AgreedPoint *agreed(const AgreementPoint &point) const;
     void setState(const AgreementPoint &point, AgreementState state);
+    [[nodiscard]] bool refuses(const Row &row, const QString &text) const;
     void setText(const AgreementPoint &point, const QString &text);
     void takeFromConditions(const AgreementPoint &point);
     void refresh();

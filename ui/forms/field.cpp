@@ -1,5 +1,6 @@
 #include "ui/forms/field.h"
 
+#include "document/bounds.h"
 #include "ui/elidedlabel.h"
 #include "ui/theme.h"
 
@@ -13,6 +14,7 @@
 #include <QPlainTextEdit>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <limits>
 
 namespace palmer::ui {
 
@@ -25,6 +27,7 @@ constexpr int labelGap = 4;
 constexpr int barWidth = 4;
 constexpr int margin = 8;
 constexpr int iconSize = 16;
+constexpr qsizetype longestToolTip = 1000;
 
 void colour(QWidget *widget, QPalette::ColorRole role, const QColor &colour) {
     QPalette palette = widget->palette();
@@ -58,6 +61,12 @@ protected:
     }
 };
 
+/// Of a long text as much as tells which it is.
+QString beginningOf(const QString &text) {
+    constexpr qsizetype enough = 60;
+    return text.size() <= enough ? text : text.first(enough).trimmed() + u'…';
+}
+
 /// A property that the style sheet looks at.
 void setStyled(QWidget *widget, const char *name, bool value) {
     if (widget->property(name).toBool() == value)
@@ -72,6 +81,7 @@ void setStyled(QWidget *widget, const char *name, bool value) {
 Field::Field(Kind kind, QWidget *parent)
     : QWidget(parent)
     , m_kind(kind)
+    , m_most(kind == Kind::longText ? mostOfText : mostOfLine)
     , m_label(new ElidedLabel(this))
     , m_mark(new QLabel(this)) {
     QWidget *edit = nullptr;
@@ -89,6 +99,7 @@ Field::Field(Kind kind, QWidget *parent)
     } else {
         edit = m_line = new QLineEdit(this);
         m_line->setFixedHeight(fieldHeight);
+        m_line->setMaxLength(std::numeric_limits<int>::max()); // nothing is cut in silence
         m_line->setAlignment((kind == Kind::number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         connect(m_line, &QLineEdit::textEdited, this, &Field::typed);
         connect(m_line, &QLineEdit::returnPressed, this, &Field::finish);
@@ -182,14 +193,19 @@ void Field::setChoices(const QStringList &words, bool none) {
 }
 
 Field::Reading Field::read(const QString &text) const {
-    return m_reader ? m_reader(text) : Reading{text, {}};
+    if (m_reader)
+        return m_reader(text);
+    if (const std::size_t length = lengthOf(text); length > m_most)
+        return {{}, tr("%1 characters, where a test file holds no more than %2").arg(length).arg(m_most)};
+    return {text, {}};
 }
 
 void Field::setText(const QString &text) {
     if (m_line) {
         m_line->setText(text);
         m_line->setCursorPosition(m_line->hasFocus() ? static_cast<int>(text.size()) : 0);
-        m_line->setToolTip(text.size() > 30 ? text : QString());
+        m_line->setToolTip(text.size() > 30 ? text.first(std::min<qsizetype>(text.size(), longestToolTip))
+                                            : QString());
     } else if (m_lines && m_lines->toPlainText() != text) {
         const QSignalBlocker quiet(m_lines);
         m_lines->setPlainText(text);
@@ -297,7 +313,8 @@ void Field::retranslate() {
     if (isRefused()) {
         QString reason = m_refusal;
         reason[0] = reason[0].toUpper();
-        m_reason->setText(kept.isEmpty() ? tr("%1.").arg(reason) : tr("%1; %2 kept.").arg(reason, kept));
+        m_reason->setText(kept.isEmpty() ? tr("%1.").arg(reason)
+                                         : tr("%1; %2 kept.").arg(reason, beginningOf(kept)));
     }
     m_reasonRow->setVisible(isRefused());
     QWidget *shown = edit();

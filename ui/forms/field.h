@@ -39,6 +39,9 @@ public:
     void setPlaceholder(const QString &text);
     /// How texts are read; without one, every text is as it stands.
     void setReader(Reader reader);
+    /// Characters a text may have; more are refused with a sentence. Without it what a test file holds of a
+    /// text of its kind.
+    void setMost(std::size_t characters) { m_most = characters; }
     /// The words of a choice; `none`: the first of them says that nothing is stated.
     void setChoices(const QStringList &words, bool none);
 
@@ -84,6 +87,7 @@ private:
 
     Kind m_kind;
     Reader m_reader;
+    std::size_t m_most;
     bool m_required = false;
     bool m_none = false;    ///< the first choice states nothing
     bool m_isTyped = false; ///< since the field was shown or left

@@ -1,5 +1,6 @@
 #include "ui/forms/identificationpage.h"
 
+#include "document/bounds.h"
 #include "document/savedocument.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/pdf/logo.h"
@@ -115,7 +116,8 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"));
     beginRow();
     addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Adjustments made"),
-                ofReport<&ReportHead::adjustments>());
+                ofReport<&ReportHead::adjustments>())
+        ->setMost(mostOfLine);
     beginRow();
     addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"),
                 ofReport<&ReportHead::remarks>());

@@ -1,5 +1,6 @@
 #include "ui/forms/machinepage.h"
 
+#include "document/bounds.h"
 #include "ui/forms/templatebutton.h"
 
 #include <QCoreApplication>
@@ -46,7 +47,8 @@ MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *pa
     addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Location"), ofMachine<&Machine::location>());
     beginRow();
     addLongText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Condition"),
-                ofMachine<&Machine::condition>());
+                ofMachine<&Machine::condition>())
+        ->setMost(mostOfLine);
     addStretch();
     refresh();
 }

@@ -105,25 +105,34 @@ Strips keyValueStrips(const KeyValues &values, double width) {
     Strips result;
     for (const KeyValue &row : values.rows) {
         const bool missing = row.value.isEmpty();
-        const TextBlock label(row.key, labels, values.labelWidth * mm + labelGap / 2);
-        const TextBlock value(missing ? thinDash : row.value, missing ? dashes : stated,
-                              std::max(width - left, 20.0));
+        TextBlock label(row.key, labels, values.labelWidth * mm + labelGap / 2);
+        TextBlock value(missing ? thinDash : row.value, missing ? dashes : stated,
+                        std::max(width - left, 20.0));
         // Label and value on one base line.
         const double drop = value.ascent() - label.ascent();
         const std::size_t lines = std::max(label.lineCount(), value.lineCount());
         constexpr std::size_t tallRow = 24; // is split between its lines
         const std::size_t step = lines > tallRow ? 1 : lines;
-        for (std::size_t from = 0; from < lines; from += step) {
-            const double height = value.lineHeight() * static_cast<double>(step);
-            result.push_back(strip(height, [=](QPainter &painter, QPointF at) {
-                const bool all = step == lines;
-                if (from < label.lineCount())
-                    (all ? label : label.line(from)).draw(painter, at + QPointF(0, drop));
-                if (from < value.lineCount())
-                    (all ? value : value.line(from)).draw(painter, at + QPointF(left, 0));
-            }));
-            result.back().gap = from == 0 ? rowGap : 0;
+        const double height = value.lineHeight() * static_cast<double>(step);
+        const auto add = [&](TextBlock key, TextBlock stands) {
+            result.push_back(strip(
+                height, [=, key = std::move(key), stands = std::move(stands)](QPainter &painter, QPointF at) {
+                    key.draw(painter, at + QPointF(0, drop));
+                    stands.draw(painter, at + QPointF(left, 0));
+                }));
+        };
+        const auto lineOf = [](const TextBlock &block, std::size_t index) {
+            return index < block.lineCount() ? block.line(index) : TextBlock();
+        };
+        const std::size_t first = result.size();
+        if (step == lines) {
+            add(std::move(label), std::move(value));
+        } else {
+            for (std::size_t i = 0; i < lines; ++i)
+                add(lineOf(label, i), lineOf(value, i));
         }
+        if (first < result.size())
+            result[first].gap = rowGap;
     }
     return result;
 }
@@ -253,13 +262,47 @@ Strips besideEachOther(Strips left, Strips right, double rightAt, double tallest
                   })};
 }
 
+/// The same below each other, line by line, for what is too long for a letterhead.
+Strips tallLetterhead(const TestHead &head, double width) {
+    const Logo logo(head.logo);
+    const Logo mark(head.mark);
+    const QSizeF logoSize = logo.size({logoWidth, logoHeight});
+    const QSizeF markSize = mark.size({logoWidth, logoHeight});
+    Strips result{strip(std::max(logoSize.height(), markSize.height()), [=](QPainter &painter, QPointF at) {
+        logo.draw(painter, QRectF(at, logoSize));
+        mark.draw(painter, QRectF(at + QPointF(width - markSize.width(), 0), markSize));
+    })};
+    const auto add = [&](const QString &text, const TextStyle &style) {
+        if (text.isEmpty())
+            return;
+        Strips lines = lineStrips(TextBlock(text, style, width));
+        lines.front().gap = nameGap;
+        std::ranges::move(lines, std::back_inserter(result));
+    };
+    add(head.laboratory, h2);
+    add(head.address, smallStyle);
+    add(head.accreditation, smallStyle);
+    add(head.number, h2);
+    for (const QString &note : head.numberNotes)
+        add(note, smallStyle);
+    return result;
+}
+
 Strips testHeadStrips(const TestHead &head, double width, double tallest) {
     Strips result{letterhead(head, width)};
+    if (result.front().height > tallest / 2)
+        result = tallLetterhead(head, width);
     const auto line = [&](const QString &text, const TextStyle &style, double gap) {
         if (text.isEmpty())
             return;
-        result.push_back(textStrip(TextBlock(text, style, width)));
-        result.back().gap = gap;
+        TextBlock block(text, style, width);
+        Strips lines;
+        if (block.height() > tallest / 4)
+            lines = lineStrips(block);
+        else
+            lines.push_back(textStrip(std::move(block)));
+        lines.front().gap = gap;
+        std::ranges::move(lines, std::back_inserter(result));
     };
     line(head.title, h1, titleGap);
     line(head.subtitle, subtitleStyle, subtitleGap);

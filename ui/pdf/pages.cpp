@@ -38,15 +38,8 @@ QSizeF sizeOf(Paper paper) {
     return paper == Paper::letter ? QSizeF(612, 792) : QSizeF(210, 297) * mm;
 }
 
-/// A text cut at its end to what fits.
 TextBlock elided(const QString &text, double width) {
-    TextBlock block(text.simplified(), runningStyle);
-    QString rest = text.simplified();
-    while (block.width() > width && !rest.isEmpty()) {
-        rest.chop(1);
-        block = TextBlock(rest.trimmed() + u'…', runningStyle);
-    }
-    return block;
+    return ui::elided(text, runningStyle, width);
 }
 
 /// Strips of one page before their places are final.

@@ -43,8 +43,15 @@ const Face &face(const TextRun &run, const TextStyle &style) {
     return face(size, run.bold || style.bold, run.italic);
 }
 
+thread_local std::size_t measured = 0;
+
+double widthOf(const QString &text, const TextRun &look, const TextStyle &style) {
+    measured += static_cast<std::size_t>(text.size());
+    return face(look, style).metrics.horizontalAdvance(text) / tenths;
+}
+
 double widthOf(const TextRun &run, const TextStyle &style) {
-    return face(run, style).metrics.horizontalAdvance(run.text) / tenths;
+    return widthOf(run.text, run, style);
 }
 
 bool sameLook(const TextRun &a, const TextRun &b) {
@@ -94,26 +101,97 @@ std::vector<Word> words(const RichText &text) {
     return result;
 }
 
-/// Characters of a run that stand in `width`, at least one; never between a letter and its accent.
-qsizetype fitting(const TextRun &run, const TextStyle &style, double width) {
-    qsizetype count = 1;
-    const auto joins = [&](qsizetype at) {
-        return at < run.text.size() && (run.text[at].isMark() || run.text[at].isLowSurrogate());
-    };
-    for (qsizetype next = 1; next <= run.text.size(); ++next) {
-        if (joins(next))
-            continue;
-        if (next > 1 && widthOf(part(run, 0, next), style) > width)
-            break;
-        count = next;
+/// The rest of a run from `from` on. What it is asked costs as much as a line is long, not as the rest is.
+class Rest {
+public:
+    Rest(const TextRun &run, const TextStyle &style)
+        : m_run(run)
+        , m_style(style) {}
+
+    [[nodiscard]] bool empty() const { return m_from == m_run.text.size(); }
+
+    /// Takes that many characters off its beginning.
+    TextRun take(qsizetype count) {
+        m_from += count;
+        return part(m_run, m_from - count, count);
     }
-    // Better behind a sign that parts words, if most of the line is used that way.
-    for (qsizetype at = count; at < run.text.size() && at > count / 2; --at) {
-        if (QStringLiteral("/-_.,;:").contains(run.text[at - 1]))
-            return at;
+    TextRun takeAll() { return take(m_run.text.size() - m_from); }
+
+    [[nodiscard]] double width(qsizetype count) const {
+        return widthOf(m_run.text.mid(m_from, count), m_run, m_style);
     }
-    return count;
-}
+
+    /// Wider than that?
+    [[nodiscard]] bool exceeds(double width) const {
+        return firstBeyond(width) <= m_run.text.size() - m_from;
+    }
+
+    /// Characters that stand in `width`, at least one; never between a letter and its accent.
+    [[nodiscard]] qsizetype most(double width) const {
+        return std::max<qsizetype>(before(firstBeyond(width)), whole(1));
+    }
+
+    /// As many, or fewer where the line ends better.
+    [[nodiscard]] qsizetype fitting(double width) const {
+        const qsizetype size = m_run.text.size() - m_from;
+        const qsizetype count = most(width);
+        // Better behind a sign that parts words, if most of the line is used that way.
+        for (qsizetype at = count; at < size && at > count / 2; --at) {
+            if (QStringLiteral("/-_.,;:").contains(m_run.text[m_from + at - 1]))
+                return at;
+        }
+        return count;
+    }
+
+    /// The last end of a whole character before `count`.
+    [[nodiscard]] qsizetype before(qsizetype count) const {
+        --count;
+        while (count > 0 && joins(count))
+            --count;
+        return count;
+    }
+
+private:
+    [[nodiscard]] bool joins(qsizetype at) const {
+        const qsizetype place = m_from + at;
+        return place < m_run.text.size() &&
+               (m_run.text[place].isMark() || m_run.text[place].isLowSurrogate());
+    }
+    /// The first such end from `count` on.
+    [[nodiscard]] qsizetype whole(qsizetype count) const {
+        while (joins(count))
+            ++count;
+        return count;
+    }
+
+    /// The least number of characters that are wider than `width`; one more than there are where all fit.
+    /// What is measured doubles until it is too wide, then halves between.
+    [[nodiscard]] qsizetype firstBeyond(double width) const {
+        const qsizetype size = m_run.text.size() - m_from;
+        qsizetype fits = 0;
+        qsizetype beyond = whole(std::min<qsizetype>(firstGuess, size));
+        while (this->width(beyond) <= width) {
+            if (beyond == size)
+                return size + 1;
+            fits = beyond;
+            beyond = whole(std::min(2 * beyond, size));
+        }
+        for (;;) {
+            qsizetype middle = whole(fits + (beyond - fits + 1) / 2);
+            if (middle >= beyond)
+                middle = before(beyond);
+            if (middle <= fits)
+                return beyond;
+            (this->width(middle) <= width ? fits : beyond) = middle;
+        }
+    }
+
+    static constexpr qsizetype firstGuess = 32;
+
+    const TextRun &m_run;
+    const TextStyle &m_style;
+    qsizetype m_from = 0;
+};
 
 } // namespace
 
@@ -123,27 +201,24 @@ TextBlock::TextBlock(const QString &text, const TextStyle &style, double width)
 TextBlock::TextBlock(const RichText &text, const TextStyle &style, double width)
     : m_style(style)
     , m_lines(1) {
+    const bool wraps = width < unlimited;
+    // A line that cannot be full is measured when it is whole.
     const auto append = [&](const TextRun &run) {
         Line &line = m_lines.back();
-        if (!line.fragments.empty() && sameLook(line.fragments.back().run, run)) {
-            Fragment &last = line.fragments.back();
-            line.width -= last.width;
-            last.run.text += run.text;
-            last.width = widthOf(last.run, style);
-            line.width += last.width;
-        } else {
-            line.fragments.push_back({run, widthOf(run, style)});
-            line.width += line.fragments.back().width;
-        }
+        if (!line.fragments.empty() && sameLook(line.fragments.back().run, run))
+            line.fragments.back().run.text += run.text;
+        else
+            line.fragments.push_back({run, 0});
+        if (wraps)
+            measureEnd(line);
     };
-    const bool wraps = width < unlimited;
     for (const Word &word : words(text)) {
         if (word.newLine)
             m_lines.emplace_back();
         if (word.runs.empty())
             continue;
         double needed = 0;
-        if (wraps) {
+        if (wraps && !m_lines.back().fragments.empty()) {
             for (const TextRun &run : word.runs)
                 needed += widthOf(run, style);
         }
@@ -155,23 +230,41 @@ TextBlock::TextBlock(const RichText &text, const TextStyle &style, double width)
             m_lines.emplace_back();
         else if (gap > 0)
             append(space);
-        for (TextRun run : word.runs) {
-            while (wraps && m_lines.back().width + widthOf(run, style) > width + 0.01) {
-                const qsizetype count = fitting(run, style, width - m_lines.back().width);
+        for (const TextRun &run : word.runs) {
+            Rest rest(run, style);
+            while (wraps && rest.exceeds(width + 0.01 - m_lines.back().width)) {
+                const qsizetype count = rest.fitting(width - m_lines.back().width);
                 const bool alone = m_lines.back().fragments.empty();
-                if (!alone && widthOf(part(run, 0, count), style) > width - m_lines.back().width) {
+                if (!alone && rest.width(count) > width - m_lines.back().width) {
                     m_lines.emplace_back();
                     continue;
                 }
-                append(part(run, 0, count));
-                run.text.remove(0, count);
-                if (run.text.isEmpty())
+                append(rest.take(count));
+                if (rest.empty())
                     break;
                 m_lines.emplace_back();
             }
-            if (!run.text.isEmpty())
-                append(run);
+            if (!rest.empty())
+                append(rest.takeAll());
         }
+    }
+    if (!wraps) {
+        for (Line &line : m_lines)
+            measure(line);
+    }
+}
+
+void TextBlock::measureEnd(Line &line) const {
+    Fragment &last = line.fragments.back();
+    line.width -= last.width;
+    last.width = widthOf(last.run, m_style);
+    line.width += last.width;
+}
+
+void TextBlock::measure(Line &line) const {
+    for (Fragment &fragment : line.fragments) {
+        fragment.width = widthOf(fragment.run, m_style);
+        line.width += fragment.width;
     }
 }
 
@@ -184,6 +277,15 @@ double TextBlock::width() const {
 
 double TextBlock::ascent() const {
     return (lineHeight() - (fontAscent + fontDescent) * m_style.size) / 2 + fontAscent * m_style.size;
+}
+
+QString TextBlock::text() const {
+    QString text;
+    for (const Line &line : m_lines) {
+        for (const Fragment &fragment : line.fragments)
+            text += fragment.run.text;
+    }
+    return text;
 }
 
 TextBlock TextBlock::line(std::size_t index) const {
@@ -220,7 +322,25 @@ void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment
 }
 
 double textWidth(const QString &text, const TextStyle &style) {
-    return face({text}, style).metrics.horizontalAdvance(text) / tenths;
+    return widthOf({text}, style);
+}
+
+TextBlock elided(const QString &text, const TextStyle &style, double width) {
+    const TextRun whole{text.simplified()};
+    Rest rest(whole, style);
+    if (!rest.exceeds(width))
+        return {whole.text, style};
+    const auto cut = [&](qsizetype count) {
+        return TextBlock(whole.text.left(count).trimmed() + u'…', style);
+    };
+    qsizetype count = rest.most(width);
+    while (count > 0 && cut(count).width() > width)
+        count = rest.before(count);
+    return cut(count);
+}
+
+std::size_t charactersMeasured() {
+    return measured;
 }
 
 } // namespace palmer::ui

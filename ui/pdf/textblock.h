@@ -53,6 +53,8 @@ public:
     [[nodiscard]] bool empty() const { return m_lines.empty(); }
     /// From the top of the block to the base line of its first line.
     [[nodiscard]] double ascent() const;
+    /// As it stands, without the ends of the lines.
+    [[nodiscard]] QString text() const;
     /// One of its lines as a block of its own.
     [[nodiscard]] TextBlock line(std::size_t index) const;
 
@@ -72,11 +74,21 @@ private:
         double width = 0;
     };
 
+    void measure(Line &line) const;
+    void measureEnd(Line &line) const; ///< after its last fragment has grown
+
     TextStyle m_style;
     std::vector<Line> m_lines;
 };
 
 /// How wide a text of one style stands on its line, points.
 [[nodiscard]] double textWidth(const QString &text, const TextStyle &style);
+
+/// A text on one line, cut at its end to what fits.
+[[nodiscard]] TextBlock elided(const QString &text, const TextStyle &style, double width);
+
+/// Characters measured by this thread so far: the work of laying out, for those who watch that it does not
+/// grow faster than the text.
+[[nodiscard]] std::size_t charactersMeasured();
 
 } // namespace palmer::ui

@@ -52,6 +52,19 @@ private slots:
                  std::optional(REPORT_TEXT("report", "two commas")));
     }
 
+    /// What the test file refuses is refused where it is typed, from both sides of the bound.
+    void staysWithinWhatAFileHolds() {
+        for (const char16_t *held : {u"1000000", u"-1000000", u"999999.999"})
+            QVERIFY(typedReading(held, axis(Motion::linear), millimetres).value);
+        for (const char16_t *refused : {u"1000000.001", u"-1000000.001", u"1e15"}) {
+            const NumberEntry entry = typedReading(refused, axis(Motion::linear), millimetres);
+            QVERIFY(!entry.value && entry.refusal);
+        }
+        QVERIFY(typedReading(u"1000000001", axis(Motion::linear), usual).refusal); // µm
+        QVERIFY(typedReading(u"1000001", axis(Motion::linear), usual, 0).refusal);
+        QVERIFY(typedReading(u"1000001", axis(Motion::linear), usual, 1).value);
+    }
+
     void aTargetLiesBetweenItsNeighbours() {
         PositioningMeasurement measurement;
         measurement.targets = {0, 100, 200};

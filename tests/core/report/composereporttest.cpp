@@ -3,6 +3,7 @@
 #include "report/composereport.h"
 
 #include "document/readdocument.h"
+#include "document/writedocument.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "report/attachedfile.h"
@@ -293,6 +294,106 @@ private slots:
             QCOMPARE(inAmerica, inFrance);
             QCOMPARE(inEgypt, inFrance);
         }
+    }
+
+    /// Tables beyond 2 000 rows are left out with a sentence, and printed on request.
+    void longTablesAreLeftOut_data() {
+        QTest::addColumn<int>("targets");
+        QTest::addColumn<int>("runs");      // a direction
+        QTest::addColumn<int>("ofTargets"); // rows printed
+        QTest::addColumn<int>("ofReadings");
+        QTest::newRow("2 000 targets") << 2000 << 2 << 2000 << 2000;
+        QTest::newRow("2 001 targets") << 2001 << 2 << 0 << 0;
+        QTest::newRow("many runs, few targets") << 11 << 100 << 11 << 2 * 11 * 9;
+        QTest::newRow("more rows of runs than 2 000") << 200 << 100 << 200 << 0;
+    }
+    void longTablesAreLeftOut() {
+        QFETCH(const int, targets);
+        QFETCH(const int, runs);
+        QFETCH(const int, ofTargets);
+        QFETCH(const int, ofReadings);
+        PositioningMeasurement measurement;
+        for (int i = 0; i < targets; ++i)
+            measurement.targets.push_back(i);
+        for (int j = 0; j < 2 * runs; ++j) {
+            measurement.runs.push_back({j % 2 == 0 ? Direction::positive : Direction::negative, {}});
+            for (int i = 0; i < targets; ++i)
+                measurement.runs.back().deviations.emplace_back((i * 7 + j * 3) % 11 * 1e-4);
+        }
+        Test test;
+        test.edition = "ISO 230-2:2014";
+        test.measurement = measurement;
+        Document whole;
+        whole.tests.push_back(std::make_shared<const Test>(test));
+        for (const bool all : {false, true}) {
+            if (all)
+                whole = readDocument(
+                    writeDocument(whole).replace("\"readingMarks\"", "\"readingMarks\", \"allReadings\""));
+            for (const Language::Id id : both) {
+                const Language language(id);
+                const Report made =
+                    composeReport(evaluate(std::make_shared<const Document>(whole)), language, {});
+                const QString sentence =
+                    language
+                        .text(REPORT_TEXT(
+                            "report",
+                            "Left out: %1 rows, for a report prints no more than %2 of them unasked. The "
+                            "test file holds all readings. To print the rows as well, choose “All readings” "
+                            "for the report, or write “allReadings” under “include” in the test file."))
+                        .section(u'%', 0, 0);
+                int leftOut = 0;
+                int rowsOfTargets = 0;
+                int rowsOfReadings = 0;
+                for (const Block &block : made.blocks) {
+                    if (const auto *paragraph = std::get_if<Paragraph>(&block))
+                        leftOut += paragraph->text.startsWith(sentence) ? 1 : 0;
+                    const auto *table = std::get_if<Table>(&block);
+                    if (!table || table->columns[0].title.plain() != "i")
+                        continue;
+                    (table->spanners.empty() ? rowsOfTargets : rowsOfReadings) += int(table->rows.size());
+                }
+                if (all) {
+                    QCOMPARE(leftOut, 0);
+                    QCOMPARE(rowsOfTargets, targets);
+                    QVERIFY(rowsOfReadings >= targets);
+                } else {
+                    QCOMPARE(leftOut, (ofTargets == 0 ? 1 : 0) + (ofReadings == 0 ? 1 : 0));
+                    QCOMPARE(rowsOfTargets, ofTargets);
+                    QCOMPARE(rowsOfReadings, ofReadings);
+                }
+            }
+        }
+    }
+
+    /// A report of many readings holds figures of few points: it is copied, and paper shows no more.
+    void figuresOfManyReadingsAreThin() {
+        PositioningMeasurement measurement;
+        for (int i = 0; i < 20000; ++i)
+            measurement.targets.push_back(i);
+        for (int j = 0; j < 4; ++j) {
+            measurement.runs.push_back({j % 2 == 0 ? Direction::positive : Direction::negative, {}});
+            for (int i = 0; i < 20000; ++i)
+                measurement.runs.back().deviations.emplace_back((i * 7 + j * 3) % 11 * 1e-4);
+        }
+        Test test;
+        test.edition = "ISO 230-2:2006";
+        test.measurement = measurement;
+        Document whole;
+        whole.tests.push_back(std::make_shared<const Test>(test));
+        const Report made = composeReport(evaluate(std::make_shared<const Document>(whole)),
+                                          Language(Language::Id::english), {});
+        int figures = 0;
+        for (const Block &block : made.blocks) {
+            const auto *figure = std::get_if<FigureBlock>(&block);
+            if (!figure)
+                continue;
+            ++figures;
+            const auto &curves = std::get<CurveFigure>(figure->figure);
+            QVERIFY(curves.readings.size() <= 4000);
+            for (const Curve &curve : curves.curves)
+                QVERIFY(curve.points.size() <= 8000);
+        }
+        QCOMPARE(figures, 1);
     }
 
     void everyTermOfTheEditionsIsTranslated() {

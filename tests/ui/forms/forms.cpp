@@ -8,6 +8,8 @@
 #include "ui/forms/machinepage.h"
 #include "ui/results/chip.h"
 
+#include "document/readdocument.h"
+#include "document/writedocument.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
@@ -16,6 +18,7 @@
 #include "ui/wheelguard.h"
 
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -413,6 +416,84 @@ private slots:
         QVERIFY(!pressure->isRefused());
         QCOMPARE(pressure->text(), u"1\u202f013"_s);
         QVERIFY(!edited.model.undoStack()->canUndo());
+    }
+
+    /// A text longer than a test file holds is refused with a sentence, never cut; the one before is kept.
+    void aTextTooLongStaysInRed_data() {
+        QTest::addColumn<int>("index");
+        QTest::addColumn<int>("most");
+        QTest::newRow("address") << 0 << 65536;
+        QTest::newRow("address of the customer") << 1 << 65536;
+        QTest::newRow("adjustments") << 3 << 4096;
+        QTest::newRow("remarks") << 4 << 65536;
+        QTest::newRow("a line") << -1 << 4096;
+    }
+    void aTextTooLongStaysInRed() {
+        QFETCH(const int, index);
+        QFETCH(const int, most);
+        Edited<IdentificationPage> edited(example());
+        edited.page.setLanguage(Language(Language::Id::english));
+        QWidget *edit = index < 0 ? static_cast<QWidget *>(edited.page.findChildren<QLineEdit *>().at(0))
+                                  : edited.page.findChildren<QPlainTextEdit *>().at(index);
+        auto *field = qobject_cast<Field *>(edit->parentWidget());
+        QVERIFY(field);
+        edit->setFocus(Qt::TabFocusReason);
+        const auto paste = [&](const QString &text) {
+            QMetaObject::invokeMethod(edit, "selectAll");
+            QApplication::clipboard()->setText(text);
+            QMetaObject::invokeMethod(edit, "paste");
+        };
+        const auto held = [&] {
+            const QByteArray file = writeDocument(*edited.model.document());
+            (void)readDocument(file); // can be opened again
+            int longest = 0;
+            int run = 0;
+            for (const char c : file)
+                longest = std::max(longest, run = c == 'x' ? run + 1 : 0);
+            return longest;
+        };
+        paste(QString(most, u'x'));
+        QVERIFY(!field->isRefused());
+        QCOMPARE(held(), most);
+        paste(QString(most + 1, u'x'));
+        QVERIFY(field->isRefused());
+        QCOMPARE(field->text().size(), qsizetype(most + 1));
+        QVERIFY(field->refusal().startsWith(QString::number(most + 1)));
+        QVERIFY(field->refusal().contains(QString::number(most)));
+        QVERIFY(held() <= most);
+        paste(u"short"_s);
+        QVERIFY(!field->isRefused());
+        QVERIFY(held() < 10);
+    }
+
+    void aTextOfAnAgreementThatIsTooLongIsRefused() {
+        Edited<AgreedPointsPage> edited(example());
+        auto *text = edited.page.findChildren<QLineEdit *>().at(0);
+        auto *refusal = edited.page.findChild<QLabel *>(
+            QString(text->objectName()).replace(u"field.agreedPoints"_s, u"refusal"_s));
+        QVERIFY(refusal);
+        const auto paste = [&](const QString &words) {
+            text->selectAll();
+            QApplication::clipboard()->setText(words);
+            text->paste();
+        };
+        const auto held = [&] {
+            std::size_t longest = 0;
+            for (const AgreedPoint &point : edited.test().agreedPoints)
+                longest = std::max(longest, point.text.size());
+            return longest;
+        };
+        paste(QString(65536, u'x'));
+        QVERIFY(refusal->isHidden());
+        QCOMPARE(held(), std::size_t(65536));
+        paste(QString(65537, u'y'));
+        QVERIFY(!refusal->isHidden());
+        QVERIFY(refusal->text().contains(u"65537"_s) && refusal->text().contains(u"65536"_s));
+        QCOMPARE(text->text().size(), qsizetype(65537));
+        QCOMPARE(held(), std::size_t(65536));
+        paste(u"agreed"_s);
+        QVERIFY(refusal->isHidden());
+        QVERIFY(held() < 100);
     }
 
     void escapeTakesBackWhatWasTyped() {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace palmer::iso230_2 {
 
@@ -16,15 +18,16 @@ constexpr int fullTest = 5; ///< approaches each way
 NameList gaps(const PositioningCase &test) {
     const PositioningMeasurement &m = test.measurement;
     NameList result;
+    std::set<std::pair<int, int>> setAside;
+    for (const ExcludedReading &reading : m.excluded)
+        setAside.emplace(reading.run, reading.target);
     for (std::size_t run = 0; run < m.runs.size(); ++run) {
         const auto &deviations = m.runs[run].deviations;
         if (std::ranges::all_of(deviations, [](const auto &x) { return x.has_value(); }))
             continue;
         for (std::size_t target = 0; target < deviations.size(); ++target) {
-            const auto setAside = [&](const ExcludedReading &e) {
-                return e.run == static_cast<int>(run) + 1 && e.target == static_cast<int>(target) + 1;
-            };
-            if (!deviations[target] && std::ranges::none_of(m.excluded, setAside))
+            const std::pair place(static_cast<int>(run) + 1, static_cast<int>(target) + 1);
+            if (!deviations[target] && !setAside.contains(place))
                 result.add(readingName(m, run, target));
         }
     }
