@@ -26,6 +26,22 @@ Verdict decideUpper(double value, double limit, std::optional<double> expandedUn
     return value > limit + *guard + rounding ? Verdict::doesNotConform : Verdict::notProven;
 }
 
+double judgedValue(double value, Bound bound) {
+    switch (bound) {
+    case Bound::magnitude:
+        return std::abs(value);
+    case Bound::upper:
+        return value;
+    case Bound::lower:
+        return -value;
+    }
+    return value;
+}
+
+double judgedLimit(double limit, Bound bound) {
+    return bound == Bound::lower ? -limit : limit;
+}
+
 std::optional<double> guardBand(std::optional<double> expandedUncertainty, const DecisionRule &rule) {
     if (rule.rule == Rule::simpleAcceptance || !expandedUncertainty)
         return std::nullopt;

@@ -17,6 +17,11 @@ namespace palmer {
 [[nodiscard]] Verdict decideUpper(double value, double limit, std::optional<double> expandedUncertainty,
                                   const DecisionRule &rule);
 
+/// A value and its limit turned so that less is better: upper limits as they are, signed results by their
+/// size, lower limits with both signs exchanged.
+[[nodiscard]] double judgedValue(double value, Bound bound);
+[[nodiscard]] double judgedLimit(double limit, Bound bound);
+
 /// guardFactor·U, null under simple acceptance or without U.
 [[nodiscard]] std::optional<double> guardBand(std::optional<double> expandedUncertainty,
                                               const DecisionRule &rule);
