@@ -26,9 +26,10 @@ struct Comparison {
     double value; ///< less is better, as of the limit
     double limit;
     std::optional<double> uncertainty;
+    double rounding = roundingOfSums;
 
     [[nodiscard]] Verdict verdict(const DecisionRule &rule) const {
-        return decideUpper(value, limit, uncertainty, rule);
+        return decideUpper(value, limit, uncertainty, rule, rounding);
     }
     /// On the same side of the limit, and of the ends of its guard band, as `other`.
     [[nodiscard]] bool agreesWith(const Comparison &other, const DecisionRule &rule) const {
@@ -47,7 +48,8 @@ Comparison printedComparison(const Parameter &p, int decimals, const DisplayUnit
     const int ofLimit = limitDecimals(limit, p.term.quantity, units);
     Comparison printed{judgedValue(printedNumber(*p.value, unit, decimals), p.bound),
                        judgedLimit(printedNumber(limit, unit, ofLimit), p.bound),
-                       {}};
+                       {},
+                       roundingOfWritten};
     if (p.expandedUncertainty)
         printed.uncertainty = readBack(
             Decimal(*p.expandedUncertainty, unit).roundedUncertainty(std::max(0, decimals + unit.decimals)));
@@ -100,7 +102,7 @@ int parameterDecimals(const Parameter &parameter, const DecisionRule &rule, std:
         return result;
     const Comparison exact{judgedValue(*parameter.value, parameter.bound),
                            judgedLimit(*parameter.limit->value, parameter.bound),
-                           parameter.expandedUncertainty};
+                           parameter.expandedUncertainty, roundingOfSums};
     for (int decimals = result; decimals <= mostDecimals; ++decimals) {
         if (printedComparison(parameter, decimals, units).agreesWith(exact, rule))
             return decimals;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 using namespace palmer;
@@ -13,9 +14,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+using Whole = std::int64_t; ///< of up to 18 digits
+
 /// A printed number as a whole number of 10⁻ⁿ: exact, other than doubles.
 struct Exact {
-    __int128 digits = 0;
+    Whole digits = 0;
     int decimals = 0;
 };
 
@@ -43,7 +46,7 @@ Exact to(Exact number, int decimals) {
 
 int compare(const Exact &a, const Exact &b) {
     const int decimals = std::max(a.decimals, b.decimals);
-    const __int128 difference = to(a, decimals).digits - to(b, decimals).digits;
+    const Whole difference = to(a, decimals).digits - to(b, decimals).digits;
     return difference < 0 ? -1 : difference > 0 ? 1 : 0;
 }
 

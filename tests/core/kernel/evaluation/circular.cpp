@@ -425,7 +425,7 @@ void Circular::rowsAndTestAgreeUnderAllPairsOfLimits() {
             measurement(test).uncertainty.method = UncertaintyMethod::direct;
             measurement(test).uncertainty.expanded = {{"F", 2 * uniform(random)}};
         }
-        const unsigned which = 1 + random() % 7;
+        const auto which = static_cast<unsigned>(1 + random() % 7);
         if (which & 1)
             test.limits["F"].value = 12 * uniform(random) * micrometre;
         if (which & 2)

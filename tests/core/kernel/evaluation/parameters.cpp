@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <random>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -273,7 +274,7 @@ void Parameters::directionThatRulesRepeatability() {
         const double scatter = 3 * std::abs(normal(random));
         const double reversal = 2 * normal(random);
         std::vector<std::vector<double>> up(5);
-        std::vector<std::vector<double>> down(3 + round % 4);
+        std::vector<std::vector<double>> down(static_cast<std::size_t>(3 + round % 4));
         for (auto &run : up)
             for (int i = 0; i < 4; ++i)
                 run.push_back(scatter * normal(random));

@@ -326,6 +326,8 @@ void LeastSquaresCircleTest::shortArcsWithLargeDeviations() {
         if (!circle.valid())
             continue;
         ++found;
+        if (circle.radius > 5000)
+            continue; // straight within 0.1 mm: the sum tells the centres of metres apart by rounding only
         // A pattern search: a cross whose arms halve where none is lower. Turned along the arc's middle,
         // where the valley is.
         const Point along = direction(extent / 2);
@@ -349,11 +351,16 @@ void LeastSquaresCircleTest::shortArcsWithLargeDeviations() {
             if (!lower)
                 arm /= 2;
         }
-        // The search sees 1e-9 R of the centre; the sum is flat to the square of it.
-        QVERIFY2(atFit - least <= 1e-12L * least,
-                 qPrintable(QStringLiteral("trial %1: %2 mm")
+        // The search sees 1e-9 R of the centre, and the sum is flat to the square of it; the fit sees the sum
+        // with the rounding of its distances, R·2e-16 each.
+        const auto rounding =
+            static_cast<long double>(4e-15 * circle.radius) * std::sqrt(static_cast<double>(least));
+        QVERIFY2(atFit - least <= 1e-12L * least + rounding,
+                 qPrintable(QStringLiteral("trial %1: R %2, %3 mm, %4")
                                 .arg(trial)
-                                .arg(double(std::hypot(x - circle.centre.x, y - circle.centre.y)))));
+                                .arg(circle.radius)
+                                .arg(double(std::hypot(x - circle.centre.x, y - circle.centre.y)))
+                                .arg(double((atFit - least) / least))));
     }
     // Where the deviations are as large as the arc is bent some points lie on no circle.
     QVERIFY2(found >= (extent < 30 || deviation > 0.03 ? 25 : 36), qPrintable(QString::number(found)));
