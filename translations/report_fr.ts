@@ -5270,6 +5270,46 @@
         <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
     </message>
     <message>
+        <source>%1 is held against the limits of %2 and of %3: its row shows that of %2, which has the worse verdict.</source>
+        <translation>%1 est comparé aux limites de %2 et de %3&#xa0;: sa ligne montre celle de %2, dont le verdict est le moins bon.</translation>
+    </message>
+    <message>
+        <source>%1 is held against the limits of %2 and of %3: its row shows that of %2, which is the tighter one.</source>
+        <translation>%1 est comparé aux limites de %2 et de %3&#xa0;: sa ligne montre celle de %2, la plus serrée.</translation>
+    </message>
+    <message>
+        <source>The instrument was at %1 on average and the results are not corrected to 20 °C.</source>
+        <translation>L’instrument était à %1 en moyenne et les résultats ne sont pas ramenés à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>The angles of arc %1 (%2) run against its sense or jump back: anticlockwise they grow, clockwise they fall. Its name may be wrong.</source>
+        <translation>Les angles de l’arc %1 (%2) vont à l’encontre de son sens ou reviennent en arrière&#xa0;: ils croissent dans le sens antihoraire, décroissent dans le sens horaire. Son nom peut être faux.</translation>
+    </message>
+    <message>
+        <source>No least squares circle was found for the points: what rests on it has no value.</source>
+        <translation>Aucun cercle des moindres carrés n’a été trouvé pour les points&#xa0;: ce qui repose sur lui n’a pas de valeur.</translation>
+    </message>
+    <message>
+        <source>limit of %1</source>
+        <translation>limite de %1</translation>
+    </message>
+    <message>
+        <source>%1 is below its lower limit by more than the uncertainty: %2 against %3 − %4 = %5.</source>
+        <translation>%1 est au-dessous de sa limite inférieure de plus de l’incertitude&#xa0;: %2 contre %3 − %4 = %5.</translation>
+    </message>
+    <message>
+        <source>%1 is below its lower limit by more than the guard band: %2 against %3 − %4 = %5.</source>
+        <translation>%1 est au-dessous de sa limite inférieure de plus de la bande de garde&#xa0;: %2 contre %3 − %4 = %5.</translation>
+    </message>
+    <message>
+        <source>%1 is below its lower limit: %2 against %3.</source>
+        <translation>%1 est au-dessous de sa limite inférieure&#xa0;: %2 contre %3.</translation>
+    </message>
+    <message>
+        <source>The limits of Fmax and Fmin hold with their signs, that of Fmin as a lower limit: for it, above and below change places.</source>
+        <translation>Les limites de Fmax et de Fmin s’entendent avec leur signe, celle de Fmin comme limite inférieure&#xa0;: pour elle, au-dessus et au-dessous s’échangent.</translation>
+    </message>
+    <message>
         <source>this text has %1 characters; expected no more than %2</source>
         <translation>ce texte compte %1 caractères&#x202f;; attendu&#xa0;: %2 au plus</translation>
     </message>

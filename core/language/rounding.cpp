@@ -182,17 +182,4 @@ int decimalsWithUncertainty(double expanded, Quantity quantity, std::optional<do
     return std::max(decimals, coarsestDecimals);
 }
 
-int decimalsShowingSide(double value, double limit, Quantity quantity, int decimals) {
-    if (!std::isfinite(value) || !std::isfinite(limit) || decimals < 0)
-        return decimals;
-    const Decimal shown(value, quantity);
-    const Decimal shownLimit(limit, quantity);
-    const bool beyond = shownLimit < shown;
-    // With all its digits the value is not rounded and stands where it is.
-    const int all = std::max(decimals, static_cast<int>(shown.m_digits.size()) - shown.m_point);
-    while (decimals < all && (shownLimit < shown.roundedTo(decimals)) != beyond)
-        ++decimals;
-    return decimals;
-}
-
 } // namespace palmer

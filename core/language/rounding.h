@@ -39,7 +39,6 @@ public:
 
 private:
     friend int decimalsWithUncertainty(double expanded, Quantity quantity, std::optional<double> resolution);
-    friend int decimalsShowingSide(double value, double limit, Quantity quantity, int decimals);
 
     void read(const char *begin, const char *end, int shift);
     [[nodiscard]] Decimal roundedTo(int decimals) const;
@@ -62,10 +61,5 @@ private:
 
 /// Digits after the point for a result without U: 0.1 µm (0.1″).
 inline constexpr int decimalsWithoutUncertainty = 1;
-
-/// The least number of digits, `decimals` or more, with which the rounded value stands on the same side of
-/// the limit as the value does, since the verdict is taken from unrounded numbers: 10.04 against 10.0 needs
-/// two. `limit` is shown as entered; signed results are handed over by absolute value.
-[[nodiscard]] int decimalsShowingSide(double value, double limit, Quantity quantity, int decimals);
 
 } // namespace palmer

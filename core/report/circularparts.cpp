@@ -4,6 +4,7 @@
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "report/conditionparts.h"
+#include "report/printednumbers.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -291,9 +292,10 @@ Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
             return path.index == parameter.index && isOf(options, path);
         });
         if (parameter.value && shown && ofPath)
-            table.rows.push_back({bold(symbolPhrase(parameter.term.symbol, parameter.index)),
-                                  write.quantity(parameter.value, parameter.term.quantity,
-                                                 parameterDecimals(parameter, resolution))});
+            table.rows.push_back(
+                {bold(symbolPhrase(parameter.term.symbol, parameter.index)),
+                 write.quantity(parameter.value, parameter.term.quantity,
+                                parameterDecimals(parameter, part.test.decisionRule, resolution))});
     }
     return table;
 }

@@ -3,6 +3,7 @@
 #include "kernel/evaluation/targetvalue.h"
 #include "language/rounding.h"
 #include "report/instrumentresult.h"
+#include "report/printednumbers.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -261,9 +262,10 @@ std::optional<Table> editionsTable(const TestPart &part) {
             const auto found = std::ranges::find_if(
                 parameters, [&](const Parameter &p) { return parameterId(p) == parameterId(*row); });
             const bool known = found != parameters.end() && found->value;
-            cells.emplace_back(known ? write.language().number(*found->value, found->term.quantity,
-                                                               parameterDecimals(*found, resolution))
-                                     : QString());
+            cells.emplace_back(
+                known ? write.language().number(*found->value, found->term.quantity,
+                                                parameterDecimals(*found, part.test.decisionRule, resolution))
+                      : QString());
         }
         table.rows.push_back(std::move(cells));
     }

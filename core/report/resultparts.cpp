@@ -1,7 +1,8 @@
 #include "report/resultparts.h"
 
 #include "figures/deviationfigure.h"
-#include "language/rounding.h"
+#include "kernel/evaluation/conformity.h"
+#include "report/printednumbers.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -71,44 +72,31 @@ QString nameInTable(const Writer &write, const Text &name) {
 }
 
 /// One parameter with its numbers as the table prints them.
-struct PrintedResult {
+struct PrintedResult : PrintedNumbers {
     const Parameter *parameter;
-    int decimals;
-    QString value;
-    QString uncertainty;
-    QString limit;
 };
-
-PrintedResult printed(const Parameter &parameter, const Language &language,
-                      std::optional<double> resolution) {
-    const Quantity quantity = parameter.term.quantity;
-    PrintedResult result{&parameter, parameterDecimals(parameter, resolution), {}, {}, {}};
-    if (parameter.value)
-        result.value = language.number(*parameter.value, quantity, result.decimals);
-    if (parameter.expandedUncertainty)
-        result.uncertainty = language.uncertainty(*parameter.expandedUncertainty, quantity, result.decimals);
-    if (parameter.limit && parameter.limit->value)
-        result.limit = language.number(*parameter.limit->value, quantity);
-    return result;
-}
 
 std::vector<PrintedResult> printedResults(const TestPart &part) {
     const auto resolution = finestResolution(part.document(), part.test);
     std::vector<PrintedResult> results;
     for (const Parameter &parameter : part.evaluation.parameters) {
         if (isPrinted(parameter, part.head()))
-            results.push_back(printed(parameter, part.write.language(), resolution));
+            results.push_back(
+                {printedNumbers(parameter, part.test.decisionRule, resolution, part.write.language()),
+                 &parameter});
     }
     return results;
 }
 
 Cell guardCell(const Parameter &parameter) {
     Cell cell = blankCell();
-    if (!parameter.verdict || !parameter.value || !parameter.limit || !parameter.limit->value ||
-        *parameter.limit->value <= 0)
+    if (!parameter.verdict || !parameter.value || !parameter.limit || !parameter.limit->value)
+        return cell;
+    const double limit = judgedLimit(*parameter.limit->value, parameter.bound);
+    if (limit <= 0)
         return cell;
     cell.blank = false;
-    cell.guard = Guard{*parameter.limit->value, std::abs(*parameter.value), parameter.guardBand};
+    cell.guard = Guard{limit, judgedValue(*parameter.value, parameter.bound), parameter.guardBand};
     return cell;
 }
 
@@ -279,6 +267,8 @@ Table resultTable(const TestPart &part, const ResultForm &form, const std::vecto
         Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
         symbol.bold = true;
         QString name = form.nameOf(parameter);
+        if (const QString of = limitNote(parameter, part.write.language()); !of.isEmpty())
+            name += QStringLiteral(", ") + of;
         if (form.notCorrected && parameter.dependsOnTemperature)
             name += QStringLiteral("\u00A0*");
         Cell value(result.value);
@@ -327,7 +317,10 @@ QString resultsNote(const TestPart &part) {
 void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrected) {
     const Writer &write = part.write;
     const auto &parameters = part.evaluation.parameters;
-    if (notCorrected)
+    const auto isMarked = [&](const Parameter &p) {
+        return p.dependsOnTemperature && isPrinted(p, part.head());
+    };
+    if (notCorrected && std::ranges::any_of(parameters, isMarked))
         blocks.emplace_back(ResultsLegend{
             {{LegendSign::none,
               QStringLiteral("*\u00A0") + write.text(REPORT_TEXT("report", "not corrected to 20 °C"))}}});
@@ -390,13 +383,26 @@ QString withUnit(const TestPart &part, const QString &number, Quantity quantity)
 
 std::string shownValue(const TestPart &part, const PrintedResult &result) {
     QString value = result.value;
-    if (value.startsWith(u'−'))
-        value.remove(0, 1); // limits hold for the absolute value
+    if (result.parameter->bound == Bound::magnitude && value.startsWith(u'−'))
+        value.remove(0, 1); // the limit holds for the absolute value
     return withUnit(part, value, result.parameter->term.quantity).toStdString();
 }
 
 std::string shownLimit(const TestPart &part, const PrintedResult &result) {
     return withUnit(part, result.limit, result.parameter->term.quantity).toStdString();
+}
+
+Text exceededBand(bool isLower, bool bandIsU) {
+    if (isLower)
+        return bandIsU ? REPORT_TEXT("report", "%1 is below its lower limit by more than the uncertainty: %2 "
+                                               "against %3 − %4 = %5.")
+                       : REPORT_TEXT("report", "%1 is below its lower limit by more than the guard band: %2 "
+                                               "against %3 − %4 = %5.");
+    return bandIsU
+               ? REPORT_TEXT("report",
+                             "%1 exceeds its limit by more than the uncertainty: %2 against %3 + %4 = %5.")
+               : REPORT_TEXT("report",
+                             "%1 exceeds its limit by more than the guard band: %2 against %3 + %4 = %5.");
 }
 
 /// `inShort`: the symbols only.
@@ -417,22 +423,16 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
     }
     const PrintedResult &result = *results.front();
     const Parameter &parameter = *result.parameter;
-    if (!hasGuardBand(part.test) || !parameter.guardBand)
+    const bool isLower = parameter.bound == Bound::lower;
+    if (!hasGuardBand(part.test) || result.reach.isEmpty())
         return write.say(
-            REPORT_TEXT("report", "%1 exceeds its limit: %2 against %3."),
+            isLower ? REPORT_TEXT("report", "%1 is below its lower limit: %2 against %3.")
+                    : REPORT_TEXT("report", "%1 exceeds its limit: %2 against %3."),
             {shownSymbol(parameter).toStdString(), shownValue(part, result), shownLimit(part, result)});
-    const QString reach = withUnit(part,
-                                   write.language().number(*parameter.limit->value + *parameter.guardBand,
-                                                           parameter.term.quantity, result.decimals),
-                                   parameter.term.quantity);
-    return write.say(
-        factorIsOne(part.test)
-            ? REPORT_TEXT("report",
-                          "%1 exceeds its limit by more than the uncertainty: %2 against %3 + %4 = %5.")
-            : REPORT_TEXT("report",
-                          "%1 exceeds its limit by more than the guard band: %2 against %3 + %4 = %5."),
-        {shownSymbol(parameter).toStdString(), shownValue(part, result), shownLimit(part, result),
-         bandName(part).toStdString(), reach.toStdString()});
+    return write.say(exceededBand(isLower, factorIsOne(part.test)),
+                     {shownSymbol(parameter).toStdString(), shownValue(part, result),
+                      shownLimit(part, result), bandName(part).toStdString(),
+                      withUnit(part, result.reach, parameter.term.quantity).toStdString()});
 }
 
 QString notProven(const TestPart &part, const std::vector<const PrintedResult *> &results) {
@@ -633,6 +633,11 @@ QString decisionText(const TestPart &part) {
     words << write.text(
         REPORT_TEXT("report", "Signed results are compared by their absolute value; the verdict is taken "
                               "from the unrounded values."));
+    const auto &limits = part.test.limits;
+    if (limits.contains("Fmax") || limits.contains("Fmin"))
+        words << write.text(REPORT_TEXT(
+            "report", "The limits of Fmax and Fmin hold with their signs, that of Fmin as a lower "
+                      "limit: for it, above and below change places."));
     return words.join(u' ');
 }
 

@@ -1,6 +1,7 @@
 #include "report/results.h"
 
 #include "kernel/evaluation/targetvalue.h"
+#include "report/printednumbers.h"
 #include "report/wording.h"
 
 #include <QStringList>
@@ -215,6 +216,8 @@ private:
 
     [[nodiscard]] QString nameOf(const Parameter &parameter, bool notCorrected) const {
         QString name = text(parameter.term.name);
+        if (const QString of = limitNote(parameter, m_language); !of.isEmpty())
+            name += QStringLiteral(" (") + of + u')';
         if (notCorrected && parameter.dependsOnTemperature)
             name += QStringLiteral(" (") + text(REPORT_TEXT("report", "not corrected to 20 °C")) + u')';
         return name;
@@ -229,21 +232,14 @@ private:
             if (!isPrinted(parameter, m_document.report))
                 continue;
             const Quantity quantity = parameter.term.quantity;
-            const int digits = parameterDecimals(parameter, finest);
-            const auto shown = [&](std::optional<double> value, int places) {
-                return value ? Phrase(m_language.number(*value, quantity, places)) : Phrase();
-            };
+            const PrintedNumbers numbers = printedNumbers(parameter, test.decisionRule, finest, m_language);
             unit = m_language.unit(quantity);
             if (group != 0 && group != *parameter.term.id)
                 table.rulesAfter.push_back(table.rows.size() - 1);
             group = *parameter.term.id;
             table.rows.push_back(
                 {symbolPhrase(parameter.term.symbol, parameter.index), nameOf(parameter, notCorrected),
-                 rulingText(parameter), shown(parameter.value, digits),
-                 parameter.expandedUncertainty
-                     ? Phrase(m_language.uncertainty(*parameter.expandedUncertainty, quantity, digits))
-                     : Phrase(),
-                 shown(parameter.limit ? parameter.limit->value : std::nullopt, -1),
+                 rulingText(parameter), numbers.value, numbers.uncertainty, numbers.limit,
                  parameter.verdict ? Phrase(text(verdictText(*parameter.verdict))) : Phrase()});
         }
         if (table.rows.empty())

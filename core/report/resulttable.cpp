@@ -1,6 +1,7 @@
 #include "report/resulttable.h"
 
 #include "kernel/evaluation/conformity.h"
+#include "report/printednumbers.h"
 #include "report/wording.h"
 
 #include <QStringList>
@@ -120,13 +121,14 @@ Head head(const ResultTable &table, const Language &language) {
 } // namespace
 
 std::optional<DecisionScale> decisionScale(const Parameter &parameter) {
-    if (!parameter.value || !parameter.limit || !parameter.limit->value || !(*parameter.limit->value > 0))
+    if (!parameter.value || !parameter.limit || !parameter.limit->value ||
+        !(judgedLimit(*parameter.limit->value, parameter.bound) > 0))
         return std::nullopt;
-    const double limit = *parameter.limit->value;
+    const double limit = judgedLimit(*parameter.limit->value, parameter.bound);
     DecisionScale scale;
     scale.band = parameter.guardBand && *parameter.guardBand > 0;
     const double half = scale.band ? *parameter.guardBand / DecisionScale::guard : limit;
-    const double place = (std::abs(*parameter.value) - limit) / half;
+    const double place = (judgedValue(*parameter.value, parameter.bound) - limit) / half;
     scale.below = place < -1;
     scale.above = place > 1;
     scale.value = std::clamp(place, -1.0, 1.0);
@@ -175,7 +177,8 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         if (!isPrinted(parameter, document.report))
             continue;
         const Quantity quantity = parameter.term.quantity;
-        const int decimals = parameterDecimals(parameter, resolution);
+        const PrintedNumbers numbers = printedNumbers(parameter, source.decisionRule, resolution, language);
+        const auto orDash = [&](const QString &text) { return text.isEmpty() ? none : text; };
         if (table.unit.isEmpty())
             table.unit = language.unit(quantity);
         if (parameter.expandedUncertainty)
@@ -185,17 +188,12 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
         line.name = language.text(shortNameOf(parameter, evaluation));
         line.fullName = language.text(parameter.term.name);
+        if (const QString of = limitNote(parameter, language); !of.isEmpty())
+            line.fullName += QStringLiteral(" (") + of + u')';
         line.ruling = rulingText(parameter);
-        line.value = parameter.value ? language.number(*parameter.value, quantity, decimals) : none;
-        line.uncertainty = parameter.expandedUncertainty
-                               ? language.uncertainty(*parameter.expandedUncertainty, quantity, decimals)
-                               : none;
-        line.limit = none;
-        if (parameter.limit && parameter.limit->value) {
-            // As entered; filled up to align with the value.
-            const double limit = *parameter.limit->value;
-            line.limit = language.number(limit, quantity, std::max(decimals, decimalsOf(limit, quantity)));
-        }
+        line.value = orDash(numbers.value);
+        line.uncertainty = orDash(numbers.uncertainty);
+        line.limit = orDash(numbers.alignedLimit);
         line.verdict = parameter.verdict;
         if (parameter.verdict)
             line.verdictWord = language.text(verdictText(*parameter.verdict));

@@ -23,8 +23,8 @@ struct DecisionScale {
     bool operator==(const DecisionScale &) const = default;
 };
 
-/// With a guard band g the scale shows limit ± 3 g, without one 0 … 2 · limit. Signed values by size. Nothing
-/// without value, or without a limit above zero. All in one unit.
+/// With a guard band g the scale shows limit ± 3 g, without one 0 … 2 · limit. Signed values by size, lower
+/// limits turned round. Nothing without value, or without a limit above zero (a lower one: below). All in one unit.
 [[nodiscard]] std::optional<DecisionScale> decisionScale(const Parameter &parameter);
 
 /// A result as a window lists it.

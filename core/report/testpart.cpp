@@ -1,6 +1,6 @@
 #include "report/testpart.h"
 
-#include "kernel/evaluation/iso230_4/correction.h"
+#include "kernel/evaluation/correctionto20.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -35,9 +35,9 @@ bool CircularPart::needsLength() const {
 
 bool CircularPart::holdsAt20() const {
     const Conditions &conditions = measurement.conditions.common;
-    const auto at20 = [&](SensorMeasures what) { return meanTemperature(conditions, what) == 20.0; };
-    return iso230_4::isCorrected(measurement) ||
-           (at20(SensorMeasures::machine) && at20(SensorMeasures::instrument));
+    const auto isKnown = [&](SensorMeasures what) { return meanTemperature(conditions, what).has_value(); };
+    return isCorrectedTo20(conditions) ||
+           (!results.notCorrected && isKnown(SensorMeasures::machine) && isKnown(SensorMeasures::instrument));
 }
 
 QString CircularPart::plane() const {

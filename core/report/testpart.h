@@ -75,7 +75,7 @@ struct CircularPart : TestPart {
     [[nodiscard]] bool asksFor(std::string_view quantity) const;
     /// F or D is asked for and can be: the reference length and the temperatures count.
     [[nodiscard]] bool needsLength() const;
-    /// F and D are corrected to 20 °C, or machine and instrument were at 20 °C.
+    /// F and D are corrected to 20 °C, or temperatures are known that need no correction.
     [[nodiscard]] bool holdsAt20() const;
     /// "XY": the axes in the order of the plane.
     [[nodiscard]] QString plane() const;

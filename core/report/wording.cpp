@@ -133,16 +133,6 @@ std::optional<double> finestResolution(const Document &document, const Test &tes
     return result;
 }
 
-int parameterDecimals(const Parameter &parameter, std::optional<double> resolution) {
-    const Quantity quantity = parameter.term.quantity;
-    int result = decimalsWithoutUncertainty;
-    if (parameter.expandedUncertainty)
-        result = decimalsWithUncertainty(*parameter.expandedUncertainty, quantity, resolution);
-    if (parameter.value && parameter.limit && parameter.limit->value)
-        result = decimalsShowingSide(std::abs(*parameter.value), *parameter.limit->value, quantity, result);
-    return result;
-}
-
 bool isPrinted(const Parameter &parameter, const ReportHead &head) {
     if (!parameter.required)
         return false;

@@ -43,10 +43,6 @@ namespace palmer {
 /// The finest step any instrument of the test shows, in mm or degrees; null where none is stated.
 [[nodiscard]] std::optional<double> finestResolution(const Document &document, const Test &test);
 
-/// Decimals of a parameter and its U, by the rules of `rounding.h`: more where rounding would hide the side
-/// of the limit.
-[[nodiscard]] int parameterDecimals(const Parameter &parameter, std::optional<double> resolution);
-
 /// Whether the parameter stands on the report: those on request only if asked for.
 [[nodiscard]] bool isPrinted(const Parameter &parameter, const ReportHead &head);
 

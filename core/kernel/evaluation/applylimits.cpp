@@ -16,10 +16,49 @@ bool holds(const Limit &limit, const TestEvaluation &evaluation) {
 
 Verdict decide(const Judged &judged, double limit, const DecisionRule &rule) {
     const Parameter &p = *judged.parameter;
-    if (judged.bound == Bound::magnitude || !p.value)
-        return decide(p.value, limit, p.expandedUncertainty, rule);
-    const double sign = judged.bound == Bound::upper ? 1 : -1;
-    return decideUpper(sign * *p.value, sign * limit, p.expandedUncertainty, rule);
+    if (!p.value)
+        return Verdict::notProven;
+    return decideUpper(judgedValue(*p.value, judged.bound), judgedLimit(limit, judged.bound),
+                       p.expandedUncertainty, rule);
+}
+
+/// How far the value may still go before it reaches the limit.
+double room(const Parameter &p, double limit, Bound bound) {
+    return p.value ? judgedLimit(limit, bound) - judgedValue(*p.value, bound) : 0;
+}
+
+void findSecondLimit(TestEvaluation &evaluation, const Parameter &p, const std::string &other, bool worse) {
+    evaluation.findings.push_back(
+        {Grade::note,
+         "limits",
+         "",
+         {worse
+              ? REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
+                                      "%2, which has the worse verdict.")
+              : REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
+                                      "%2, which is the tighter one."),
+          {plainSymbol(p), p.limitOf, other}}});
+}
+
+/// Puts the limit of `key` and its verdict into the row, unless the one that stands there rules. A limit for
+/// the parameter itself (it comes later than F) goes before one that is as tight.
+void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &key, const Limit &limit,
+           Verdict verdict) {
+    Parameter &p = *judged.parameter;
+    std::string other = p.limitOf;
+    const std::optional<Verdict> before = p.verdict;
+    const bool first = !p.limit;
+    if (first || verdict > *before ||
+        (verdict == *before && room(p, *limit.value, judged.bound) <= room(p, *p.limit->value, p.bound))) {
+        p.limit = limit;
+        p.limitOf = key;
+        p.bound = judged.bound;
+        p.verdict = verdict;
+    } else {
+        other = key;
+    }
+    if (!first)
+        findSecondLimit(evaluation, p, other, verdict != *before);
 }
 
 } // namespace
@@ -55,17 +94,17 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
         }
         for (const Judged &one : found) {
             Parameter &p = *one.parameter;
-            p.limit = limit;
             p.guardBand = guardBand(p.expandedUncertainty, test.decisionRule);
-            p.verdict = decide(one, *limit.value, test.decisionRule);
+            Verdict verdict = decide(one, *limit.value, test.decisionRule);
             if (test.decisionRule.rule != Rule::simpleAcceptance) {
                 evaluation.provisional |=
                     evaluation.uncertainty.outdated && p.decidedBy == UncertaintyMethod::monteCarlo;
                 uncertaintyMissing |= !p.expandedUncertainty;
                 if (notCorrected && p.dependsOnTemperature)
-                    p.verdict = Verdict::notProven;
+                    verdict = Verdict::notProven;
             }
-            evaluation.verdict = worst(evaluation.verdict, p.verdict);
+            enter(evaluation, one, id, limit, verdict);
+            evaluation.verdict = worst(evaluation.verdict, verdict);
         }
     }
     if (uncertaintyMissing)

@@ -9,9 +9,6 @@
 
 namespace palmer {
 
-/// How a value stands to its limit: by its size, signed from above (Fmax), signed from below (Fmin).
-enum class Bound { magnitude, upper, lower };
-
 /// A parameter that a limit is for.
 struct Judged {
     Parameter *parameter = nullptr;
@@ -20,8 +17,10 @@ struct Judged {
 
 /// Puts the agreed limits of the test on its parameters, decides, and sums up: limit, guard band and verdict
 /// of each, verdict of the test. `judged`: the parameters a key of `limits` is for; none: a finding says so,
-/// as it does for a limit agreed for another edition. Away from 20 °C and not corrected, rules that ask for a
-/// proof prove nothing where the temperature matters. A view has no verdicts.
+/// as it does for a limit agreed for another edition. Of two limits for one parameter its row has the one
+/// with the worse verdict, of equal verdicts the one with less room, and a finding says which: the verdict of
+/// the test is always the worst of its rows. Away from 20 °C and not corrected, rules that ask for a proof
+/// prove nothing where the temperature matters. A view has no verdicts.
 void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected,
                  const std::function<std::vector<Judged>(const std::string &id)> &judged);
 

@@ -13,9 +13,9 @@ Verdict decide(std::optional<double> value, double limit, std::optional<double> 
 }
 
 Verdict decideUpper(double value, double limit, std::optional<double> expandedUncertainty,
-                    const DecisionRule &rule) {
+                    const DecisionRule &rule, double rounding) {
     // 18 against 18 is equal, whatever the rounding errors of doubles made of the readings.
-    const double rounding = 1e-12 * std::max(std::abs(value), std::abs(limit));
+    rounding *= std::max(std::abs(value), std::abs(limit));
     if (rule.rule == Rule::simpleAcceptance)
         return value <= limit + rounding ? Verdict::conforms : Verdict::doesNotConform;
     const auto guard = guardBand(expandedUncertainty, rule);
@@ -24,6 +24,22 @@ Verdict decideUpper(double value, double limit, std::optional<double> expandedUn
     if (value <= limit - *guard + rounding)
         return Verdict::conforms;
     return value > limit + *guard + rounding ? Verdict::doesNotConform : Verdict::notProven;
+}
+
+double judgedValue(double value, Bound bound) {
+    switch (bound) {
+    case Bound::magnitude:
+        return std::abs(value);
+    case Bound::upper:
+        return value;
+    case Bound::lower:
+        return -value;
+    }
+    return value;
+}
+
+double judgedLimit(double limit, Bound bound) {
+    return bound == Bound::lower ? -limit : limit;
 }
 
 std::optional<double> guardBand(std::optional<double> expandedUncertainty, const DecisionRule &rule) {

@@ -13,9 +13,17 @@ namespace palmer {
 [[nodiscard]] Verdict decide(std::optional<double> value, double limit,
                              std::optional<double> expandedUncertainty, const DecisionRule &rule);
 
-/// The same for a signed value that exists: value ≤ limit, whatever its sign.
+/// The same for a signed value that exists: value ≤ limit, whatever its sign. `rounding`: relative difference
+/// that is no difference: that of sums of readings, or of a number as it was written.
+inline constexpr double roundingOfSums = 1e-12;
+inline constexpr double roundingOfWritten = 2e-15;
 [[nodiscard]] Verdict decideUpper(double value, double limit, std::optional<double> expandedUncertainty,
-                                  const DecisionRule &rule);
+                                  const DecisionRule &rule, double rounding = roundingOfSums);
+
+/// A value and its limit turned so that less is better: upper limits as they are, signed results by their
+/// size, lower limits with both signs exchanged.
+[[nodiscard]] double judgedValue(double value, Bound bound);
+[[nodiscard]] double judgedLimit(double limit, Bound bound);
 
 /// guardFactor·U, null under simple acceptance or without U.
 [[nodiscard]] std::optional<double> guardBand(std::optional<double> expandedUncertainty,

@@ -63,14 +63,9 @@ int rulingRuns(const Parameter &p, const Row &row, std::span<const TargetStatist
     return fewest;
 }
 
-/// R is as large as it is because of R_i↑ or R_i↓ of its target.
-bool oneDirectionRules(const Parameter &p, std::span<const TargetStatistics> targets, double c) {
-    if (!p.ruling.front() || p.ruling.front()->approach)
-        return false;
-    const TargetStatistics &target = targets[static_cast<std::size_t>(p.ruling.front()->target) - 1];
-    const double up = repeatability(target.positive, c);
-    const double down = repeatability(target.negative, c);
-    return std::max(up, down) >= c * target.positive.s + c * target.negative.s + std::abs(target.reversal());
+/// One direction of one target rules: R is R_i↑ or R_i↓.
+bool oneDirectionRules(const Parameter &p) {
+    return p.ruling.front() && p.ruling.front()->approach && !p.ruling.back();
 }
 
 void addBudget(TestEvaluation &evaluation, const PositioningBudget &budget,
@@ -86,7 +81,7 @@ void addBudget(TestEvaluation &evaluation, const PositioningBudget &budget,
     for (Parameter &p : evaluation.parameters) {
         const auto row = std::ranges::find_if(
             evaluation.edition->rows, [&](const Row &r) { return std::string_view(r.term.id) == p.term.id; });
-        const Coefficients *coefficients = palmer::coefficients(p.term.id, oneDirectionRules(p, targets, c));
+        const Coefficients *coefficients = palmer::coefficients(p.term.id, oneDirectionRules(p));
         if (!p.value || !coefficients || row == evaluation.edition->rows.end())
             continue;
         p.budgetUncertainty =
@@ -213,7 +208,7 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
         results.standardDeviation = measurement.standardDeviation;
     if (auto corrections = iso230_2::correctionsTo20(measurement))
         results.corrections = std::move(*corrections);
-    results.notCorrected = iso230_2::awayFrom20(measurement) && !iso230_2::isCorrected(measurement);
+    results.notCorrected = iso230_2::isNotCorrected(measurement);
 
     const Readings table = readings(measurement, results.corrections);
     results.targets.resize(measurement.targets.size());

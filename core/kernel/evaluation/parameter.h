@@ -43,6 +43,9 @@ struct Ruling {
 
 enum class Verdict { conforms, notProven, doesNotConform };
 
+/// How a value stands to its limit: by its size, signed from above (Fmax), signed from below (Fmin).
+enum class Bound { magnitude, upper, lower };
+
 /// A parameter of a test. Values, uncertainty and guard band in mm (rotary: degrees), not rounded.
 /// `value` is null where a statistic it needs is missing; a finding says why.
 struct Parameter {
@@ -56,7 +59,9 @@ struct Parameter {
     UncertaintyMethod decidedBy = UncertaintyMethod::none; ///< where that U comes from
     std::optional<double> budgetUncertainty;               ///< U, k = 2, of the budget
     std::optional<SimulatedParameter> simulated;           ///< what a simulation says, if one was run
-    std::optional<Limit> limit;
+    std::optional<Limit> limit; ///< of several the one with the worse verdict; of equal verdicts the tighter
+    std::string limitOf;        ///< its key: that of the parameter, or "F" at Fmax and Fmin
+    Bound bound = Bound::magnitude; ///< how that limit is meant
     std::optional<double> guardBand;
     std::optional<Verdict> verdict; ///< null: no limit, or one agreed for another edition
 };

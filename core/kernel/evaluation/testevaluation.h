@@ -28,7 +28,7 @@ struct PositioningResults {
     int negativeRuns = 0;
     DeviationMethod standardDeviation = DeviationMethod::calculation; ///< the one that was used
     std::vector<double> corrections; ///< added to each target's deviations (mm); empty: no correction here
-    bool notCorrected = false;       ///< away from 20 °C and not corrected: E, A, M say so
+    bool notCorrected = false;       ///< lengths do not hold at 20 °C: E, A, M say so
     std::optional<DriftStatistic> drift;
     bool judgedAsZone = false;       ///< a zone test of a long axis, judged as a short one
     bool stepCycleNotAgreed = false; ///< the title says: not an acceptance result under the edition
@@ -39,11 +39,13 @@ struct PositioningResults {
 struct EvaluatedPath {
     std::size_t arc = 0; ///< index in the measurement
     Sense sense = Sense::counterclockwise;
-    std::string index;       ///< "XY": axes in the order in which the path crosses their positive ends
-    Interval evaluated;      ///< unwrapped degrees
-    double extent = 0;       ///< degrees; 360 for a full circle
-    bool fullCircle = false; ///< the gap that closes it is at most twice its largest inner step
-    Points points;           ///< evaluated points
+    std::string index;  ///< "XY": axes in the order in which the path crosses their positive ends
+    Interval evaluated; ///< unwrapped degrees
+    double extent = 0;  ///< degrees; 360 for a full circle
+    /// The step that closes it is at most twice its largest inner step, and its holes, steps above four times
+    /// the median step, the closing one among them, make up at most 90°.
+    bool fullCircle = false;
+    Points points;                   ///< evaluated points
     std::vector<std::size_t> source; ///< of each point: its index in the arc
 };
 
@@ -68,7 +70,7 @@ struct CircularResults {
     std::vector<CircleResult> circles;
     std::optional<double> correction;   ///< C to 20 °C, mm, added to F and D; null: not applied here
     std::optional<Point> centringError; ///< of commanded angles, mm
-    bool notCorrected = false;          ///< away from 20 °C and not corrected: F and D say so
+    bool notCorrected = false;          ///< lengths do not hold at 20 °C: F and D say so
 
     [[nodiscard]] const CircleResult *circle(CircleOf of, ReferenceCircle kind) const;
 };

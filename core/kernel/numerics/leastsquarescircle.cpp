@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace palmer {
 
@@ -17,6 +18,8 @@ namespace {
 
 using Status = LeastSquaresCircle::Status;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double otherSide = 3; ///< times the extent of the points: a start there
+constexpr double quick = 10;    ///< by which steps shrink that need no second derivatives
 
 /// Two points side by side in a register.
 using Pair = Eigen::Array<double, 2, 1>;
@@ -85,14 +88,17 @@ bool collinear(PointsView points, std::span<const std::size_t> groups, Point mea
 
 /// Weighted means at a centre (about the mean of the points), R being a value near that of mean r.
 struct Linearised {
+    double R;
     double ux, uy, uxx, uxy, uyy; // u
     double f, fx, fy, ff;         // f = r − R, f·u, f²
+    double bxx, bxy, byy;         // f/r·(1 − u·uᵀ): how the circles about the points bend
 
+    [[nodiscard]] double radius() const { return R + f; }
     [[nodiscard]] double variance() const { return std::max(0.0, ff - f * f); }
 };
 
 Linearised linearise(PointsView points, std::span<const std::size_t> groups, Point mean, Point c, double R) {
-    const auto m = weightedMean<9>(points, groups, [&](const Pair &x, const Pair &y) {
+    const auto m = weightedMean<12>(points, groups, [&](const Pair &x, const Pair &y) {
         const Pair dx = (x - mean.x) - c.x;
         const Pair dy = (y - mean.y) - c.y;
         const Pair r = (dx * dx + dy * dy).sqrt();
@@ -100,9 +106,101 @@ Linearised linearise(PointsView points, std::span<const std::size_t> groups, Poi
         const Pair ux = dx * inverse;
         const Pair uy = dy * inverse;
         const Pair f = r - R;
-        return std::array<Pair, 9>{ux, uy, ux * ux, ux * uy, uy * uy, f, f * ux, f * uy, f * f};
+        const Pair bend = f * inverse;
+        return std::array<Pair, 12>{ux,     uy,     ux * ux, ux * uy,        uy * uy,         f,
+                                    f * ux, f * uy, f * f,   bend * uy * uy, -bend * ux * uy, bend * ux * ux};
     });
-    return {m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]};
+    return {R, m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11]};
+}
+
+/// The smaller eigenvalue of half the second derivatives of the variance of r.
+double leastCurvature(const Linearised &at) {
+    const double xx = at.uxx - at.ux * at.ux + at.bxx;
+    const double xy = at.uxy - at.ux * at.uy + at.bxy;
+    const double yy = at.uyy - at.uy * at.uy + at.byy;
+    return (xx + yy) / 2 - std::hypot((xx - yy) / 2, xy);
+}
+
+/// The step to the least of the variance of r where it is a quadratic of c: by the products of the first
+/// derivatives alone (Gauss–Newton), or by the second derivatives too (Newton). Null where that is no
+/// minimum.
+std::optional<Point> step(const Linearised &at, bool secondDerivatives) {
+    const double xx = at.uxx - at.ux * at.ux + (secondDerivatives ? at.bxx : 0);
+    const double xy = at.uxy - at.ux * at.uy + (secondDerivatives ? at.bxy : 0);
+    const double yy = at.uyy - at.uy * at.uy + (secondDerivatives ? at.byy : 0);
+    const double gx = at.fx - at.ux * at.f;
+    const double gy = at.fy - at.uy * at.f;
+    const double det = xx * yy - xy * xy;
+    if (!(det > 0) || !(xx > 0))
+        return std::nullopt;
+    const Point result{(gx * yy - gy * xy) / det, (gy * xx - gx * xy) / det};
+    return std::isfinite(result.x + result.y) ? std::optional(result) : std::nullopt;
+}
+
+struct Fit {
+    Status status = Status::notConverged;
+    Point c; ///< about the mean of the points
+    Linearised at{};
+    int iterations = 0;
+};
+
+/// Gauss–Newton, and near the end Newton, from a start.
+Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> groups, Point mean,
+            double largestRadius, const LeastSquaresCircleOptions &options) {
+    Fit fit{Status::notConverged, c, linearise(points, groups, mean, c, R)};
+    double lastStep = std::numeric_limits<double>::infinity();
+    while (fit.iterations < options.maxIterations) {
+        ++fit.iterations;
+        const Linearised at = fit.at;
+        const double radius = at.radius();
+        std::optional<Point> move = step(at, false);
+        if (!move || !(radius < largestRadius)) {
+            fit.status = Status::collinear;
+            return fit;
+        }
+        // Far from the end steps overshoot: the centre of a short arc goes to where all circles are lines.
+        if (const double whole = std::hypot(move->x, move->y); whole > radius)
+            move = Point{move->x * radius / whole, move->y * radius / whole};
+        const auto after = [&](Point by) {
+            return linearise(points, groups, mean, {fit.c.x + by.x, fit.c.y + by.y},
+                             radius - at.ux * by.x - at.uy * by.y);
+        };
+        // Below this the sum of squares is all rounding, and says nothing about the step.
+        const double noise = 4 * epsilon * radius * (std::sqrt(at.variance()) + epsilon * radius);
+        fit.at = after(*move);
+        double length = std::hypot(move->x, move->y);
+        if (length > lastStep / quick) {
+            // Large residuals: near the end the second derivatives make quick steps of slow ones.
+            const std::optional<Point> newton = step(at, true);
+            const Linearised there = newton ? after(*newton) : fit.at;
+            if (newton && there.variance() <= std::min(fit.at.variance(), at.variance()) + noise) {
+                move = newton;
+                fit.at = there;
+                length = std::hypot(move->x, move->y);
+            }
+        }
+        for (int halvings = 0; fit.at.variance() > at.variance() + noise && halvings < 40; ++halvings) {
+            move = Point{move->x / 2, move->y / 2};
+            fit.at = after(*move);
+        }
+        fit.c = {fit.c.x + move->x, fit.c.y + move->y};
+        // Done, or at the floor of rounding, where neither the steps nor the sum of squares shrink any more.
+        const double floor = std::max(1e-12, 64 * epsilon / leastCurvature(fit.at)) * radius;
+        const bool still = length > lastStep / 2 && at.variance() - fit.at.variance() <= noise;
+        if (length <= options.tolerance * radius || (length <= floor && still)) {
+            fit.status = fit.at.radius() < largestRadius ? Status::converged : Status::collinear;
+            return fit;
+        }
+        lastStep = length;
+    }
+    return fit;
+}
+
+/// Short arcs with large residuals may have a circle on either side; only where the residuals are as large as
+/// the arc is bent need the other one be looked for.
+bool needsOtherSide(const Fit &fit) {
+    const double bend = 1 - std::hypot(fit.at.ux, fit.at.uy);
+    return fit.status != Status::converged || 2 * std::sqrt(fit.at.variance()) > bend * fit.at.radius();
 }
 
 } // namespace
@@ -145,58 +243,33 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
     const double determinant = s.xx * s.yy - s.xy * s.xy;
     if (!(determinant > 0))
         return refused(Status::collinear);
-    Point c{(s.xz * s.yy - s.yz * s.xy) / (2 * determinant), (s.yz * s.xx - s.xz * s.xy) / (2 * determinant)};
-    double R = std::sqrt(c.x * c.x + c.y * c.y + s.xx + s.yy);
-
+    const Point start{(s.xz * s.yy - s.yz * s.xy) / (2 * determinant),
+                      (s.yz * s.xx - s.xz * s.xy) / (2 * determinant)};
+    const double R = std::sqrt(start.x * start.x + start.y * start.y + s.xx + s.yy);
     // A radius of which the sagitta over the points is lost in rounding is a straight line.
     const double largestRadius = extent * 1e8;
-    Linearised at = linearise(points, groups, mean, c, R);
-    double lastStep = std::numeric_limits<double>::infinity();
-    circle.status = Status::notConverged;
-    while (circle.iterations < options.maxIterations) {
-        ++circle.iterations;
-        R += at.f;
-        const double xx = at.uxx - at.ux * at.ux;
-        const double xy = at.uxy - at.ux * at.uy;
-        const double yy = at.uyy - at.uy * at.uy;
-        const double gx = at.fx - at.ux * at.f;
-        const double gy = at.fy - at.uy * at.f;
-        const double det = xx * yy - xy * xy;
-        if (!(det > 0) || !(R < largestRadius))
-            return refused(Status::collinear);
-        Point step{(gx * yy - gy * xy) / det, (gy * xx - gx * xy) / det};
-        const double length = std::hypot(step.x, step.y);
-        if (!std::isfinite(length))
-            return refused(Status::collinear);
-
-        Linearised next = linearise(points, groups, mean, {c.x + step.x, c.y + step.y}, R);
-        // Below this the sum of squares is all rounding, and says nothing about the step.
-        const double noise = 4 * epsilon * R * (std::sqrt(at.variance()) + epsilon * R);
-        for (int halvings = 0; next.variance() > at.variance() + noise && halvings < 40; ++halvings) {
-            step = {step.x / 2, step.y / 2};
-            next = linearise(points, groups, mean, {c.x + step.x, c.y + step.y}, R);
-        }
-        c = {c.x + step.x, c.y + step.y};
-        at = next;
-        // Done, or at the floor of rounding where the steps no longer shrink.
-        if (length <= options.tolerance * R || (length <= 1e-12 * R && length > lastStep / 2)) {
-            circle.status = Status::converged;
-            break;
-        }
-        lastStep = length;
+    Fit fit = fitFrom(start, R, points, groups, mean, largestRadius, options);
+    if (needsOtherSide(fit)) {
+        const double away = -otherSide * extent / std::hypot(start.x, start.y);
+        const Fit other = fitFrom({away * start.x, away * start.y}, otherSide * extent, points, groups, mean,
+                                  largestRadius, options);
+        if (other.status == Status::converged &&
+            (fit.status != Status::converged || other.at.variance() < fit.at.variance()))
+            fit = other;
     }
-    R += at.f;
-    if (!(R < largestRadius))
-        return refused(Status::collinear);
+    if (fit.status != Status::converged)
+        return refused(fit.status);
 
-    const RadiusExtremes extremes = radiusExtremes(points, c, mean);
-    circle.centre = {mean.x + c.x, mean.y + c.y};
-    circle.radius = R;
+    const RadiusExtremes extremes = radiusExtremes(points, fit.c, mean);
+    circle.status = fit.status;
+    circle.iterations = fit.iterations;
+    circle.centre = {mean.x + fit.c.x, mean.y + fit.c.y};
+    circle.radius = fit.at.radius();
     circle.innerRadius = extremes.inner;
     circle.outerRadius = extremes.outer;
     circle.nearest = extremes.nearest;
     circle.farthest = extremes.farthest;
-    circle.rms = std::sqrt(at.variance());
+    circle.rms = std::sqrt(fit.at.variance());
     return circle;
 }
 

@@ -21,15 +21,17 @@ struct LeastSquaresCircleOptions {
 /// Method: algebraic fit (minimise Σ w_i·(r_i² − R²)²) on points about their mean, then Gauss–Newton on the
 /// geometric sum with R eliminated: with u_i = (P_i − c)/r_i, f_i = r_i − R̄ and bars for weighted means,
 ///     [mean(u·uᵀ) − ū·ūᵀ]·Δc = mean(u·f) − ū·f̄,    R = mean(r);
-/// a step that would enlarge the sum is halved. Validity: any position of the points, full circles and arcs.
-/// A bad input gives a status and zeros, never NaN.
+/// a step that would enlarge the sum is halved, none is longer than R, and where steps shrink slowly the second
+/// derivatives, mean(f/r·(1 − u·uᵀ)), are added to the matrix (Newton). Of short arcs with residuals as large as
+/// their bend the circle on the other side is looked for too, and the better one taken. Validity: any position
+/// of the points, full circles and arcs. A bad input gives a status and zeros, never NaN.
 ///
 /// Sources: I. Kåsa, IEEE Trans. Instrum. Meas. 25 (1976), 8–14 (start); A. B. Forbes, Least-squares
 /// best-fit geometric elements, NPL Report DITC 140/89 (1989) (finish).
 struct LeastSquaresCircle {
     enum class Status {
         converged,
-        notConverged, ///< maxIterations reached; the numbers are those of the last step.
+        notConverged, ///< maxIterations reached: no circle.
         tooFewPoints, ///< Fewer than 3 distinct points.
         collinear, ///< All points on one straight line (to rounding), or a line fits better than any circle.
         notFinite, ///< A coordinate is not a finite number, or too large to be squared.
@@ -48,7 +50,7 @@ struct LeastSquaresCircle {
     /// max r_i − min r_i, mm
     [[nodiscard]] double range() const { return outerRadius - innerRadius; }
     /// Whether there is a circle.
-    [[nodiscard]] bool valid() const { return status == Status::converged || status == Status::notConverged; }
+    [[nodiscard]] bool valid() const { return status == Status::converged; }
 
     bool operator==(const LeastSquaresCircle &) const = default;
 };

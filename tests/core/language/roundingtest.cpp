@@ -56,9 +56,6 @@ private slots:
     void ordersAsTheNumbers();
     void choosesDecimals_data();
     void choosesDecimals();
-    void showsTheSideOfTheLimit_data();
-    void showsTheSideOfTheLimit();
-    void showsTheSideOfEveryLimit();
 };
 
 void RoundingTest::roundsTheShortestDecimal_data() {
@@ -295,43 +292,6 @@ void RoundingTest::choosesDecimals() {
     if (expanded > 1e-300 && expanded < 1e300 && resolution > 0 && resolution < 1)
         QTEST(decimalsWithUncertainty(expanded / 3600, Quantity::angularDeviation, resolution / 3600),
               "expected");
-}
-
-void RoundingTest::showsTheSideOfTheLimit_data() {
-    QTest::addColumn<double>("value"); // µm
-    QTest::addColumn<double>("limit");
-    QTest::addColumn<int>("expected");
-    QTest::newRow("10.04 beyond 10.0") << 10.04 << 10.0 << 2;
-    QTest::newRow("10.004 beyond 10.0") << 10.004 << 10.0 << 3;
-    QTest::newRow("10.05 beyond 10: the tie goes down") << 10.05 << 10.0 << 2;
-    QTest::newRow("10.06 beyond 10") << 10.06 << 10.0 << 1;
-    QTest::newRow("9.96 within 10") << 9.96 << 10.0 << 1;
-    QTest::newRow("at the limit") << 10.0 << 10.0 << 1;
-    QTest::newRow("9.96 within 9.98, not 10.0") << 9.96 << 9.98 << 2;
-    QTest::newRow("one unit in the last place") << std::nextafter(10.0, 11.0) << 10.0 << 15;
-    QTest::newRow("limit with more digits") << 10.1 << 10.12 << 1;
-    QTest::newRow("huge") << 1e300 << 10.0 << 1;
-    QTest::newRow("infinite") << infinite << 10.0 << 1;
-    QTest::newRow("no limit") << 10.04 << notANumber << 1;
-}
-
-void RoundingTest::showsTheSideOfTheLimit() {
-    QFETCH(double, value);
-    QFETCH(double, limit);
-    QTEST(decimalsShowingSide(value, limit, Quantity::micrometres, 1), "expected");
-}
-
-void RoundingTest::showsTheSideOfEveryLimit() {
-    std::mt19937 random(17025);
-    std::uniform_int_distribution<int> limits(1, 400), offsets(-2000, 2000);
-    for (int i = 0; i < 20'000; ++i) {
-        const double limit = limits(random) / 10.0, value = limit + offsets(random) / 1e5;
-        const int decimals = decimalsShowingSide(value, limit, Quantity::micrometres, 1);
-        const auto printed = [&](int count) { return std::stod(Decimal(value).rounded(count)); };
-        QCOMPARE(printed(decimals) > limit, value > limit);
-        for (int fewer = 1; fewer < decimals; ++fewer)
-            QVERIFY((printed(fewer) > limit) != (value > limit));
-    }
 }
 
 QTEST_GUILESS_MAIN(RoundingTest)

@@ -1,3 +1,4 @@
+#include "kernel/evaluation/correctionto20.h"
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/correction.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
@@ -16,16 +17,16 @@ Number celsius(double value) {
     return {value, Quantity::temperature, -1};
 }
 
-Sentence notCorrected(const PositioningCase &test, double margin) {
-    const auto theta = meanTemperature(test.conditions().common, SensorMeasures::machine);
-    if (!awayFrom20(test.measurement) || isCorrected(test.measurement) ||
-        std::abs(*theta - reference) <= margin)
-        return std::nullopt;
-    if (test.conditions().common.correctionTo20 == CorrectionTo20::appliedHere)
+Sentence notCorrectedFrom(const PositioningCase &test, const std::optional<MeanTemperature> &away) {
+    if (!away || !isNotCorrected(test.measurement) ||
+        test.common().correctionTo20 == CorrectionTo20::appliedHere)
         return std::nullopt; // asked for but impossible: correctionImpossible says why
-    return Message{
-        REPORT_TEXT("report", "The machine was at %1 on average and the results are not corrected to 20 °C."),
-        {Number{*theta, Quantity::temperature, 1}}};
+    return Message{away->of == SensorMeasures::machine
+                       ? REPORT_TEXT("report", "The machine was at %1 on average and the results are not "
+                                               "corrected to 20 °C.")
+                       : REPORT_TEXT("report", "The instrument was at %1 on average and the results are not "
+                                               "corrected to 20 °C."),
+                   {Number{away->value, Quantity::temperature, 1}}};
 }
 
 } // namespace
@@ -46,16 +47,16 @@ Sentence temperature1988(const PositioningCase &test) {
 }
 
 Sentence correction1988(const PositioningCase &test) {
-    return notCorrected(test, margin1988 + 1e-9);
+    return notCorrectedFrom(test, awayFrom20(test.common(), margin1988));
 }
 
 Sentence correction(const PositioningCase &test) {
-    return notCorrected(test, 0);
+    return notCorrectedFrom(test, awayFrom20(test.common()));
 }
 
 Sentence correctionImpossible(const PositioningCase &test) {
-    if (!test.linear() || test.conditions().common.correctionTo20 != CorrectionTo20::appliedHere ||
-        isCorrected(test.measurement))
+    if (!test.linear() || test.common().correctionTo20 != CorrectionTo20::appliedHere ||
+        isCorrectedTo20(test.common()))
         return std::nullopt;
     return Message{
         REPORT_TEXT("report",

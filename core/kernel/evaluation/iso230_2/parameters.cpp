@@ -11,6 +11,8 @@ namespace palmer::iso230_2 {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+/// Values that are equal in decimals differ by rounding errors of their computation only.
+constexpr double rounding = 1e-12;
 
 /// The largest and the smallest of the values it is shown, and where they stand: the first on ties.
 /// A NaN stays for good: a parameter that needs a missing statistic has no value.
@@ -23,12 +25,12 @@ public:
     void add(double upper, double lower, std::size_t target, std::optional<Direction> approach) {
         const Ruling here{static_cast<int>(target) + 1, approach};
         if (!(upper <= m_upper)) {
-            if (!(upper - m_upper <= tie * std::abs(upper)))
+            if (!(upper - m_upper <= rounding * std::abs(upper)))
                 m_highest = here;
             m_upper = std::isnan(m_upper) ? m_upper : upper;
         }
         if (!(lower >= m_lower)) {
-            if (!(m_lower - lower <= tie * std::abs(lower)))
+            if (!(m_lower - lower <= rounding * std::abs(lower)))
                 m_lowest = here;
             m_lower = std::isnan(m_lower) ? m_lower : lower;
         }
@@ -42,9 +44,6 @@ public:
     }
 
 private:
-    /// Values that are equal in decimals differ by rounding errors of their computation only.
-    static constexpr double tie = 1e-12;
-
     double m_upper = -std::numeric_limits<double>::infinity();
     double m_lower = std::numeric_limits<double>::infinity();
     Ruling m_highest;
@@ -66,6 +65,17 @@ private:
     Lanes m_upper = -std::numeric_limits<double>::infinity();
     Lanes m_lower = std::numeric_limits<double>::infinity();
 };
+
+/// Null on ties, to rounding: nothing rules alone.
+std::optional<Direction> directionThatRules(const TargetStatistics &target, double c) {
+    const double up = repeatability(target.positive, c);
+    const double down = repeatability(target.negative, c);
+    const double larger = std::max(up, down);
+    const double together = c * target.positive.s + c * target.negative.s + std::abs(target.reversal());
+    if (!(larger - together > rounding * larger))
+        return std::nullopt;
+    return up > down ? Direction::positive : Direction::negative;
+}
 
 template <class Value>
 using All = std::span<const TargetStatisticsOf<Value>>;
@@ -148,6 +158,19 @@ constexpr auto meanOf = []<class Value>(All<Value> targets, double c) -> ResultO
         return mean;
 };
 
+/// R_i, and the direction whose R_i↑ or R_i↓ alone is larger than the sum of both with the reversal value.
+constexpr auto largestOfBoth = []<class Value>(All<Value> targets, double c) {
+    Extremes<Value> extremes;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const Value here = repeatability(targets[i], c);
+        std::optional<Direction> alone;
+        if constexpr (std::is_same_v<Value, double>)
+            alone = directionThatRules(targets[i], c);
+        extremes.add(here, here, i, alone);
+    }
+    return extremes.highest();
+};
+
 constexpr auto repeatabilityHere = [](const auto &target, double c) { return repeatability(target, c); };
 constexpr auto reversalHere = [](const auto &target, double) { return target.reversal(); };
 constexpr auto sizeOfReversal = [](const auto &target, double) { return magnitude(target.reversal()); };
@@ -225,7 +248,7 @@ Outcome repeatabilityDown(Targets targets, double c) {
     return largestRepeatability<down>(targets, c);
 }
 Outcome repeatabilityOfAxis(Targets targets, double c) {
-    return largestOf<repeatabilityHere>(targets, c);
+    return largestOfBoth(targets, c);
 }
 Outcome smallerRepeatability(Targets targets, double c) {
     return smallerOfBoth(targets, c);
@@ -269,7 +292,7 @@ LanesFormula inLanes(Outcome (*value)(Targets, double)) {
         Pair{meanRange, inLanesOf<spanOfMeans>},
         Pair{repeatabilityUp, inLanesOf<largestRepeatability<up>>},
         Pair{repeatabilityDown, inLanesOf<largestRepeatability<down>>},
-        Pair{repeatabilityOfAxis, inLanesOf<largestOf<repeatabilityHere>>},
+        Pair{repeatabilityOfAxis, inLanesOf<largestOfBoth>},
         Pair{smallerRepeatability, inLanesOf<smallerOfBoth>},
         Pair{meanRepeatabilityUp, inLanesOf<meanOf<repeatabilityIn<up>>>},
         Pair{meanRepeatabilityDown, inLanesOf<meanOf<repeatabilityIn<down>>>},

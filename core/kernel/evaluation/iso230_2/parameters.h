@@ -20,9 +20,11 @@ Outcome systematicDown(Targets targets, double c); ///< E↓
 Outcome systematic(Targets targets, double c);     ///< E: the same over both directions together
 Outcome meanRange(Targets targets, double c);      ///< M = max x̄_i − min x̄_i
 
-Outcome repeatabilityUp(Targets targets, double c);      ///< R↑ = max R_i↑
-Outcome repeatabilityDown(Targets targets, double c);    ///< R↓ = max R_i↓
-Outcome repeatabilityOfAxis(Targets targets, double c);  ///< R = max R_i
+Outcome repeatabilityUp(Targets targets, double c);   ///< R↑ = max R_i↑
+Outcome repeatabilityDown(Targets targets, double c); ///< R↓ = max R_i↓
+Outcome
+repeatabilityOfAxis(Targets targets,
+                    double c); ///< R = max R_i; ruled by a direction where R_i↑ or R_i↓ alone is larger
 Outcome smallerRepeatability(Targets targets, double c); ///< UPR = min(R↑; R↓)
 
 Outcome meanRepeatabilityUp(Targets targets, double c);   ///< r̄↑: mean of R_i↑

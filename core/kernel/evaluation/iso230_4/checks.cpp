@@ -1,11 +1,12 @@
 #include "kernel/evaluation/iso230_4/checks.h"
 
 #include "kernel/evaluation/agreedpoints.h"
-#include "kernel/evaluation/iso230_4/correction.h"
+#include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/stated.h"
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace palmer::iso230_4 {
 
@@ -25,6 +26,28 @@ bool asked(const CircularCase &test, std::string_view quantity) {
 
 bool partialArc(const CircularCase &test) {
     return std::ranges::any_of(test.results.paths, [](const EvaluatedPath &p) { return !p.fullCircle; });
+}
+
+/// Whether the angles of an arc go back by more than half of what they cover: measured in the other sense, or
+/// not unwrapped. Small steps back are the noise of measured angles.
+bool runsBack(const Arc &arc) {
+    const double sign = arc.sense == Sense::counterclockwise ? 1 : -1;
+    double least = std::numeric_limits<double>::infinity();
+    double furthest = -least;
+    double back = 0;
+    for (const double angle : arc.angles) {
+        least = std::min(least, sign * angle);
+        furthest = std::max(furthest, sign * angle);
+        back = std::max(back, furthest - sign * angle);
+    }
+    return back > (furthest - least) / 2;
+}
+
+/// The path has minimum zone circles and no least squares circle, though a result that is asked for rests on
+/// one.
+bool lacksLeastSquares(const CircularCase &test, CircleOf of, bool needed) {
+    return needed && test.results.circle(of, ReferenceCircle::minimumZone) &&
+           !test.results.circle(of, ReferenceCircle::leastSquares);
 }
 
 bool allStated(const Point3 &point) {
@@ -48,6 +71,20 @@ Sentence shortArc(const CircularCase &test) {
         if (!path.source.empty() && path.extent < leastExtent)
             return Message{REPORT_TEXT("report", "The path %1 covers %2: at least 90° are required."),
                            {path.index, Number{path.extent, Quantity::angle, 1}}};
+    }
+    return std::nullopt;
+}
+
+Sentence anglesAgainstSense(const CircularCase &test) {
+    const std::vector<Arc> &arcs = test.measurement.arcs;
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
+        if (runsBack(arcs[k]))
+            return Message{
+                REPORT_TEXT(
+                    "report",
+                    "The angles of arc %1 (%2) run against its sense or jump back: anticlockwise they "
+                    "grow, clockwise they fall. Its name may be wrong."),
+                {std::to_string(k + 1), axisIndex(test.measurement.plane, arcs[k].sense)}};
     }
     return std::nullopt;
 }
@@ -98,6 +135,24 @@ Sentence noCircle(const CircularCase &test) {
                 {path.index}};
     }
     return std::nullopt;
+}
+
+Sentence noLeastSquaresCircle(const CircularCase &test) {
+    const bool ofG = test.measurement.referenceCircle == ReferenceCircle::leastSquares;
+    const bool full = !partialArc(test);
+    const bool ofF =
+        !test.feedback() && asked(test, "F") && test.measurement.centring == Centring::leastSquares && full;
+    const bool ofPair = !test.feedback() && (asked(test, "D") || asked(test, "H")) && full;
+    bool lacks = test.bothSenses() && lacksLeastSquares(test, CircleOf::both, ofG || ofPair);
+    for (const EvaluatedPath &path : test.results.paths)
+        lacks |= lacksLeastSquares(
+            test, path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise,
+            ofG || ofF);
+    if (!lacks)
+        return std::nullopt;
+    return plain(REPORT_TEXT("report",
+                             "No least squares circle was found for the points: what rests on it has no "
+                             "value."));
 }
 
 Sentence notCertified(const CircularCase &test) {

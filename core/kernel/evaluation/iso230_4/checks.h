@@ -10,16 +10,18 @@ namespace palmer::iso230_4 {
 
 using Sentence = std::optional<Message>;
 
-Sentence noArcs(const CircularCase &test);          ///< at least one path with points
-Sentence shortArc(const CircularCase &test);        ///< arcs of 90° at least
-Sentence oneSense(const CircularCase &test);        ///< both senses for G(b), D, H
-Sentence partialArcsForD(const CircularCase &test); ///< full circles for D
+Sentence noArcs(const CircularCase &test);             ///< at least one path with points
+Sentence shortArc(const CircularCase &test);           ///< arcs of 90° at least
+Sentence anglesAgainstSense(const CircularCase &test); ///< anticlockwise grow, clockwise fall
+Sentence oneSense(const CircularCase &test);           ///< both senses for G(b), D, H
+Sentence partialArcsForD(const CircularCase &test);    ///< full circles for D
 Sentence
-leastSquaresOfPartialArc(const CircularCase &test); ///< full circle for F about the least squares centre
-Sentence setUpCentring(const CircularCase &test);   ///< F of a full circle about the set-up centre
-Sentence noCircle(const CircularCase &test);        ///< enough points, not on a line
-Sentence notCertified(const CircularCase &test);    ///< minimum zone proven
-Sentence leftHandedPlane(const CircularCase &test); ///< XY, YZ or ZX
+leastSquaresOfPartialArc(const CircularCase &test);      ///< full circle for F about the least squares centre
+Sentence setUpCentring(const CircularCase &test);        ///< F of a full circle about the set-up centre
+Sentence noCircle(const CircularCase &test);             ///< enough points, not on a line
+Sentence noLeastSquaresCircle(const CircularCase &test); ///< where G, F or D need one
+Sentence notCertified(const CircularCase &test);         ///< minimum zone proven
+Sentence leftHandedPlane(const CircularCase &test);      ///< XY, YZ or ZX
 Sentence referenceNotCalibrated(const CircularCase &test); ///< calibrated reference length for F and D
 Sentence referenceNotStated(const CircularCase &test);     ///< whether it is calibrated
 Sentence notCorrected(const CircularCase &test);           ///< F and D at 20 °C

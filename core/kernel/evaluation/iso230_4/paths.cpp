@@ -10,6 +10,9 @@ namespace palmer::iso230_4 {
 namespace {
 
 constexpr double fullTurn = 360;
+constexpr double largestClosing = 2; ///< times the largest inner step
+constexpr double largestStep = 4;    ///< times the median step; beyond is a hole
+constexpr double mostHoles = 90;     ///< degrees, of a full circle
 
 /// Angles and distances from the programmed centre of what is evaluated of an arc.
 struct Selection {
@@ -35,15 +38,31 @@ Selection selection(const Arc &arc, double nominalRadius) {
     return result;
 }
 
+/// Degrees of a circle that no points cover.
+double holes(std::vector<double> steps) {
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::ranges::nth_element(steps, middle);
+    const double largest = largestStep * *middle;
+    double sum = 0;
+    for (const double step : steps)
+        sum += step > largest ? step : 0;
+    return sum;
+}
+
 void measureExtent(EvaluatedPath &path, std::vector<double> angles) {
+    std::ranges::sort(angles);
+    angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
     if (angles.size() < 2)
         return;
-    std::ranges::sort(angles);
-    double step = 0;
-    for (std::size_t i = 1; i < angles.size(); ++i)
-        step = std::max(step, angles[i] - angles[i - 1]);
     const double span = angles.back() - angles.front();
-    path.fullCircle = fullTurn - span <= 2 * step;
+    const double closing = fullTurn - span;
+    std::vector<double> steps; // the inner ones, then the closing one
+    steps.reserve(angles.size());
+    for (std::size_t i = 1; i < angles.size(); ++i)
+        steps.push_back(angles[i] - angles[i - 1]);
+    const double largest = *std::ranges::max_element(steps);
+    steps.push_back(std::max(closing, 0.0));
+    path.fullCircle = closing <= largestClosing * largest && holes(steps) <= mostHoles;
     path.extent = path.fullCircle ? fullTurn : span;
 }
 

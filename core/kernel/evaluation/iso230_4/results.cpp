@@ -55,7 +55,7 @@ CircularResults circularResults(const CircularMeasurement &measurement) {
     results.centringError = paths.centringError;
     results.circles = circles(results.paths);
     results.correction = correctionTo20(measurement);
-    results.notCorrected = awayFrom20(measurement) && !isCorrected(measurement);
+    results.notCorrected = isNotCorrected(measurement);
     return results;
 }
 

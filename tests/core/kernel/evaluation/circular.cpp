@@ -35,6 +35,12 @@ private slots:
     void calibration();
     void feedback();
     void limitsOfF();
+    void rowsAndTestAgreeUnderAllPairsOfLimits();
+    void holesOfFullCircles_data();
+    void holesOfFullCircles();
+    void anglesAgainstTheSense_data();
+    void anglesAgainstTheSense();
+    void nilExpansionNeedsNoCorrection();
     void hysteresis();
     void properties();
     void repetitionsAreEvaluatedLikeTheFirst();
@@ -400,6 +406,211 @@ void Circular::limitsOfF() {
     QVERIFY(evaluated(test).verdict == Verdict::doesNotConform);
     test.limits = {{"D", {0.01, {}, ""}}};
     QVERIFY(!evaluated(test).verdict && finding(evaluated(test), "limits"));
+}
+
+void Circular::rowsAndTestAgreeUnderAllPairsOfLimits() {
+    std::mt19937_64 random(230);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    int fromF = 0;
+    for (int round = 0; round < 1500; ++round) {
+        const double most = 10 * uniform(random) - (round % 7 ? 0 : 5);
+        const double least = most - 1 - 12 * uniform(random);
+        Test test = circularTest({path(counterclockwise, 90, [&](double theta) {
+            return theta < 1 ? most : theta < 2 ? least : (most + least) / 2;
+        })});
+        measurement(test).centring = Centring::instrument;
+        const bool proof = round % 3 == 0;
+        test.decisionRule = {proof ? Rule::iso14253_1 : Rule::simpleAcceptance, 1.0};
+        if (proof && round % 2) {
+            measurement(test).uncertainty.method = UncertaintyMethod::direct;
+            measurement(test).uncertainty.expanded = {{"F", 2 * uniform(random)}};
+        }
+        const auto which = static_cast<unsigned>(1 + random() % 7);
+        if (which & 1)
+            test.limits["F"].value = 12 * uniform(random) * micrometre;
+        if (which & 2)
+            test.limits["Fmax"].value = (12 * uniform(random) - 1) * micrometre;
+        if (which & 4)
+            test.limits["Fmin"].value = -12 * uniform(random) * micrometre;
+        const auto e = evaluated(test);
+        // What each limit says, by the clauses: F at the row of the larger size, Fmax from above, Fmin from
+        // below.
+        const double u = proof && round % 2 ? measurement(test).uncertainty.expanded.at("F") : 0;
+        const auto verdict = [&](double badness, double limit) {
+            if (!proof)
+                return badness <= limit ? Verdict::conforms : Verdict::doesNotConform;
+            if (round % 2 == 0)
+                return Verdict::notProven;
+            return badness <= limit - u  ? Verdict::conforms
+                   : badness > limit + u ? Verdict::doesNotConform
+                                         : Verdict::notProven;
+        };
+        struct Said {
+            const char *key;
+            Verdict verdict;
+            double room;
+        };
+        const auto limit = [&](const char *key) { return *test.limits.at(key).value / micrometre; };
+        std::vector<Said> ofMost;
+        std::vector<Said> ofLeast;
+        const bool lowRules = std::abs(least) > std::abs(most);
+        if (which & 1) {
+            const double size = std::max(std::abs(most), std::abs(least));
+            (lowRules ? ofLeast : ofMost).push_back({"F", verdict(size, limit("F")), limit("F") - size});
+        }
+        if (which & 2)
+            ofMost.push_back({"Fmax", verdict(most, limit("Fmax")), limit("Fmax") - most});
+        if (which & 4)
+            ofLeast.push_back({"Fmin", verdict(-least, -limit("Fmin")), least - limit("Fmin")});
+        std::optional<Verdict> worstOfRows;
+        for (const auto &[id, said] : {std::pair{"Fmax_XY", &ofMost}, std::pair{"Fmin_XY", &ofLeast}}) {
+            const Parameter &row = *parameter(e, id);
+            QCOMPARE(row.verdict.has_value(), !said->empty());
+            if (said->empty())
+                continue;
+            const Said &shown = *std::ranges::max_element(*said, [](const Said &a, const Said &b) {
+                return std::pair(a.verdict, -a.room) < std::pair(b.verdict, -b.room);
+            });
+            QCOMPARE(row.limitOf, shown.key);
+            QVERIFY(row.verdict == shown.verdict);
+            QCOMPARE(*row.limit->value, *test.limits.at(shown.key).value);
+            QVERIFY(row.bound == (row.limitOf == "F"      ? Bound::magnitude
+                                  : row.limitOf == "Fmax" ? Bound::upper
+                                                          : Bound::lower));
+            fromF += row.limitOf == "F";
+            worstOfRows = std::max(worstOfRows.value_or(shown.verdict), shown.verdict);
+            QCOMPARE(finding(e, "limits") != nullptr, ofMost.size() == 2 || ofLeast.size() == 2);
+        }
+        QVERIFY(e.verdict == worstOfRows); // never a verdict that no row has
+    }
+    QVERIFY(fromF > 100);
+
+    // Equal limits: the parameter's own, found tighter or worse by nobody.
+    Test test = circularTest({path(counterclockwise, 90, [](double theta) { return theta < 1 ? 3 : -1; })});
+    measurement(test).centring = Centring::instrument;
+    test.limits = {{"F", {0.004, {}, ""}}, {"Fmax", {0.004, {}, ""}}};
+    QCOMPARE(parameter(evaluated(test), "Fmax_XY")->limitOf, "Fmax");
+}
+
+void Circular::holesOfFullCircles_data() {
+    QTest::addColumn<int>("hole");  // degrees left out
+    QTest::addColumn<int>("holes"); // that many times
+    QTest::addColumn<double>("to"); // last angle
+    QTest::addColumn<bool>("full");
+    QTest::newRow("whole") << 0 << 0 << 359.0 << true;
+    QTest::newRow("a hole of 90°") << 90 << 1 << 359.0 << true;
+    QTest::newRow("a hole of 91°") << 91 << 1 << 359.0 << false;
+    QTest::newRow("two holes of 45°") << 45 << 2 << 359.0 << true;
+    QTest::newRow("two holes of 46°") << 46 << 2 << 359.0 << false;
+    QTest::newRow("steps of four are no hole") << 4 << 30 << 359.0 << true;
+    QTest::newRow("steps of five are") << 5 << 30 << 359.0 << false;
+    QTest::newRow("the closing step counts: 45°, 45°") << 45 << 1 << 315.0 << true;
+    QTest::newRow("the closing step counts: 45°, 46°") << 45 << 1 << 314.0 << false;
+    QTest::newRow("the closing step is twice the largest") << 30 << 1 << 300.0 << true;
+    QTest::newRow("the closing step is more") << 30 << 1 << 299.0 << false;
+}
+
+void Circular::holesOfFullCircles() {
+    QFETCH(int, hole);
+    QFETCH(int, holes);
+    QFETCH(double, to);
+    QFETCH(bool, full);
+    Arc arc;
+    int left = holes;
+    for (double angle = 0; angle <= to;) {
+        arc.angles.push_back(angle);
+        arc.radialDeviations.push_back(1e-3);
+        angle += left > 0 && arc.angles.size() % 3 == 0 ? hole : 1;
+        left -= left > 0 && arc.angles.size() % 3 == 0 ? 1 : 0;
+    }
+    const auto e = evaluated(circularTest({arc}));
+    const EvaluatedPath &evaluatedPath = std::get<CircularResults>(e.results).paths[0];
+    QCOMPARE(evaluatedPath.fullCircle, full);
+    QCOMPARE(evaluatedPath.extent == 360.0, full);
+    QCOMPARE(parameter(e, "Fmax_XY")->value.has_value(), full);
+}
+
+void Circular::anglesAgainstTheSense_data() {
+    QTest::addColumn<QList<double>>("angles");
+    QTest::addColumn<bool>("against"); // counterclockwise
+    const auto ramp = [](double from, double to, double step) {
+        QList<double> angles;
+        for (int i = 0; i <= std::lround((to - from) / step); ++i)
+            angles.append(from + step * i);
+        return angles;
+    };
+    QTest::newRow("grow") << ramp(0, 359, 1) << false;
+    QTest::newRow("fall") << ramp(359, 0, -1) << true;
+    QTest::newRow("a short arc that falls") << ramp(100, 0, -1) << true;
+    QTest::newRow("not unwrapped, half way") << ramp(180, 359, 1) + ramp(0, 179, 1) << true;
+    QTest::newRow("not unwrapped, with overlap") << ramp(0, 359, 1) + ramp(0, 90, 1) << true;
+    QTest::newRow("there and back") << ramp(0, 180, 1) + ramp(179, 0, -1) << true;
+    QTest::newRow("a turn and a half") << ramp(-90, 450, 1) << false;
+    QList<double> noisy = ramp(0, 359, 1);
+    for (qsizetype i = 0; i < noisy.size(); ++i)
+        noisy[i] += 3 * std::sin(1.7 * static_cast<double>(i));
+    QTest::newRow("noise of measured angles") << noisy << false;
+    QTest::newRow("one point") << QList<double>{5} << false;
+}
+
+void Circular::anglesAgainstTheSense() {
+    QFETCH(QList<double>, angles);
+    QFETCH(bool, against);
+    for (const Sense sense : {counterclockwise, clockwise}) {
+        Arc arc;
+        arc.sense = sense;
+        for (const double angle : angles) {
+            arc.angles.push_back(sense == counterclockwise ? angle : -angle);
+            arc.radialDeviations.push_back(1e-3);
+        }
+        // As the second arc of its sense it is looked at, too.
+        for (const bool repeated : {false, true}) {
+            std::vector<Arc> arcs{arc};
+            if (repeated)
+                arcs.insert(arcs.begin(), path(sense, 360, [](double) { return 1.0; }));
+            const auto e = evaluated(circularTest(arcs));
+            const auto says = [](const Finding &f) {
+                return f.id == "arcs" &&
+                       QString::fromUtf8(f.message.text.source).contains(u"against its sense");
+            };
+            const auto found = std::ranges::find_if(e.findings, says);
+            QCOMPARE(found != e.findings.end(), against);
+            if (against)
+                QVERIFY(found->message.arguments[0] == Argument(std::string(repeated ? "2" : "1")));
+        }
+    }
+}
+
+void Circular::nilExpansionNeedsNoCorrection() {
+    Test test = circularTest({path(counterclockwise, 360, [](double) { return 1.0; })});
+    Conditions &conditions = measurement(test).conditions.common;
+    conditions.correctionTo20 = CorrectionTo20::notApplied;
+    const auto isMissing = [&](double machine, double instrument) {
+        conditions.sensors = {{SensorMeasures::machine, "", machine, machine, {}},
+                              {SensorMeasures::instrument, "", instrument, instrument, {}}};
+        const auto e = evaluated(test);
+        const bool result = std::get<CircularResults>(e.results).notCorrected;
+        if (result != (finding(e, "correctionTo20") != nullptr))
+            qFatal("finding and result differ");
+        return result;
+    };
+    QVERIFY(isMissing(30, 30)); // coefficients not stated
+    conditions.expansion = {11, 11};
+    QVERIFY(!isMissing(30, 30));
+    QVERIFY(isMissing(20, 30));
+    QVERIFY(isMissing(30, 20));
+    QVERIFY(!isMissing(20, 20));
+    // 0.05 µm over the radius of 150 mm: 1/3 µm/m
+    conditions.expansion = {11, 11 + 0.033};
+    QVERIFY(!isMissing(30, 30));
+    conditions.expansion = {11, 11 + 0.034};
+    QVERIFY(isMissing(30, 30));
+    // Asked for and impossible: whatever is known of the temperature.
+    conditions.correctionTo20 = CorrectionTo20::appliedHere;
+    conditions.expansion = {};
+    QVERIFY(isMissing(20, 20));
+    conditions.sensors.clear();
+    QVERIFY(std::get<CircularResults>(evaluated(test).results).notCorrected);
 }
 
 void Circular::hysteresis() {

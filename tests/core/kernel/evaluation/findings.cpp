@@ -22,6 +22,8 @@ private slots:
     void limitsOfOtherEditions();
     void proofNeedsUncertainty();
     void uncorrectedResultsProveNothing();
+    void temperaturesOfMachineAndInstrument_data();
+    void temperaturesOfMachineAndInstrument();
     void workedExampleIsRecognised();
 };
 
@@ -471,6 +473,88 @@ void Findings::uncorrectedResultsProveNothing() {
     QVERIFY(std::get<PositioningResults>(e.results).notCorrected);
     QVERIFY(parameter(e, "A")->verdict == Verdict::notProven);
     QVERIFY(parameter(e, "R")->verdict == Verdict::conforms); // repeatability does not depend on it
+}
+
+void Findings::temperaturesOfMachineAndInstrument_data() {
+    QTest::addColumn<int>("correction");
+    QTest::addColumn<double>("machine"); // 0: not stated, as below
+    QTest::addColumn<double>("instrument");
+    QTest::addColumn<double>("alphaMachine"); // −1: not stated
+    QTest::addColumn<double>("alphaInstrument");
+    QTest::addColumn<bool>("proves");
+    QTest::addColumn<bool>("finds");
+    const auto row = [](const char *name, CorrectionTo20 correction, double machine, double instrument,
+                        double alphaMachine, double alphaInstrument, bool proves, bool finds) {
+        QTest::newRow(name) << static_cast<int>(correction) << machine << instrument << alphaMachine
+                            << alphaInstrument << proves << finds;
+    };
+    for (const auto none : {CorrectionTo20::notApplied, CorrectionTo20::notStated}) {
+        const bool stated = none == CorrectionTo20::notApplied;
+        const auto named = [&](const char *name) {
+            return QByteArray(name) + (stated ? ", not applied" : ", not stated");
+        };
+        row(named("both at 20"), none, 20, 20, 11, 11, true, false);
+        row(named("machine 24"), none, 24, 0, -1, -1, false, true);
+        row(named("scale 30, machine 20"), none, 20, 30, 11, 11, false, true);
+        row(named("scale 30, machine not stated"), none, 0, 30, 11, 11, false, true);
+        row(named("scale 30, coefficient not stated"), none, 20, 30, 11, -1, false, true);
+        row(named("laser 30: its coefficient is 0"), none, 20, 30, 11, 0, true, false);
+        row(named("both 30, equal coefficients"), none, 30, 30, 11, 11, true, false);
+        row(named("both 30, coefficients not stated"), none, 30, 30, -1, -1, false, true);
+        row(named("20.05 prints as 20.0"), none, 20.05, 20, 11, 11, true, false);
+        row(named("19.95 prints as 20.0"), none, 19.95, 20, 11, 11, true, false);
+        row(named("20.06"), none, 20.06, 20, 11, 11, false, true);
+        row(named("19.94"), none, 19.94, 20, 11, 11, false, true);
+        // over the 100 mm of the test 0.05 µm is 0.5 µm/m
+        row(named("difference of 0.049 µm"), none, 30, 30, 11, 11.049, true, false);
+        row(named("difference of 0.051 µm"), none, 30, 30, 11, 11.051, false, true);
+        row(named("difference of −0.051 µm"), none, 30, 30, 11.051, 11, false, true);
+        row(named("no temperature"), none, 0, 0, 11, 11, true, false);
+    }
+    constexpr auto here = CorrectionTo20::appliedHere;
+    row("here, all known", here, 24, 24, 11, 8, true, false);
+    row("here, laser", here, 24, 0, 11, 0, true, false);
+    row("here, no temperature", here, 0, 0, 11, 0, false, true);
+    row("here, no coefficient", here, 24, 24, -1, 0, false, true);
+    row("here, scale's temperature missing", here, 24, 0, 11, 11, false, true);
+    row("by the instrument", CorrectionTo20::appliedByInstrument, 24, 30, -1, -1, true, false);
+}
+
+void Findings::temperaturesOfMachineAndInstrument() {
+    QFETCH(int, correction);
+    QFETCH(double, machine);
+    QFETCH(double, instrument);
+    QFETCH(double, alphaMachine);
+    QFETCH(double, alphaInstrument);
+    QFETCH(bool, proves);
+    QFETCH(bool, finds);
+    Test test =
+        positioningTest("ISO 230-2:2006", {0, 50, 100}, {{0, 1, 2}, {1, 1, 3}}, {{1, 2, 3}, {1, 3, 3}});
+    test.limits = {{"A", {0.05, {}, ""}}, {"R", {0.05, {}, ""}}};
+    test.decisionRule = {Rule::iso14253_1, 1.0};
+    measurement(test).uncertainty.method = UncertaintyMethod::direct;
+    measurement(test).uncertainty.expanded = {{"A", 1.0}, {"R", 1.0}};
+    Conditions &conditions = measurement(test).conditions.common;
+    conditions.correctionTo20 = static_cast<CorrectionTo20>(correction);
+    if (machine > 0)
+        conditions.sensors.push_back({SensorMeasures::machine, "", machine, machine, {}});
+    if (instrument > 0)
+        conditions.sensors.push_back({SensorMeasures::instrument, "", instrument, instrument, {}});
+    if (alphaMachine >= 0)
+        conditions.expansion.machine = alphaMachine;
+    if (alphaInstrument >= 0)
+        conditions.expansion.instrument = alphaInstrument;
+    const auto e = evaluated(test);
+    QCOMPARE(std::get<PositioningResults>(e.results).notCorrected, !proves);
+    QVERIFY(parameter(e, "A")->verdict == (proves ? Verdict::conforms : Verdict::notProven));
+    QVERIFY(parameter(e, "R")->verdict == Verdict::conforms);
+    const bool found = std::ranges::any_of(e.findings, [](const Finding &f) {
+        return f.id == "correctionTo20" && QString::fromUtf8(f.message.text.source).contains(u"20 °C");
+    });
+    if (correction != static_cast<int>(CorrectionTo20::notStated) || finds)
+        QCOMPARE(found, finds);
+    measurement(test).axis.motion = Motion::rotary;
+    QVERIFY(!std::get<PositioningResults>(evaluated(test).results).notCorrected);
 }
 
 void Findings::workedExampleIsRecognised() {

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <random>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -19,6 +20,7 @@ private slots:
     void iso1988Table2PerTarget();
     void ruling_data();
     void ruling();
+    void directionThatRulesRepeatability();
     void tiesGoToTheFirstTarget();
     void listedParameters_data();
     void listedParameters();
@@ -261,6 +263,61 @@ void Parameters::rangeMethod() {
     const auto evaluation = evaluated(many);
     QVERIFY(!parameter(evaluation, "R")->value);
     QVERIFY(finding(evaluation, "standardDeviation"));
+}
+
+void Parameters::directionThatRulesRepeatability() {
+    std::mt19937_64 random(6);
+    std::normal_distribution<double> normal;
+    int alone = 0;
+    int together = 0;
+    for (int round = 0; round < 1000; ++round) {
+        const double scatter = 3 * std::abs(normal(random));
+        const double reversal = 2 * normal(random);
+        std::vector<std::vector<double>> up(5);
+        std::vector<std::vector<double>> down(static_cast<std::size_t>(3 + round % 4));
+        for (auto &run : up)
+            for (int i = 0; i < 4; ++i)
+                run.push_back(scatter * normal(random));
+        for (auto &run : down)
+            for (int i = 0; i < 4; ++i)
+                run.push_back(reversal + normal(random));
+        Test test = positioningTest("ISO 230-2:2006", {0, 10, 20, 30}, up, down);
+        auto &inputs = measurement(test).uncertainty;
+        inputs.method = UncertaintyMethod::budget;
+        inputs.device.kind = DeviceKind::certificate;
+        inputs.device.fixed = 0;
+        inputs.device.perMetre = 0;
+        inputs.misalignmentRange = 0;
+        inputs.temperatureRange = {0, 0};
+        inputs.expansionRange = {0, 0};
+        inputs.environmentalVariation = 5; // U = 3 µm
+        measurement(test).conditions.common.expansion = {11, 0};
+        measurement(test).conditions.common.sensors = {{SensorMeasures::machine, "", 20.0, 20.0, {}}};
+        const auto e = evaluated(test);
+        const Parameter &r = *parameter(e, "R");
+        const auto &targets = std::get<PositioningResults>(e.results).targets;
+        const TargetStatistics &t = targets[static_cast<std::size_t>(r.ruling[0]->target) - 1];
+        const double sum = 2 * t.positive.s + 2 * t.negative.s + std::abs(t.positive.mean - t.negative.mean);
+        const double nUp = 5;
+        const double nDown = static_cast<double>(down.size());
+        std::optional<Direction> expected;
+        double factor = std::sqrt(8 / (std::min(nUp, nDown) - 1) + 2 / std::min(nUp, nDown));
+        if (4 * t.positive.s > sum || 4 * t.negative.s > sum) {
+            expected = t.positive.s > t.negative.s ? Direction::positive : Direction::negative;
+            factor = 4 / std::sqrt((expected == Direction::positive ? nUp : nDown) - 1);
+        }
+        QVERIFY(r.ruling[0]->approach == expected);
+        QVERIFY(!r.ruling[1]);
+        (expected ? alone : together) += 1;
+        QVERIFY(r.expandedUncertainty);
+        // 0.6·5 µm by the factor of the form that rules; 1e-12 for rounding
+        if (expected || nUp == nDown)
+            QVERIFY(std::abs(*r.expandedUncertainty * 1000 - 3 * factor) < 1e-12);
+    }
+    QVERIFY(alone > 100 && together > 100);
+    // All readings equal: nothing rules alone.
+    const auto still = positioningTest("ISO 230-2:2006", {0, 10}, {{1, 1}, {1, 1}}, {{1, 1}, {1, 1}});
+    QCOMPARE(parameter(evaluated(still), "R")->ruling[0], (Ruling{1, std::nullopt}));
 }
 
 void Parameters::correctionTo20_data() {

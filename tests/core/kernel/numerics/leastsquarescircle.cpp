@@ -68,6 +68,9 @@ private slots:
     void millionPointsKeepThePrecision();
     void slantingLinesAreCollinear();
     void noisyLinesEndWithAStatus();
+    void shortArcsWithLargeDeviations_data();
+    void shortArcsWithLargeDeviations();
+    void notConvergedIsNoCircle();
     void badInput_data();
     void badInput();
 };
@@ -285,6 +288,93 @@ void LeastSquaresCircleTest::noisyLinesEndWithAStatus() {
         }
     }
     QVERIFY(collinear > 0 && collinear < 200);
+}
+
+void LeastSquaresCircleTest::shortArcsWithLargeDeviations_data() {
+    QTest::addColumn<double>("extent");
+    QTest::addColumn<double>("deviation"); // of R
+    for (const double extent : {20.0, 30.0, 60.0, 90.0}) {
+        for (const double deviation : {0.005, 0.01, 0.02, 0.03, 0.05})
+            QTest::addRow("%g degrees, %g of R", extent, deviation) << extent << deviation;
+    }
+}
+
+/// Against the least of the sum as a search without derivatives finds it, in long double.
+void LeastSquaresCircleTest::shortArcsWithLargeDeviations() {
+    QFETCH(double, extent);
+    QFETCH(double, deviation);
+    std::mt19937_64 random(30);
+    std::uniform_real_distribution<double> any(-1, 1);
+    int found = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        const int n = 40 + static_cast<int>(random() % 100);
+        const double a = any(random);
+        const double b = any(random);
+        const double phase = 3 * any(random);
+        std::vector<double> angles;
+        std::vector<double> radii;
+        for (int i = 0; i < n; ++i) {
+            const double t = 2 * std::numbers::pi * i / (n - 1);
+            angles.push_back(extent * i / (n - 1));
+            radii.push_back(150 +
+                            75 * deviation *
+                                (a * std::sin(1.3 * t) + b * std::cos(2.1 * t + phase) + 0.2 * any(random)));
+        }
+        const Points points = polarPoints(angles, radii);
+        const LeastSquaresCircle circle = leastSquaresCircle(points.view());
+        QVERIFY(circle.status == Status::converged || circle.status == Status::collinear);
+        if (!circle.valid())
+            continue;
+        ++found;
+        if (circle.radius > 5000)
+            continue; // straight within 0.1 mm: the sum tells the centres of metres apart by rounding only
+        // A pattern search: a cross whose arms halve where none is lower. Turned along the arc's middle,
+        // where the valley is.
+        const Point along = direction(extent / 2);
+        const std::vector<std::size_t> all{points.size()};
+        long double x = circle.centre.x;
+        long double y = circle.centre.y;
+        long double least = variance(points, all, x, y);
+        const long double atFit = least;
+        for (long double arm = circle.radius / 8; arm > 1e-9L * circle.radius;) {
+            bool lower = false;
+            for (const auto &[dx, dy] : {std::pair{along.x, along.y}, std::pair{-along.x, -along.y},
+                                         std::pair{-along.y, along.x}, std::pair{along.y, -along.x}}) {
+                const long double there = variance(points, all, x + arm * dx, y + arm * dy);
+                if (there < least) {
+                    least = there;
+                    x += arm * dx;
+                    y += arm * dy;
+                    lower = true;
+                }
+            }
+            if (!lower)
+                arm /= 2;
+        }
+        // The search sees 1e-9 R of the centre, and the sum is flat to the square of it; the fit sees the sum
+        // with the rounding of its distances, R·2e-16 each.
+        const auto rounding =
+            static_cast<long double>(4e-15 * circle.radius) * std::sqrt(static_cast<double>(least));
+        QVERIFY2(atFit - least <= 1e-12L * least + rounding,
+                 qPrintable(QStringLiteral("trial %1: R %2, %3 mm, %4")
+                                .arg(trial)
+                                .arg(circle.radius)
+                                .arg(double(std::hypot(x - circle.centre.x, y - circle.centre.y)))
+                                .arg(double((atFit - least) / least))));
+    }
+    // Where the deviations are as large as the arc is bent some points lie on no circle.
+    QVERIFY2(found >= (extent < 30 || deviation > 0.03 ? 25 : 36), qPrintable(QString::number(found)));
+}
+
+void LeastSquaresCircleTest::notConvergedIsNoCircle() {
+    const Points points = arc(150, {0, 0}, 0, 30, 100, 3, 1);
+    QVERIFY(leastSquaresCircle(points.view()).valid());
+    LeastSquaresCircleOptions options;
+    options.maxIterations = 2;
+    const LeastSquaresCircle circle = leastSquaresCircle(points.view(), options);
+    QCOMPARE(circle.status, Status::notConverged);
+    QVERIFY(!circle.valid());
+    QCOMPARE(circle.radius, 0.0);
 }
 
 void LeastSquaresCircleTest::badInput_data() {

@@ -1,0 +1,139 @@
+#include "report/printednumbers.h"
+
+#include "kernel/evaluation/conformity.h"
+#include "language/rounding.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+namespace palmer {
+
+namespace {
+
+constexpr int mostDecimals = 20;
+
+/// The number a reader reads.
+double readBack(const std::string &text) {
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+/// A result that is compared with its limit, in the unit that is shown.
+struct Comparison {
+    double value; ///< less is better, as of the limit
+    double limit;
+    std::optional<double> uncertainty;
+    double rounding = roundingOfSums;
+
+    [[nodiscard]] Verdict verdict(const DecisionRule &rule) const {
+        return decideUpper(value, limit, uncertainty, rule, rounding);
+    }
+    /// On the same side of the limit, and of the ends of its guard band, as `other`.
+    [[nodiscard]] bool agreesWith(const Comparison &other, const DecisionRule &rule) const {
+        return verdict({}) == other.verdict({}) && verdict(rule) == other.verdict(rule);
+    }
+};
+
+/// A number of a parameter as Language prints it in some units.
+double printedNumber(double value, const ShownUnit &unit, int decimals) {
+    return readBack(Decimal(value, unit).rounded(std::max(0, decimals + unit.decimals)));
+}
+
+Comparison printedComparison(const Parameter &p, int decimals, const DisplayUnits &units) {
+    const ShownUnit unit = shownUnit(p.term.quantity, units);
+    const double limit = *p.limit->value;
+    const int ofLimit = limitDecimals(limit, p.term.quantity, units);
+    Comparison printed{judgedValue(printedNumber(*p.value, unit, decimals), p.bound),
+                       judgedLimit(printedNumber(limit, unit, ofLimit), p.bound),
+                       {},
+                       roundingOfWritten};
+    if (p.expandedUncertainty)
+        printed.uncertainty = readBack(
+            Decimal(*p.expandedUncertainty, unit).roundedUncertainty(std::max(0, decimals + unit.decimals)));
+    return printed;
+}
+
+bool isComparable(const Parameter &p) {
+    return p.value && p.limit && p.limit->value && std::isfinite(*p.value) && std::isfinite(*p.limit->value);
+}
+
+/// limit ± g of the printed limit and U, with the fewest decimals that leave the printed value on its side.
+QString printedReach(const Parameter &p, const DecisionRule &rule, int decimals, const Language &language) {
+    const Comparison printed = printedComparison(p, decimals, language.units());
+    const auto guard = guardBand(printed.uncertainty, rule);
+    if (!guard)
+        return {};
+    const double end = printed.limit + *guard;
+    const bool beyond = printed.verdict(rule) == Verdict::doesNotConform;
+    int digits = std::max(0, decimals + shownUnit(p.term.quantity, language.units()).decimals);
+    while (digits < mostDecimals && (readBack(Decimal(end).rounded(digits)) < printed.value) != beyond)
+        ++digits;
+    return language.number(p.bound == Bound::lower ? -end : end, Quantity::number, digits);
+}
+
+} // namespace
+
+int limitDecimals(double limit, Quantity quantity, const DisplayUnits &units) {
+    constexpr int certainDigits = 15;
+    const ShownUnit unit = shownUnit(quantity, units);
+    const Decimal whole(limit, unit);
+    const double size = std::abs(readBack(whole.shortest()));
+    if (!(size > 0) || !std::isfinite(size))
+        return 0;
+    int certain = certainDigits - 1 - static_cast<int>(std::floor(std::log10(size)));
+    if (unit.finest >= 0)
+        certain = std::min(certain, unit.finest);
+    const std::string digits = whole.rounded(std::clamp(certain, 0, mostDecimals));
+    const auto point = digits.find('.');
+    const auto last = digits.find_last_not_of('0');
+    const int count = point == std::string::npos || last <= point ? 0 : static_cast<int>(last - point);
+    return std::max(0, count - unit.decimals);
+}
+
+int parameterDecimals(const Parameter &parameter, const DecisionRule &rule, std::optional<double> resolution,
+                      const DisplayUnits &units) {
+    int result = decimalsWithoutUncertainty;
+    if (parameter.expandedUncertainty)
+        result = decimalsWithUncertainty(*parameter.expandedUncertainty, parameter.term.quantity, resolution);
+    if (!isComparable(parameter))
+        return result;
+    const Comparison exact{judgedValue(*parameter.value, parameter.bound),
+                           judgedLimit(*parameter.limit->value, parameter.bound),
+                           parameter.expandedUncertainty, roundingOfSums};
+    for (int decimals = result; decimals <= mostDecimals; ++decimals) {
+        if (printedComparison(parameter, decimals, units).agreesWith(exact, rule))
+            return decimals;
+    }
+    return result;
+}
+
+PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &rule,
+                              std::optional<double> resolution, const Language &language) {
+    const Quantity quantity = parameter.term.quantity;
+    PrintedNumbers result;
+    result.decimals = parameterDecimals(parameter, rule, resolution, language.units());
+    if (parameter.value)
+        result.value = language.number(*parameter.value, quantity, result.decimals);
+    if (parameter.expandedUncertainty)
+        result.uncertainty = language.uncertainty(*parameter.expandedUncertainty, quantity, result.decimals);
+    if (parameter.limit && parameter.limit->value) {
+        const int own = limitDecimals(*parameter.limit->value, quantity, language.units());
+        result.limit = language.number(*parameter.limit->value, quantity, own);
+        result.alignedLimit =
+            language.number(*parameter.limit->value, quantity, std::max(own, result.decimals));
+    }
+    if (isComparable(parameter))
+        result.reach = printedReach(parameter, rule, result.decimals, language);
+    return result;
+}
+
+QString limitNote(const Parameter &parameter, const Language &language) {
+    if (!parameter.limit || parameter.limitOf.empty() || parameter.limitOf == parameter.term.id)
+        return {};
+    return language.sentence({REPORT_TEXT("report", "limit of %1"), {parameter.limitOf}, {}});
+}
+
+} // namespace palmer

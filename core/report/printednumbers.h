@@ -1,0 +1,38 @@
+#pragma once
+
+#include "kernel/evaluation/parameter.h"
+#include "language/language.h"
+
+#include <QString>
+#include <optional>
+
+namespace palmer {
+
+/// The numbers of a result as every table and sentence prints them: value and U with the same decimals, the
+/// limit as entered. There are as many digits as it takes for the printed numbers, compared by the decision
+/// rule with its factor as printed, to give the verdict that the unrounded ones give.
+struct PrintedNumbers {
+    int decimals = 1; ///< of value and U
+    QString value;    ///< empty where there is none, as below
+    QString uncertainty;
+    QString limit;        ///< as entered
+    QString alignedLimit; ///< filled up to the decimals of the value
+    QString reach; ///< the end of the guard band beyond the limit: limit + g, of a lower limit limit − g
+};
+
+[[nodiscard]] PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &rule,
+                                            std::optional<double> resolution, const Language &language);
+
+/// `decimals` of the above alone, counted in the default unit of the quantity. `resolution`: the finest of
+/// the instruments (mm, rotary: degrees).
+[[nodiscard]] int parameterDecimals(const Parameter &parameter, const DecisionRule &rule,
+                                    std::optional<double> resolution, const DisplayUnits &units = {});
+
+/// The decimals of a limit, counted likewise: as entered. Only the digits count that a double holds for
+/// certain, so that a limit which came through another unit is no 1.0000000000000002.
+[[nodiscard]] int limitDecimals(double limit, Quantity quantity, const DisplayUnits &units = {});
+
+/// "limit of F" where the limit is not that of the parameter itself; else nothing.
+[[nodiscard]] QString limitNote(const Parameter &parameter, const Language &language);
+
+} // namespace palmer
