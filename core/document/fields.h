@@ -16,6 +16,7 @@ enum Demand : unsigned {
     date = 1U << 3U,        ///< YYYY-MM-DD, a day that exists
     timeOfDay = 1U << 4U,   ///< HH:MM
     base64 = 1U << 5U,
+    trialCount = 1U << 6U, ///< 1 … mostTrialsStated
 };
 
 // The fields of the test file: one function for each struct, used by reader and writer alike, so a key exists
@@ -235,7 +236,7 @@ void fields(Visit &visit, T &uncertainty) {
     visit("driftTest", uncertainty.driftTest);
     visit("driftModel", uncertainty.driftModel);
     visit("length", uncertainty.length);
-    visit("trials", uncertainty.trials, positive);
+    visit("trials", uncertainty.trials, trialCount);
     visit("seed", uncertainty.seed);
     visit("expanded", uncertainty.expanded);
 }
@@ -259,7 +260,7 @@ void fields(Visit &visit, T &uncertainty) {
     visit("sameSensor", uncertainty.sameSensor);
     visit("temperatureStandardUncertainty", uncertainty.temperatureStandardUncertainty);
     visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty);
-    visit("trials", uncertainty.trials, positive);
+    visit("trials", uncertainty.trials, trialCount);
     visit("seed", uncertainty.seed);
     visit("expanded", uncertainty.expanded);
 }

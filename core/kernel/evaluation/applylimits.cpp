@@ -17,9 +17,9 @@ bool holds(const Limit &limit, const TestEvaluation &evaluation) {
 Verdict decide(const Judged &judged, double limit, const DecisionRule &rule) {
     const Parameter &p = *judged.parameter;
     if (judged.bound == Bound::magnitude || !p.value)
-        return decide(p.value, limit, p.expandedUncertainty, rule);
+        return decide(p.value, limit, p.guardedUncertainty(), rule);
     const double sign = judged.bound == Bound::upper ? 1 : -1;
-    return decideUpper(sign * *p.value, sign * limit, p.expandedUncertainty, rule);
+    return decideUpper(sign * *p.value, sign * limit, p.guardedUncertainty(), rule);
 }
 
 } // namespace
@@ -56,11 +56,12 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
         for (const Judged &one : found) {
             Parameter &p = *one.parameter;
             p.limit = limit;
-            p.guardBand = guardBand(p.expandedUncertainty, test.decisionRule);
+            p.guardBand = guardBand(p.guardedUncertainty(), test.decisionRule);
             p.verdict = decide(one, *limit.value, test.decisionRule);
             if (test.decisionRule.rule != Rule::simpleAcceptance) {
-                evaluation.provisional |=
-                    evaluation.uncertainty.outdated && p.decidedBy == UncertaintyMethod::monteCarlo;
+                // Where the budget decides in its place it is by the shift of the simulation.
+                evaluation.provisional |= evaluation.uncertainty.outdated &&
+                                          evaluation.uncertainty.method == UncertaintyMethod::monteCarlo;
                 uncertaintyMissing |= !p.expandedUncertainty;
                 if (notCorrected && p.dependsOnTemperature)
                     p.verdict = Verdict::notProven;
