@@ -3679,14 +3679,6 @@
         <source>%1: budget and Monte Carlo differ by more than 20 %: the ruling targets lie closer together than the length L = %2 of the budget.</source>
         <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: les points déterminants sont plus proches l’un de l’autre que la longueur L = %2 du budget.</translation>
     </message>
-    <message>
-        <source>%1: budget and Monte Carlo differ by more than 20 %: the mean over all targets is surer than the one target that the budget takes.</source>
-        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la moyenne sur tous les points est plus sûre que le seul point que prend le budget.</translation>
-    </message>
-    <message>
-        <source>%1: budget and Monte Carlo differ by more than 20 %: the simulation follows the extremes over all targets and the scatter of the readings, the budget one target.</source>
-        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la simulation suit les extrêmes sur tous les points et la dispersion des relevés, le budget un seul point.</translation>
-    </message>
     <message numerus="yes">
         <source>Readings that are no numbers (%n), hence missing: %1.</source>
         <translation>
@@ -4779,10 +4771,6 @@
         <translation>de 0 à %1</translation>
     </message>
     <message>
-        <source>U in %1, k = 2</source>
-        <translation>U en %1, k = 2</translation>
-    </message>
-    <message>
         <source>Model of Annex A</source>
         <translation>Modèle de l’annexe A</translation>
     </message>
@@ -5268,6 +5256,114 @@
     <message>
         <source>A new test, an import, a file, an example. A file holds one report: a machine, its instruments and any number of tests. A further test takes over what is stated of the one in view, but nothing that was measured and no limits.</source>
         <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
+    </message>
+    <message>
+        <source>the budget with the actual targets is for positioning tests</source>
+        <translation>le budget avec les points réels est réservé aux essais de positionnement</translation>
+    </message>
+    <message>
+        <source>expected a whole number from 1 to 1 000 000 000</source>
+        <translation>un nombre entier de 1 à 1&#x202f;000&#x202f;000&#x202f;000 est attendu</translation>
+    </message>
+    <message>
+        <source>The Monte Carlo simulation has %1 trials: fewer than %2 (JCGM 101, 7.2) are shown and never decide.</source>
+        <translation>La simulation de Monte-Carlo compte %1 tirages&#xa0;: moins de %2 (JCGM 101, 7.2) sont affichés et ne fondent jamais un verdict.</translation>
+    </message>
+    <message>
+        <source>The Monte Carlo simulation has %1 trials: fewer than %2 (JCGM 101, 7.2) never decide. The budget U is used for the verdict.</source>
+        <translation>La simulation de Monte-Carlo compte %1 tirages&#xa0;: moins de %2 (JCGM 101, 7.2) ne fondent jamais un verdict. Le verdict est fondé sur l’U du budget.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: the results of the trials are not normally distributed, half of their 95.45 % interval is not 2u.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: les résultats des tirages ne suivent pas une loi normale, la moitié de leur intervalle à 95,45&#xa0;% n’est pas 2u.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %; no single reason that is known explains it.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#x202f;; aucune raison connue ne l’explique à elle seule.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: the mean over all targets is less uncertain than the single target used in the budget.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la moyenne sur tous les points est moins incertaine que le seul point retenu dans le budget.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: the ruling targets lie closer together than the length L = %2 of the budget, and the results of the trials are not normally distributed.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: les points déterminants sont plus proches l’un de l’autre que la longueur L = %2 du budget, et les résultats des tirages ne suivent pas une loi normale.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: the drift that the simulation adds to the readings widens the s of the ruling targets by more than 20 %.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la dérive que la simulation ajoute aux relevés augmente de plus de 20&#xa0;% le s des points déterminants.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: other targets come within U of those that rule; from trial to trial another one rules.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: d’autres points sont à moins de U des points déterminants&#x202f;; d’un tirage à l’autre, un autre point détermine le résultat.</translation>
+    </message>
+    <message>
+        <source>Of the systematic part S = %1 of its uncertainty the actual targets carry %2.</source>
+        <translation>De la part systématique S = %1 de son incertitude, les points réels portent %2.</translation>
+    </message>
+    <message>
+        <source>How many times the test is evaluated anew with other errors; empty: as many as two digits of the uncertainty need. Fewer than 220 000 are shown and never decide.</source>
+        <translation>Combien de fois l’essai est évalué à nouveau avec d’autres erreurs&#x202f;; vide&#xa0;: autant que l’exigent deux chiffres de l’incertitude. Moins de 220&#x202f;000 tirages sont affichés et ne fondent jamais un verdict.</translation>
+    </message>
+    <message>
+        <source>Where U comes from a simulation, g = %1·(U + 2s): our safety rule, s the standard deviation of U over the blocks of trials.</source>
+        <translation>Lorsque U provient d’une simulation, g = %1·(U + 2s)&#xa0;: notre règle de sûreté, s étant l’écart-type de U sur les blocs de tirages.</translation>
+    </message>
+    <message>
+        <source>U in %1</source>
+        <translation>U en %1</translation>
+    </message>
+    <message>
+        <source>With the actual targets (ours)</source>
+        <translation>Avec les points réels (notre méthode)</translation>
+    </message>
+    <message>
+        <source>95.45 %</source>
+        <translation>95,45&#xa0;%</translation>
+    </message>
+    <message>
+        <source>2s of this U</source>
+        <translation>2s de cet U</translation>
+    </message>
+    <message>
+        <source>Tolerance of u</source>
+        <translation>Tolérance sur u</translation>
+    </message>
+    <message>
+        <source>With the actual targets: in place of S = %1 what the positions that rule really carry of it, the readings tilted by ±S over L and evaluated anew; an explanation, unless it is chosen to decide.</source>
+        <translation>Avec les points réels&#xa0;: au lieu de S = %1, ce qu’en portent réellement les positions déterminantes, les relevés étant inclinés de ±S sur L et évalués à nouveau&#x202f;; à titre d’explication, sauf si cette méthode est retenue pour le verdict.</translation>
+    </message>
+    <message>
+        <source>Over the blocks of trials twice the standard deviation of mean, u, both ends and U is below the tolerance of u, half a unit of its second digit.</source>
+        <translation>Sur les blocs de tirages, le double de l’écart-type de la moyenne, de u, des deux bornes et de U est inférieur à la tolérance sur u, une demi-unité de son deuxième chiffre.</translation>
+    </message>
+    <message>
+        <source>The U of the budget with the actual targets is used for the verdict.</source>
+        <translation>Le verdict est fondé sur l’U du budget avec les points réels.</translation>
+    </message>
+    <message>
+        <source>Too few trials to decide: the budget U is used for the verdict.</source>
+        <translation>Trop peu de tirages pour un verdict&#xa0;: il est fondé sur l’U du budget.</translation>
+    </message>
+    <message>
+        <source>U (95.45 %)</source>
+        <translation>U (95,45&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>95.45 % for %1; k = 2 for the others</source>
+        <translation>95,45&#xa0;% pour %1&#x202f;; k = 2 pour les autres</translation>
+    </message>
+    <message>
+        <source>--%1 takes a whole number up to %2, not %3</source>
+        <translation>--%1 attend un nombre entier jusqu’à %2, et non %3</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: the simulation lets the fixed part of the instrument&apos;s uncertainty grow with the length, the budget counts it in full.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la simulation fait croître avec la longueur la part fixe de l’incertitude de l’instrument, le budget la compte en entier.</translation>
+    </message>
+    <message>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: readings that the errors tilt one way or the other let other targets rule, which the budget does not follow.</source>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: inclinés dans un sens ou dans l’autre par les erreurs, les relevés donnent d’autres points déterminants, ce que le budget ne suit pas.</translation>
     </message>
     <message>
         <source>%1 is held against the limits of %2 and of %3: its row shows that of %2, which has the worse verdict.</source>

@@ -3605,6 +3605,14 @@
         <source>needs a complete budget</source>
         <translation>demande un budget complet</translation>
     </message>
+    <message>
+        <source>stable to half a unit of the second digit of u</source>
+        <translation>stable à une demi-unité du deuxième chiffre de u</translation>
+    </message>
+    <message>
+        <source>too few to decide</source>
+        <translation>trop peu pour un verdict</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::StatementsBox</name>
@@ -4087,10 +4095,6 @@
         <translation>vue sous une autre édition</translation>
     </message>
     <message>
-        <source>decides · k = 2</source>
-        <translation>décide · k = 2</translation>
-    </message>
-    <message>
         <source>Values</source>
         <translation>Valeurs</translation>
     </message>
@@ -4189,6 +4193,42 @@
     <message>
         <source>k of the length</source>
         <translation>k de la longueur</translation>
+    </message>
+    <message>
+        <source>Actual targets</source>
+        <translation>Points réels</translation>
+    </message>
+    <message>
+        <source>The budget with what the actual targets carry of its systematic part (ours) decides</source>
+        <translation>Le verdict est fondé sur le budget avec ce que les points réels portent de sa part systématique (notre méthode)</translation>
+    </message>
+    <message>
+        <source>decides</source>
+        <translation>retenue pour le verdict</translation>
+    </message>
+    <message>
+        <source>decides · %1</source>
+        <translation>retenue pour le verdict · %1</translation>
+    </message>
+    <message>
+        <source>, k = 2</source>
+        <translation>, k = 2</translation>
+    </message>
+    <message>
+        <source>actual targets</source>
+        <translation>points réels</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, 95.45 %</source>
+        <translation>Monte-Carlo, 95,45&#xa0;%</translation>
+    </message>
+    <message>
+        <source>k = 2; %1 of the systematic part S = %2 is carried by the actual targets</source>
+        <translation>k = 2&#x202f;; les points réels portent %1 de la part systématique S = %2</translation>
+    </message>
+    <message>
+        <source>2s of U: %1; tolerance of u: %2</source>
+        <translation>2s de U&#xa0;: %1&#x202f;; tolérance sur u&#xa0;: %2</translation>
     </message>
 </context>
 <context>

@@ -11,8 +11,9 @@ namespace palmer {
 
 namespace {
 
-/// A whole number from `least` on, of an option.
-std::optional<long long> wholeNumber(const Invocation &invocation, const char *option, long long least) {
+/// A whole number of an option; `most` is said where it bounds.
+std::optional<long long> wholeNumber(const Invocation &invocation, const char *option, long long least,
+                                     long long most = std::numeric_limits<long long>::max()) {
     const auto text = invocation.value(QLatin1StringView(option));
     if (!text)
         return std::nullopt;
@@ -21,6 +22,9 @@ std::optional<long long> wholeNumber(const Invocation &invocation, const char *o
     if (!isNumber || number < least)
         throw UsageError({REPORT_TEXT("report", "--%1 takes a whole number from %2 on, not %3"),
                           {std::string(option), std::to_string(least), text->toStdString()}});
+    if (number > most)
+        throw UsageError({REPORT_TEXT("report", "--%1 takes a whole number up to %2, not %3"),
+                          {std::string(option), std::to_string(most), text->toStdString()}});
     return number;
 }
 
@@ -84,7 +88,7 @@ SimulationChoices simulationChoices(const Invocation &invocation) {
     constexpr long long mostThreads = 256;
     const auto threads = wholeNumber(invocation, "threads", 1);
     return {methodOf(invocation), wholeNumber(invocation, "seed", std::numeric_limits<long long>::min()),
-            wholeNumber(invocation, "trials", 1),
+            wholeNumber(invocation, "trials", 1, mostTrialsStated),
             static_cast<int>(std::min(threads.value_or(0), mostThreads))};
 }
 

@@ -131,6 +131,19 @@ TestEvaluation withoutResults(const Test &test, const Edition *edition) {
     return result;
 }
 
+/// Readings of a linear test, points of a circle.
+std::size_t readingsOf(const Test &test) {
+    std::size_t result = 0;
+    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
+        for (const Run &run : m->runs)
+            result += run.deviations.size();
+    } else if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement)) {
+        for (const Arc &arc : c->arcs)
+            result += arc.radialDeviations.size();
+    }
+    return result;
+}
+
 TestSimulation simulationOf(const EvaluatedDocument &evaluated, std::size_t test) {
     return test < evaluated.simulations.size() ? evaluated.simulations[test] : TestSimulation{};
 }
@@ -253,14 +266,20 @@ EvaluatedDocument withSimulation(const EvaluatedDocument &evaluated, std::size_t
     return result;
 }
 
+bool isSimulationDue(const EvaluatedDocument &evaluated, std::size_t test, SimulateWhich which) {
+    const UncertaintyEvaluation &uncertainty = evaluated.tests[test]->uncertainty;
+    if (!uncertainty.wantsSimulation() || (uncertainty.simulation && !uncertainty.outdated))
+        return false;
+    return uncertainty.method == UncertaintyMethod::monteCarlo ||
+           (which == SimulateWhich::allWithBudget &&
+            readingsOf(*evaluated.document->tests[test]) <= mostReadingsUnasked);
+}
+
 std::optional<EvaluatedDocument>
 withSimulations(EvaluatedDocument evaluated, SimulateWhich which, int threads, const std::stop_token &stop,
                 const std::function<void(std::size_t, const SimulationProgress &)> &progress) {
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
-        const UncertaintyEvaluation &uncertainty = evaluated.tests[i]->uncertainty;
-        const bool asked =
-            which == SimulateWhich::allWithBudget || uncertainty.method == UncertaintyMethod::monteCarlo;
-        if (!asked || !uncertainty.wantsSimulation() || (uncertainty.simulation && !uncertainty.outdated))
+        if (!isSimulationDue(evaluated, i, which))
             continue;
         SimulationOptions options = simulationOptions(*evaluated.document->tests[i]);
         options.threads = threads;

@@ -71,8 +71,12 @@ simulateTest(const EvaluatedDocument &evaluated, std::size_t test, const Simulat
                                                TestSimulation simulation);
 
 /// Which tests get a simulation: those whose method is Monte Carlo, or all whose budget is complete and whose
-/// method is budget or Monte Carlo.
+/// method stands on it; with more than `mostReadingsUnasked` readings only those whose method is Monte Carlo.
 enum class SimulateWhich { monteCarloOnly, allWithBudget };
+inline constexpr std::size_t mostReadingsUnasked = 100'000;
+
+/// Whether a simulation is to be run for that: it is wanted, and there is none, or an outdated one.
+[[nodiscard]] bool isSimulationDue(const EvaluatedDocument &evaluated, std::size_t test, SimulateWhich which);
 
 /// Runs the simulations that are missing or outdated, with the trials and the seed of each test. Null when
 /// stopped. `progress`: the test, counted from 0.

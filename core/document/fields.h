@@ -18,6 +18,7 @@ enum Demand : unsigned {
     base64 = 1U << 5U,
     longText = 1U << 6U, ///< remarks, what is agreed, addresses: `mostOfText` instead of `mostOfLine`
     reading = 1U << 7U,  ///< within ± `mostOfReading`
+    trialCount = 1U << 8U, ///< 1 … mostTrialsStated
 };
 
 // The fields of the test file: one function for each struct, used by reader and writer alike, so a key exists
@@ -237,7 +238,7 @@ void fields(Visit &visit, T &uncertainty) {
     visit("driftTest", uncertainty.driftTest);
     visit("driftModel", uncertainty.driftModel);
     visit("length", uncertainty.length);
-    visit("trials", uncertainty.trials, positive);
+    visit("trials", uncertainty.trials, trialCount);
     visit("seed", uncertainty.seed);
     visit("expanded", uncertainty.expanded);
 }
@@ -261,7 +262,7 @@ void fields(Visit &visit, T &uncertainty) {
     visit("sameSensor", uncertainty.sameSensor);
     visit("temperatureStandardUncertainty", uncertainty.temperatureStandardUncertainty);
     visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty);
-    visit("trials", uncertainty.trials, positive);
+    visit("trials", uncertainty.trials, trialCount);
     visit("seed", uncertainty.seed);
     visit("expanded", uncertainty.expanded);
 }

@@ -85,6 +85,7 @@ template <>
 inline constexpr auto fileWords<UncertaintyMethod> =
     std::to_array<FileWord<UncertaintyMethod>>({{UncertaintyMethod::none, "none"},
                                                 {UncertaintyMethod::budget, "budget"},
+                                                {UncertaintyMethod::budgetActual, "budgetActual"},
                                                 {UncertaintyMethod::monteCarlo, "monteCarlo"},
                                                 {UncertaintyMethod::direct, "direct"}});
 template <>

@@ -174,6 +174,13 @@ void demandEdition(const std::string &word, const Place &place) {
                {excerpt(word)});
 }
 
+void check(const CircularMeasurement &measurement, const Place &place) {
+    const Place atUncertainty(place, "uncertainty");
+    if (measurement.uncertainty.method == UncertaintyMethod::budgetActual)
+        refuse(Place(atUncertainty, "method"),
+               REPORT_TEXT("report", "the budget with the actual targets is for positioning tests"));
+}
+
 void check(const Limit &limit, const Place &place) {
     if (limit.edition)
         demandEdition(*limit.edition, Place(place, "edition"));
@@ -382,6 +389,8 @@ private:
             refuse(place, REPORT_TEXT("report", "expected a number greater than 0"));
         if ((demands & notNegative) != 0 && !(value >= 0))
             refuse(place, REPORT_TEXT("report", "expected a number that is not negative"));
+        if ((demands & trialCount) != 0 && !(value >= 1 && value <= double(mostTrialsStated)))
+            refuse(place, REPORT_TEXT("report", "expected a whole number from 1 to 1 000 000 000"));
     }
 
     // 5.0 is a whole number too, as JSON Schema has it.

@@ -166,7 +166,8 @@ QByteArray readingsCsv(const Test &test, const TestEvaluation &evaluation, const
     if (evaluation.parameters.empty())
         return csv.bytes();
     csv.endRow();
-    for (const char *heading : {"parameter", "symbol", "name", "value", "unit", "U (k = 2)", "limit"})
+    for (const char *heading :
+         {"parameter", "symbol", "name", "value", "unit", "U", "coverage of U", "limit"})
         csv.text(heading);
     csv.endRow();
     for (const Parameter &parameter : evaluation.parameters) {
@@ -176,6 +177,9 @@ QByteArray readingsCsv(const Test &test, const TestEvaluation &evaluation, const
         csv.number(parameter.value);
         csv.text(unitWord(parameter.term.quantity));
         csv.number(parameter.expandedUncertainty);
+        csv.text(!parameter.expandedUncertainty                         ? ""
+                 : parameter.decidedBy == UncertaintyMethod::monteCarlo ? "95.45 %"
+                                                                        : "k = 2");
         csv.number(parameter.limit ? parameter.limit->value : std::nullopt);
         csv.endRow();
     }

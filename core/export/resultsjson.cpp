@@ -77,7 +77,8 @@ Json monteCarlo(const Parameter &parameter, const UncertaintyEvaluation &uncerta
             {"high", simulated.high},
             {"shift", simulated.shift()},
             {"trials", uncertainty.simulation->trials},
-            {"seed", uncertainty.simulation->seed}};
+            {"seed", uncertainty.simulation->seed},
+            {"tolerance", simulated.tolerance()}};
 }
 
 Json parameter(const Parameter &parameter, const UncertaintyEvaluation &uncertainty,
@@ -172,8 +173,7 @@ Json circles(const CircularResults &results) {
 /// The contributions are those of a budget that is to be used.
 Json uncertainty(const UncertaintyEvaluation &evaluation) {
     Json contributions = Json::array();
-    if (evaluation.method == UncertaintyMethod::budget ||
-        evaluation.method == UncertaintyMethod::monteCarlo) {
+    if (usesContributions(evaluation.method)) {
         for (const Contribution &contribution : evaluation.contributions)
             contributions.push_back({{"id", contribution.id}, {"value", number(contribution.expanded)}});
     }

@@ -45,8 +45,7 @@ QString shareText(double share, const Language &language) {
 BarFigure budgetFigure(const Test &test, const TestEvaluation &evaluation, const Language &language) {
     BarFigure figure;
     const UncertaintyEvaluation &uncertainty = evaluation.uncertainty;
-    if (uncertainty.method != UncertaintyMethod::budget &&
-        uncertainty.method != UncertaintyMethod::monteCarlo)
+    if (!usesContributions(uncertainty.method))
         return figure;
     const Quantity quantity = quantityOf(test);
     const double scale = unitScale(quantity, language.units());

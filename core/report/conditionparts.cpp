@@ -449,7 +449,10 @@ void addUncertainty(std::vector<Block> &blocks, const TestPart &part, Uncertaint
         part.evaluation.parameters, [](const Parameter &p) { return p.expandedUncertainty.has_value(); });
     if (!asked && (!any || usesBudget(part.evaluation)))
         return;
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Measurement uncertainty")), QStringLiteral("k = 2"));
+    const CoverageOfResults coverage = coverageOf(part.evaluation, part.head());
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Measurement uncertainty")),
+               coverage.simulated.empty() ? QStringLiteral("k = 2")
+                                          : coverageNote(coverage, write.language()));
     QStringList words;
     if (any && method == UncertaintyMethod::direct)
         words << write.text(REPORT_TEXT(

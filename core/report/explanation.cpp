@@ -1,5 +1,6 @@
 #include "report/explanation.h"
 
+#include "figures/budgetfigure.h"
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "report/circularexplanation.h"
@@ -385,6 +386,21 @@ std::optional<Explanation> explained(const Test &source, const TestEvaluation &e
     return Explainer(evaluation, *measurement, parameter, *recipe, language).explain();
 }
 
+/// What its actual targets carry of the systematic part of the uncertainty.
+QStringList systematicCarried(const TestEvaluation &evaluation, const Parameter &parameter,
+                              const Language &language) {
+    const UncertaintyEvaluation &uncertainty = evaluation.uncertainty;
+    if (!usesContributions(uncertainty.method) || !uncertainty.systematic || !parameter.effectiveSystematic)
+        return {};
+    const auto size = [&](double value) {
+        return Number{value, parameter.term.quantity, contributionDecimals};
+    };
+    return {language.sentence(
+        {REPORT_TEXT("report",
+                     "Of the systematic part S = %1 of its uncertainty the actual targets carry %2."),
+         {size(*uncertainty.systematic), size(*parameter.effectiveSystematic)}})};
+}
+
 /// What the instrument's own program says of the result.
 QStringList statedBeside(const Test &source, const TestEvaluation &evaluation, const Parameter &parameter,
                          const Language &language) {
@@ -417,8 +433,10 @@ std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::
     if (parameter == evaluation.parameters.end())
         return std::nullopt;
     std::optional<Explanation> result = explained(source, evaluation, *parameter, language);
-    if (result)
+    if (result) {
+        result->words += systematicCarried(evaluation, *parameter, language);
         result->words += statedBeside(source, evaluation, *parameter, language);
+    }
     return result;
 }
 

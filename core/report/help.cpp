@@ -66,7 +66,7 @@ constexpr std::array fieldHelps{
     FieldHelp{"displacement", REPORT_TEXT("report", "Calibration of displacement"), REPORT_TEXT("report", "Expanded uncertainty of the instrument's displacement, from its certificate.")},
     FieldHelp{"pointNoise", REPORT_TEXT("report", "Noise of a point"), REPORT_TEXT("report", "Standard uncertainty of a single point, from readings at rest. G grows with it and with the number of points.")},
     FieldHelp{"repeatability", REPORT_TEXT("report", "Repeatability"), REPORT_TEXT("report", "Standard uncertainty of the result from repeated circles; empty: from the repetitions of the file.")},
-    FieldHelp{"trials", REPORT_TEXT("report", "Trials"), REPORT_TEXT("report", "How many times the test is evaluated anew with other errors; empty: as many as two digits of the uncertainty need.")},
+    FieldHelp{"trials", REPORT_TEXT("report", "Trials"), REPORT_TEXT("report", "How many times the test is evaluated anew with other errors; empty: as many as two digits of the uncertainty need. Fewer than 220 000 are shown and never decide.")},
     FieldHelp{"seed", REPORT_TEXT_FOR("report", "Seed", "of a simulation"), REPORT_TEXT("report", "The same seed gives the same figures, on any computer.")},
     FieldHelp{"expanded", REPORT_TEXT("report", "Expanded uncertainty"), REPORT_TEXT("report", "U of the result with k = 2, as the laboratory determined it.")},
     FieldHelp{"limits", REPORT_TEXT("report", "Limits"), REPORT_TEXT("report", "What was agreed, with the edition it was agreed for and where it stands. Under another edition there is no verdict.")},

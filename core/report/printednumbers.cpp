@@ -25,7 +25,7 @@ double readBack(const std::string &text) {
 struct Comparison {
     double value; ///< less is better, as of the limit
     double limit;
-    std::optional<double> uncertainty;
+    std::optional<double> uncertainty; ///< what the guard band is a multiple of
     double rounding = roundingOfSums;
 
     [[nodiscard]] Verdict verdict(const DecisionRule &rule) const {
@@ -50,9 +50,9 @@ Comparison printedComparison(const Parameter &p, int decimals, const DisplayUnit
                        judgedLimit(printedNumber(limit, unit, ofLimit), p.bound),
                        {},
                        roundingOfWritten};
-    if (p.expandedUncertainty)
-        printed.uncertainty = readBack(
-            Decimal(*p.expandedUncertainty, unit).roundedUncertainty(std::max(0, decimals + unit.decimals)));
+    if (const auto guarded = p.guardedUncertainty())
+        printed.uncertainty =
+            readBack(Decimal(*guarded, unit).roundedUncertainty(std::max(0, decimals + unit.decimals)));
     return printed;
 }
 
@@ -102,7 +102,7 @@ int parameterDecimals(const Parameter &parameter, const DecisionRule &rule, std:
         return result;
     const Comparison exact{judgedValue(*parameter.value, parameter.bound),
                            judgedLimit(*parameter.limit->value, parameter.bound),
-                           parameter.expandedUncertainty, roundingOfSums};
+                           parameter.guardedUncertainty(), roundingOfSums};
     for (int decimals = result; decimals <= mostDecimals; ++decimals) {
         if (printedComparison(parameter, decimals, units).agreesWith(exact, rule))
             return decimals;

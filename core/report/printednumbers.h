@@ -10,7 +10,8 @@ namespace palmer {
 
 /// The numbers of a result as every table and sentence prints them: value and U with the same decimals, the
 /// limit as entered. There are as many digits as it takes for the printed numbers, compared by the decision
-/// rule with its factor as printed, to give the verdict that the unrounded ones give.
+/// rule with its factor as printed, to give the verdict that the unrounded ones give. Of a simulated U the
+/// rule compares with U + 2s, s that of U.
 struct PrintedNumbers {
     int decimals = 1; ///< of value and U
     QString value;    ///< empty where there is none, as below

@@ -38,12 +38,13 @@ Number factor(const Test &test) {
     return {test.decisionRule.guardFactor, Quantity::number, -1};
 }
 
-/// "U", "0.83 U".
-QString bandName(const TestPart &part) {
+/// "U", "0.83 U"; of a simulated U "0.83 (U + 2s)", s that of U.
+QString bandName(const TestPart &part, bool simulated) {
+    const QString band = simulated ? QStringLiteral("U\u00A0+\u00A02s") : QStringLiteral("U");
     if (factorIsOne(part.test))
-        return QStringLiteral("U");
+        return band;
     return part.write.language().number(part.test.decisionRule.guardFactor, Quantity::number) +
-           QStringLiteral("\u00A0U");
+           QStringLiteral("\u00A0") + (simulated ? u'(' + band + u')' : band);
 }
 
 /// In a sentence, without typography: "Fmax,XY".
@@ -244,7 +245,8 @@ std::vector<Column> resultColumns(const TestPart &part, const ResultForm &form, 
         columns.push_back({targetsTitle(write), {}, Alignment::left, false, targets});
     columns.push_back(
         {write.text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, form.value});
-    columns.push_back({QStringLiteral("U (k = 2)"), unit, Alignment::decimal, false, form.uncertainty});
+    columns.push_back({uncertaintyHead(coverageOf(part.evaluation, part.head()), write.language()), unit,
+                       Alignment::decimal, false, form.uncertainty});
     columns.push_back(
         {write.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, form.limit});
     columns.push_back(guard);
@@ -308,7 +310,7 @@ QString resultsNote(const TestPart &part) {
     if (part.evaluation.verdict) {
         QString rule = ruleInShort(part);
         if (hasGuardBand(part.test) && !factorIsOne(part.test))
-            rule += QStringLiteral(", g = ") + bandName(part);
+            rule += QStringLiteral(", g = ") + bandName(part, guardsSimulated(part.evaluation));
         notes << rule << part.write.text(REPORT_TEXT("report", "verdict taken from the unrounded values"));
     }
     return notes.join(part.write.semicolon());
@@ -324,6 +326,9 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrect
         blocks.emplace_back(ResultsLegend{
             {{LegendSign::none,
               QStringLiteral("*\u00A0") + write.text(REPORT_TEXT("report", "not corrected to 20 °C"))}}});
+    if (const CoverageOfResults coverage = coverageOf(part.evaluation, part.head()); coverage.mixed())
+        blocks.emplace_back(ResultsLegend{
+            {{LegendSign::none, QStringLiteral("U: ") + coverageNote(coverage, write.language())}}});
     const bool pictures =
         std::ranges::any_of(parameters, [](const Parameter &p) { return guardCell(p).guard.has_value(); });
     if (!pictures)
@@ -341,7 +346,9 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrect
     const bool bands =
         std::ranges::any_of(parameters, [](const Parameter &p) { return p.guardBand.has_value(); });
     if (bands) {
-        const QString band = factorIsOne(part.test) ? QStringLiteral("U") : QStringLiteral("g");
+        const QString band = factorIsOne(part.test) && !guardsSimulated(part.evaluation)
+                                 ? QStringLiteral("U")
+                                 : QStringLiteral("g");
         const Text words =
             part.test.decisionRule.rule == Rule::rejectionProven
                 ? REPORT_TEXT("report",
@@ -431,7 +438,8 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
             {shownSymbol(parameter).toStdString(), shownValue(part, result), shownLimit(part, result)});
     return write.say(exceededBand(isLower, factorIsOne(part.test)),
                      {shownSymbol(parameter).toStdString(), shownValue(part, result),
-                      shownLimit(part, result), bandName(part).toStdString(),
+                      shownLimit(part, result),
+                      bandName(part, parameter.decidedBy == UncertaintyMethod::monteCarlo).toStdString(),
                       withUnit(part, result.reach, parameter.term.quantity).toStdString()});
 }
 
@@ -624,6 +632,11 @@ QString decisionText(const TestPart &part) {
             {factor(part.test)});
         break;
     }
+    if (hasGuardBand(part.test) && guardsSimulated(part.evaluation))
+        words << write.say(
+            REPORT_TEXT("report", "Where U comes from a simulation, g = %1·(U + 2s): our safety rule, s the "
+                                  "standard deviation of U over the blocks of trials."),
+            {factor(part.test)});
     if (hasGuardBand(part.test) && factorIsOne(part.test))
         words << write.text(
             REPORT_TEXT("report", "The factor 1 is the guard band of the earlier editions of ISO 14253-1."));

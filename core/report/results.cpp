@@ -226,6 +226,7 @@ private:
     void addParameters(const Test &test, const TestEvaluation &evaluation, bool notCorrected) {
         Table table;
         const std::optional<double> finest = finestResolution(m_document, test);
+        const CoverageOfResults coverage = coverageOf(evaluation, m_document.report);
         char group = 0;
         QString unit;
         for (const Parameter &parameter : evaluation.parameters) {
@@ -248,7 +249,7 @@ private:
                          {text(REPORT_TEXT("report", "Result")), {}, Alignment::left, true},
                          {text(REPORT_TEXT("report", "Targets i")), {}, Alignment::left, false},
                          {text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false},
-                         {QStringLiteral("U (k = 2)"), unit, Alignment::decimal, false},
+                         {uncertaintyHead(coverage, m_language), unit, Alignment::decimal, false},
                          {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false},
                          {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false}};
         if (std::holds_alternative<CircularMeasurement>(test.measurement)) {
@@ -259,6 +260,9 @@ private:
         }
         m_report.blocks.emplace_back(Heading{2, text(REPORT_TEXT("report", "Results"))});
         m_report.blocks.emplace_back(std::move(table));
+        if (coverage.mixed())
+            m_report.blocks.emplace_back(
+                Paragraph{QStringLiteral("U: ") + coverageNote(coverage, m_language), TextSize::small});
     }
 
     [[nodiscard]] Table targetTable(const PositioningMeasurement &m, const Edition &edition,

@@ -170,6 +170,7 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         table.circle = circular->referenceCircle == ReferenceCircle::minimumZone ? QStringLiteral("MZC")
                                                                                  : QStringLiteral("LSC");
 
+    table.coverage = coverageNote(coverageOf(evaluation, document.report), language);
     const std::optional<double> resolution = finestResolution(document, source);
     const QString none = QStringLiteral("–");
     std::string_view family;
@@ -181,8 +182,6 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         const auto orDash = [&](const QString &text) { return text.isEmpty() ? none : text; };
         if (table.unit.isEmpty())
             table.unit = language.unit(quantity);
-        if (parameter.expandedUncertainty)
-            table.coverage = QStringLiteral("k = 2");
         ResultLine line;
         line.id = QString::fromStdString(parameterId(parameter));
         line.symbol = symbolFormula(parameter.term.symbol, parameter.index);

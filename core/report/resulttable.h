@@ -51,7 +51,7 @@ struct ResultTable {
     QString unit;
     QString rule;     ///< "ISO 14253-1"
     QString circle;   ///< "MZC", "LSC": of G and G(b); empty for positioning
-    QString coverage; ///< "k = 2"; empty where there is no U
+    QString coverage; ///< of U: "k = 2", "95.45 %", or which has which; empty where there is no U
     std::vector<ResultLine> lines;
     std::optional<Verdict> verdict;
     QString verdictWord;

@@ -86,6 +86,11 @@ Table contributionTable(const TestPart &part) {
     return table;
 }
 
+/// A name of a method and what its U stands for.
+QString withCoverage(const QString &method, const QString &coverage) {
+    return method + QStringLiteral(", ") + coverage;
+}
+
 /// U of each result, a row a method; bold what decides.
 Table resultTable(const TestPart &part) {
     const Writer &write = part.write;
@@ -93,17 +98,24 @@ Table resultTable(const TestPart &part) {
     const auto resolution = finestResolution(part.document(), part.test);
     Table table;
     table.unbroken = true;
-    table.columns.push_back(
-        {write.say(REPORT_TEXT("report", "U in %1, k = 2"), write.language().unit(quantity)),
-         {},
-         Alignment::left,
-         false,
-         38});
+    table.columns.push_back({write.say(REPORT_TEXT("report", "U in %1"), write.language().unit(quantity)),
+                             {},
+                             Alignment::left,
+                             false,
+                             52});
     const bool simulated = part.evaluation.uncertainty.simulation != nullptr;
     const bool positioning = std::holds_alternative<PositioningMeasurement>(part.test.measurement);
-    std::vector<Cell> budget{write.text(positioning ? REPORT_TEXT("report", "Model of Annex A")
-                                                    : REPORT_TEXT("report", "Simplified budget"))};
-    std::vector<Cell> monteCarlo{write.text(REPORT_TEXT("report", "Monte Carlo (GUM-S1)"))};
+    const QString factor = QStringLiteral("k\u00A0=\u00A02");
+    std::vector<Cell> budget{
+        withCoverage(write.text(positioning ? REPORT_TEXT("report", "Model of Annex A")
+                                            : REPORT_TEXT("report", "Simplified budget")),
+                     factor)};
+    std::vector<Cell> actual{
+        withCoverage(write.text(REPORT_TEXT("report", "With the actual targets (ours)")), factor)};
+    std::vector<Cell> monteCarlo{withCoverage(write.text(REPORT_TEXT("report", "Monte Carlo (GUM-S1)")),
+                                              write.text(REPORT_TEXT("report", "95.45 %")))};
+    std::vector<Cell> error{write.text(REPORT_TEXT("report", "2s of this U"))};
+    std::vector<Cell> tolerance{write.text(REPORT_TEXT("report", "Tolerance of u"))};
     std::vector<Cell> shift{write.text(REPORT_TEXT("report", "Shift of the mean"))};
     const auto shown = [&](std::optional<double> value, bool decides) {
         if (!value)
@@ -120,7 +132,19 @@ Table resultTable(const TestPart &part) {
             {symbolPhrase(parameter.term.symbol, parameter.index), {}, Alignment::decimal, false, 0});
         budget.push_back(
             shown(parameter.budgetUncertainty, parameter.decidedBy == UncertaintyMethod::budget));
+        actual.push_back(
+            shown(parameter.actualUncertainty, parameter.decidedBy == UncertaintyMethod::budgetActual));
         const auto &simulation = parameter.simulated;
+        // Sizes of the arithmetic, two digits each.
+        const auto small = [&](std::optional<double> value) {
+            return value && *value > 0 ? Cell(write.language().number(
+                                             *value, quantity, decimalsWithUncertainty(*value, quantity)))
+                                       : Cell();
+        };
+        error.push_back(small(simulation && simulation->expandedError
+                                  ? std::optional(2 * *simulation->expandedError)
+                                  : std::nullopt));
+        tolerance.push_back(small(simulation ? std::optional(simulation->tolerance()) : std::nullopt));
         monteCarlo.push_back(shown(simulation ? std::optional(simulation->expanded()) : std::nullopt,
                                    parameter.decidedBy == UncertaintyMethod::monteCarlo));
         shift.push_back(simulation
@@ -130,8 +154,12 @@ Table resultTable(const TestPart &part) {
                             : Cell());
     }
     table.rows = {budget};
+    if (positioning)
+        table.rows.push_back(actual);
     if (simulated) {
         table.rows.push_back(monteCarlo);
+        table.rows.push_back(error);
+        table.rows.push_back(tolerance);
         table.rows.push_back(shift);
     }
     return table;
@@ -204,15 +232,21 @@ QString adviceText(const TestPart &part) {
 
 bool usesBudget(const TestEvaluation &evaluation) {
     const UncertaintyMethod method = evaluation.uncertainty.method;
-    return !evaluation.view &&
-           (method == UncertaintyMethod::budget || method == UncertaintyMethod::monteCarlo) &&
-           !evaluation.uncertainty.contributions.empty();
+    return !evaluation.view && usesContributions(method) && !evaluation.uncertainty.contributions.empty();
 }
 
 QString methodText(const TestPart &part) {
     const Writer &write = part.write;
     const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
     QStringList words;
+    const bool any = std::ranges::any_of(part.evaluation.parameters,
+                                         [](const Parameter &p) { return p.actualUncertainty.has_value(); });
+    if (any && uncertainty.systematic)
+        words << write.say(
+            REPORT_TEXT("report", "With the actual targets: in place of S = %1 what the positions that rule "
+                                  "really carry of it, the readings tilted by ±S over L and evaluated anew; "
+                                  "an explanation, unless it is chosen to decide."),
+            {Number{*uncertainty.systematic, deviationOf(part), contributionDecimals}});
     if (uncertainty.simulation) {
         const auto count = [](long long number) {
             return Number{static_cast<double>(number), Quantity::count};
@@ -222,14 +256,26 @@ QString methodText(const TestPart &part) {
                                   "shortest interval that holds 95.45 % of the results, the shift their mean "
                                   "less the evaluated value."),
             {count(uncertainty.simulation->trials), std::to_string(uncertainty.simulation->seed)});
-        const QString differing = symbolsOf(part, methodsDiffer);
+        if (uncertainty.simulation->stable && uncertainty.simulation->mayDecide())
+            words << write.text(REPORT_TEXT(
+                "report", "Over the blocks of trials twice the standard deviation of mean, u, both ends "
+                          "and U is below the tolerance of u, half a unit of its second digit."));
+        const QString differing =
+            uncertainty.simulation->mayDecide() ? symbolsOf(part, methodsDiffer) : QString();
         if (!differing.isEmpty())
             words << write.say(
                 REPORT_TEXT("report",
                             "The methods differ by more than 20 % for %1; reason: see the findings."),
                 differing);
     }
-    if (uncertainty.method == UncertaintyMethod::monteCarlo) {
+    const bool trusted = !uncertainty.simulation || uncertainty.simulation->mayDecide();
+    if (uncertainty.method == UncertaintyMethod::budgetActual) {
+        words << write.text(
+            REPORT_TEXT("report", "The U of the budget with the actual targets is used for the verdict."));
+    } else if (uncertainty.method == UncertaintyMethod::monteCarlo && !trusted) {
+        words << write.text(
+            REPORT_TEXT("report", "Too few trials to decide: the budget U is used for the verdict."));
+    } else if (uncertainty.method == UncertaintyMethod::monteCarlo) {
         const QString byBudget =
             symbolsOf(part, [](const Parameter &p) { return p.decidedBy == UncertaintyMethod::budget; });
         words << (byBudget.isEmpty()

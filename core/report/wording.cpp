@@ -133,6 +133,42 @@ std::optional<double> finestResolution(const Document &document, const Test &tes
     return result;
 }
 
+CoverageOfResults coverageOf(const TestEvaluation &evaluation, const ReportHead &head) {
+    CoverageOfResults result;
+    for (const Parameter &parameter : evaluation.parameters) {
+        if (!parameter.expandedUncertainty || !isPrinted(parameter, head))
+            continue;
+        if (parameter.decidedBy == UncertaintyMethod::monteCarlo)
+            result.simulated.push_back(symbolPhrase(parameter.term.symbol, parameter.index).plain());
+        else
+            result.factor = true;
+    }
+    return result;
+}
+
+QString uncertaintyHead(const CoverageOfResults &coverage, const Language &language) {
+    if (coverage.mixed())
+        return QStringLiteral("U");
+    return coverage.simulated.empty() ? QStringLiteral("U (k = 2)")
+                                      : language.text(REPORT_TEXT("report", "U (95.45 %)"));
+}
+
+QString coverageNote(const CoverageOfResults &coverage, const Language &language) {
+    if (coverage.simulated.empty())
+        return coverage.factor ? QStringLiteral("k = 2") : QString();
+    if (!coverage.factor)
+        return language.text(REPORT_TEXT("report", "95.45 %"));
+    const QStringList symbols(coverage.simulated.begin(), coverage.simulated.end());
+    return language.sentence({REPORT_TEXT("report", "95.45 % for %1; k = 2 for the others"),
+                              {symbols.join(QStringLiteral(", ")).toStdString()}});
+}
+
+bool guardsSimulated(const TestEvaluation &evaluation) {
+    return std::ranges::any_of(evaluation.parameters, [](const Parameter &p) {
+        return p.guardBand && p.decidedBy == UncertaintyMethod::monteCarlo;
+    });
+}
+
 bool isPrinted(const Parameter &parameter, const ReportHead &head) {
     if (!parameter.required)
         return false;

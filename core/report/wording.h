@@ -46,6 +46,25 @@ namespace palmer {
 /// Whether the parameter stands on the report: those on request only if asked for.
 [[nodiscard]] bool isPrinted(const Parameter &parameter, const ReportHead &head);
 
+/// What the U of results stand for: k = 2, or the 95.45 % interval of a simulation.
+struct CoverageOfResults {
+    bool factor = false;            ///< some have k = 2
+    std::vector<QString> simulated; ///< symbols of those that a simulation gave
+
+    [[nodiscard]] bool mixed() const { return factor && !simulated.empty(); }
+};
+/// Of the parameters that are printed.
+[[nodiscard]] CoverageOfResults coverageOf(const TestEvaluation &evaluation, const ReportHead &head);
+
+/// "U (k = 2)", "U (95.45 %)"; "U" where a column holds both and `coverageNote` says which.
+[[nodiscard]] QString uncertaintyHead(const CoverageOfResults &coverage, const Language &language);
+
+/// "k = 2", "95.45 %"; of a mixed column "95.45 % for A, E; k = 2 for the others". Empty where there is no U.
+[[nodiscard]] QString coverageNote(const CoverageOfResults &coverage, const Language &language);
+
+/// Some result has a simulated U, whose guard band carries 2 s_U.
+[[nodiscard]] bool guardsSimulated(const TestEvaluation &evaluation);
+
 /// Whether a quantity per target (id of a TargetTerm) says anything about this test.
 [[nodiscard]] bool isShown(std::string_view targetTerm, const PositioningResults &results);
 

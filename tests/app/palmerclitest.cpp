@@ -120,8 +120,23 @@ void PalmerCliTest::endsWithItsCode_data() {
         << QStringList{"evaluate", "--uncertainty=budget", "-"} << QByteArray(budget).replace("1.0", "2.1")
         << 1;
     QTest::newRow("nor does the simulation")
-        << QStringList{"evaluate", "--uncertainty=monteCarlo", "--trials", "10000", "-"}
+        << QStringList{"evaluate", "--uncertainty=monteCarlo", "--trials", "220000", "-"}
         << QByteArray(budget).replace("1.0", "2.2") << 1;
+    // U of 2.1 µm leaves it open; three trials nearly always give an interval far too short.
+    const QByteArray open = QByteArray(budget).replace("1.0", "2.1");
+    for (const char *trials : {"1", "3", "219999"})
+        QTest::addRow("%s trials do not decide", trials)
+            << QStringList{"evaluate", "--uncertainty=monteCarlo", "--trials", trials, "-"} << open << 1;
+    QTest::newRow("nor do three of the file")
+        << QStringList{"evaluate", "-"}
+        << QByteArray(open).replace("\"direct\"", "\"monteCarlo\", \"trials\": 3") << 1;
+    QTest::newRow("the actual targets, chosen in the file")
+        << QStringList{"evaluate", "-"} << QByteArray(open).replace("\"direct\"", "\"budgetActual\"") << 1;
+    QTest::newRow("too many trials") << QStringList{"evaluate", "--trials", "1000000001", "-"}
+                                     << smallTest("") << 2;
+    QTest::newRow("too many trials in the file")
+        << QStringList{"evaluate", "-"}
+        << QByteArray(open).replace("\"direct\"", "\"budget\", \"trials\": 1000000001") << 3;
     QTest::newRow("unknown method of uncertainty")
         << QStringList{"evaluate", "--uncertainty", "guess", "-"} << smallTest("") << 2;
     QTest::newRow("no trials") << QStringList{"evaluate", "--trials", "0", "-"} << smallTest("") << 2;
@@ -224,7 +239,7 @@ void PalmerCliTest::givesTheUncertainty_data() {
     QTest::newRow("as the file says") << QStringList{} << "budget" << false;
     QTest::newRow("by the budget") << QStringList{"--uncertainty", "budget"} << "budget" << false;
     QTest::newRow("by Monte Carlo") << QStringList{"--uncertainty", "monteCarlo", "--trials",
-                                                   "10000",         "--seed",     "7"}
+                                                   "220000",        "--seed",     "7"}
                                     << "monteCarlo" << true;
 }
 
@@ -246,8 +261,12 @@ void PalmerCliTest::givesTheUncertainty() {
         QCOMPARE(monteCarlo.isNull(), !simulated);
         if (!simulated)
             continue;
-        QCOMPARE(monteCarlo.toObject().keys(), QStringList({"high", "low", "seed", "shift", "trials", "u"}));
-        QCOMPARE(monteCarlo["trials"].toInt(), 10000);
+        QCOMPARE(monteCarlo.toObject().keys(),
+                 QStringList({"high", "low", "seed", "shift", "tolerance", "trials", "u"}));
+        QCOMPARE(monteCarlo["trials"].toInt(), 220000);
+        const double u = monteCarlo["u"].toDouble();
+        const double tolerance = std::pow(10, std::floor(std::log10(u)) - 1) / 2;
+        QVERIFY(std::abs(monteCarlo["tolerance"].toDouble() - tolerance) < 1e-9 * tolerance);
         QCOMPARE(monteCarlo["seed"].toInt(), 7);
         QVERIFY(monteCarlo["u"].toDouble() > 0);
         const double half = (monteCarlo["high"].toDouble() - monteCarlo["low"].toDouble()) / 2;

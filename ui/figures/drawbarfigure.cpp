@@ -123,7 +123,7 @@ private:
         }
         const TextLine title{{m_figure.x.symbol},
                              {m_figure.x.subscript, true},
-                             {QStringLiteral(" (%1)").arg(m_figure.x.unit)}};
+                             {QStringLiteral(" (%1, k\u00A0=\u00A02)").arg(m_figure.x.unit)}}; // of a budget
         drawText(p, {m_plot.center().x() - textWidth(title) / 2, m_plot.bottom() + titleRow}, title, text);
     }
 

@@ -56,8 +56,7 @@ void Simulator::start(const EvaluatedDocument &evaluated, std::vector<std::size_
 bool Simulator::startMissing(const EvaluatedDocument &evaluated) {
     std::vector<std::size_t> tests;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
-        const UncertaintyEvaluation &uncertainty = evaluated.tests[i]->uncertainty;
-        if (uncertainty.wantsSimulation() && (!uncertainty.simulation || uncertainty.outdated))
+        if (isSimulationDue(evaluated, i, SimulateWhich::allWithBudget))
             tests.push_back(i);
     }
     if (tests.empty())

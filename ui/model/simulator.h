@@ -23,7 +23,7 @@ public:
 
     /// Simulates these tests of `evaluated`, under the editions they are evaluated under, in order.
     void start(const EvaluatedDocument &evaluated, std::vector<std::size_t> tests);
-    /// Simulates the tests that want a simulation and have none, or an outdated one. False: there are none.
+    /// Simulates the tests for whose report it is due. False: there are none.
     bool startMissing(const EvaluatedDocument &evaluated);
     /// Stops at once; what was finished stays.
     void cancel();

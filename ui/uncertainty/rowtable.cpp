@@ -156,7 +156,7 @@ void RowTable::fitColumns() {
     std::vector<int> widths;
     int left = viewport()->width();
     for (int column = 0; column < columnCount(); ++column) {
-        widths.push_back(column == m_flexible ? 0 : wantedWidth(column));
+        widths.push_back(column == m_flexible || isColumnHidden(column) ? 0 : wantedWidth(column));
         left -= widths.back();
     }
     for (const int column : m_elided) { // the last ones give way first

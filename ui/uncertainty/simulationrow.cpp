@@ -86,6 +86,10 @@ void SimulationRow::refresh() {
             m_bar->setValue(static_cast<int>(percent * progress.trials / *progress.of));
     } else if (const auto &simulation = evaluation.uncertainty.simulation) {
         parts << trials(simulation->trials) << tr("seed %1").arg(simulation->seed);
+        if (simulation->stable && simulation->mayDecide())
+            parts << tr("stable to half a unit of the second digit of u");
+        if (!simulation->mayDecide())
+            parts << tr("too few to decide");
         if (evaluation.uncertainty.outdated)
             parts << tr("outdated: edited since");
     } else {

@@ -35,14 +35,15 @@ namespace {
 
 constexpr char context[] = "palmer::ui::UncertaintyPage";
 constexpr int figureHeight = 210;
-constexpr std::array methods{UncertaintyMethod::budget, UncertaintyMethod::monteCarlo,
-                             UncertaintyMethod::direct, UncertaintyMethod::none};
+constexpr std::array methods{UncertaintyMethod::budget, UncertaintyMethod::budgetActual,
+                             UncertaintyMethod::monteCarlo, UncertaintyMethod::direct,
+                             UncertaintyMethod::none};
 
 namespace contributionColumn {
 enum { name, calculation, size, expanded, count };
 }
 namespace resultColumn {
-enum { symbol, budget, simulation, interval, distribution, shift, difference, count };
+enum { symbol, budget, actual, simulation, interval, distribution, shift, difference, count };
 }
 
 template <auto... members>
@@ -190,10 +191,6 @@ QString lowered(QString name) {
     return name;
 }
 
-bool usesInputs(UncertaintyMethod method) {
-    return method == UncertaintyMethod::budget || method == UncertaintyMethod::monteCarlo;
-}
-
 /// Between two parts of the page.
 QFrame *makeRule(QWidget *parent) {
     auto *rule = new QFrame(parent);
@@ -309,7 +306,7 @@ void UncertaintyPage::prepare() {
     addMethods();
     if (*method == UncertaintyMethod::direct) {
         addStatedUncertainties(*edition, rotary);
-    } else if (usesInputs(*method)) {
+    } else if (usesContributions(*method)) {
         if (linear)
             addPositioningInputs(rotary, perMetre);
         else
@@ -344,6 +341,7 @@ void UncertaintyPage::addMethods() {
     connect(group, &QButtonGroup::idClicked, this,
             [this](int id) { chooseMethod(methods.at(static_cast<std::size_t>(id))); });
     m_methodNote = new QLabel(bar);
+    m_methodNote->setObjectName(QStringLiteral("methodNote"));
     m_methodNote->setProperty("secondary", true);
     m_typical = new QToolButton(bar);
     m_typical->setObjectName(QStringLiteral("typicalValues"));
@@ -671,11 +669,12 @@ void UncertaintyPage::refreshOthers() {
 void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
     const bool linear = std::holds_alternative<PositioningMeasurement>(shownTest()->measurement);
     const UncertaintyMethod method = *methodOf(*shownTest());
-    const std::array names{linear ? tr("Annex A") : tr("Budget"), tr("Monte Carlo"), tr("Direct"),
-                           tr("None")};
+    const std::array names{linear ? tr("Annex A") : tr("Budget"), tr("Actual targets"), tr("Monte Carlo"),
+                           tr("Direct"), tr("None")};
     const std::array tips{
         linear ? tr("The simplified budget after the model of ISO 230-2:2006 Annex A decides")
                : tr("The simplified budget of the contributors of ISO 230-4, 4.6 decides"),
+        tr("The budget with what the actual targets carry of its systematic part (ours) decides"),
         tr("The Monte Carlo simulation (GUM Supplement 1) decides"),
         tr("The expanded uncertainty of every result is entered"), tr("No uncertainty is stated")};
     for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -683,13 +682,17 @@ void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
         m_methods[i]->setToolTip(tips.at(i));
         m_methods[i]->setAccessibleName(tr("Method: %1").arg(names.at(i)));
         m_methods[i]->setChecked(methods[i] == method);
+        m_methods[i]->setVisible(linear || methods[i] != UncertaintyMethod::budgetActual);
     }
     m_methodNote->setFont(themeFont(TextSize::small));
-    m_methodNote->setText(evaluation.view ? tr("a view: see the edition") : tr("decides · k = 2"));
+    const QString coverage = coverageNote(coverageOf(evaluation, evaluated().document->report), language());
+    m_methodNote->setText(evaluation.view      ? tr("a view: see the edition")
+                          : coverage.isEmpty() ? tr("decides")
+                                               : tr("decides · %1").arg(coverage));
     m_typical->setText(tr("Values"));
     m_typical->setToolTip(tr("Take a typical value, with its source"));
     m_typical->setAccessibleName(tr("Typical values with their source"));
-    m_typical->setVisible(usesInputs(method));
+    m_typical->setVisible(usesContributions(method));
 }
 
 /// What is taken where a field is empty.
@@ -798,8 +801,10 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
     m_results->setAccessibleName(tr("Expanded uncertainty of the results by both methods"));
     const bool linear = std::holds_alternative<PositioningMeasurement>(shownTest()->measurement);
     m_results->setHead(column::symbol, {}, false);
-    m_results->setHead(column::budget, linear ? tr("Annex A") : tr("Budget"), true);
-    m_results->setHead(column::simulation, tr("Monte Carlo"), true);
+    m_results->setHead(column::budget, (linear ? tr("Annex A") : tr("Budget")) + tr(", k = 2"), true);
+    m_results->setHead(column::actual, tr("actual targets"), true);
+    m_results->setHead(column::simulation, tr("Monte Carlo, 95.45 %"), true);
+    m_results->setColumnHidden(column::actual, !linear);
     m_results->setHead(column::interval, tr("95.45 % interval"), true);
     m_results->setHead(column::distribution, tr("distribution"), false);
     m_results->setHead(column::shift, tr("shift"), true);
@@ -813,6 +818,7 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
         const int row = m_results->rowCount();
         m_results->insertRow(row);
         const bool byBudget = parameter.decidedBy == UncertaintyMethod::budget;
+        const bool byActual = parameter.decidedBy == UncertaintyMethod::budgetActual;
         const bool bySimulation = parameter.decidedBy == UncertaintyMethod::monteCarlo;
         const auto &simulated = parameter.simulated;
         auto *symbol = m_results->setCell(row, column::symbol, QString::fromStdString(plainSymbol(parameter)),
@@ -820,9 +826,17 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
         symbol->setData(RowTable::keyRole, QString::fromStdString(parameterId(parameter)));
         auto *budget =
             m_results->setCell(row, column::budget, expanded(parameter.budgetUncertainty), true, byBudget);
+        auto *actual =
+            m_results->setCell(row, column::actual, expanded(parameter.actualUncertainty), true, byActual);
+        if (parameter.effectiveSystematic && evaluation.uncertainty.systematic)
+            actual->setToolTip(tr("k = 2; %1 of the systematic part S = %2 is carried by the actual targets")
+                                   .arg(expanded(parameter.effectiveSystematic),
+                                        expanded(evaluation.uncertainty.systematic)));
         auto *simulation = m_results->setCell(
             row, column::simulation,
             expanded(simulated ? std::optional(simulated->expanded()) : std::nullopt), true, bySimulation);
+        if (byActual)
+            actual->setData(Qt::AccessibleTextRole, tr("%1, decides").arg(actual->text()));
         if (byBudget)
             budget->setData(Qt::AccessibleTextRole, tr("%1, decides").arg(budget->text()));
         if (bySimulation)
@@ -832,6 +846,13 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
                                empty != column::difference);
         if (!simulated)
             continue;
+        const auto small = [&](double value) {
+            return language().number(value, quantity, decimalsWithUncertainty(value, quantity));
+        };
+        if (simulated->expandedError)
+            simulation->setToolTip(
+                tr("2s of U: %1; tolerance of u: %2")
+                    .arg(small(2 * *simulated->expandedError), small(simulated->tolerance())));
         const int decimals = decimalsWithUncertainty(simulated->expanded(), quantity, resolution);
         auto *interval =
             m_results->setCell(row, column::interval,

@@ -65,7 +65,7 @@ private:
     std::vector<QByteArray> m_driftNames; ///< likewise, UTF-8
     // Parts that are made anew with the fields; null where the method has no use for them.
     std::map<std::string, Field *> m_fields; ///< by contribution: where its size is entered
-    std::array<QToolButton *, 4> m_methods{};
+    std::array<QToolButton *, 5> m_methods{};
     QLabel *m_methodNote = nullptr;
     QToolButton *m_typical = nullptr;
     Field *m_perMetre = nullptr;

@@ -19,7 +19,7 @@ Verdict decide(const Judged &judged, double limit, const DecisionRule &rule) {
     if (!p.value)
         return Verdict::notProven;
     return decideUpper(judgedValue(*p.value, judged.bound), judgedLimit(limit, judged.bound),
-                       p.expandedUncertainty, rule);
+                       p.guardedUncertainty(), rule);
 }
 
 /// How far the value may still go before it reaches the limit.
@@ -94,11 +94,12 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
         }
         for (const Judged &one : found) {
             Parameter &p = *one.parameter;
-            p.guardBand = guardBand(p.expandedUncertainty, test.decisionRule);
+            p.guardBand = guardBand(p.guardedUncertainty(), test.decisionRule);
             Verdict verdict = decide(one, *limit.value, test.decisionRule);
             if (test.decisionRule.rule != Rule::simpleAcceptance) {
-                evaluation.provisional |=
-                    evaluation.uncertainty.outdated && p.decidedBy == UncertaintyMethod::monteCarlo;
+                // Where the budget decides in its place it is by the shift of the simulation.
+                evaluation.provisional |= evaluation.uncertainty.outdated &&
+                                          evaluation.uncertainty.method == UncertaintyMethod::monteCarlo;
                 uncertaintyMissing |= !p.expandedUncertainty;
                 if (notCorrected && p.dependsOnTemperature)
                     verdict = Verdict::notProven;

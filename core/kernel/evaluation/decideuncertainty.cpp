@@ -43,6 +43,19 @@ void findMissing(TestEvaluation &evaluation, const std::vector<MissingInput> &mi
     }
 }
 
+void findFewTrials(TestEvaluation &evaluation, bool simulationDecides) {
+    const auto count = [](long long number) { return Number{static_cast<double>(number), Quantity::count}; };
+    note(evaluation, "monteCarlo",
+         {simulationDecides
+              ? REPORT_TEXT("report",
+                            "The Monte Carlo simulation has %1 trials: fewer than %2 (JCGM 101, 7.2) never "
+                            "decide. The budget U is used for the verdict.")
+              : REPORT_TEXT("report",
+                            "The Monte Carlo simulation has %1 trials: fewer than %2 (JCGM 101, 7.2) are "
+                            "shown and never decide."),
+          {count(evaluation.uncertainty.simulation->trials), count(fewestDecidingTrials)}});
+}
+
 void findDifferences(TestEvaluation &evaluation, const std::function<Message(const Parameter &)> &reason) {
     std::vector<std::pair<Message, std::string>> reasons; // in the order of the parameters
     for (const Parameter &parameter : evaluation.parameters) {
@@ -87,13 +100,18 @@ void decideUncertainty(TestEvaluation &evaluation, UncertaintyMethod method, con
     }
     for (Parameter &parameter : evaluation.parameters) {
         UncertaintyMethod by = method;
-        if (by == UncertaintyMethod::monteCarlo && shifted(parameter))
+        const bool trusted = !uncertainty.simulation || uncertainty.simulation->mayDecide();
+        if (by == UncertaintyMethod::monteCarlo && (shifted(parameter) || !trusted))
             by = UncertaintyMethod::budget;
         switch (by) {
         case UncertaintyMethod::none:
             break;
         case UncertaintyMethod::budget:
             parameter.expandedUncertainty = parameter.budgetUncertainty;
+            break;
+        case UncertaintyMethod::budgetActual: // what has no S in it has one U alone
+            parameter.expandedUncertainty =
+                parameter.actualUncertainty ? parameter.actualUncertainty : parameter.budgetUncertainty;
             break;
         case UncertaintyMethod::monteCarlo:
             if (parameter.simulated)
@@ -112,7 +130,7 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
                      const std::function<Message(const Parameter &)> &reason) {
     const UncertaintyEvaluation &uncertainty = evaluation.uncertainty;
     const bool simulationDecides = uncertainty.method == UncertaintyMethod::monteCarlo;
-    if (!simulationDecides && uncertainty.method != UncertaintyMethod::budget)
+    if (!usesContributions(uncertainty.method))
         return;
     findMissing(evaluation, missing);
     if (!uncertainty.simulation) {
@@ -127,6 +145,11 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
             evaluation, "monteCarlo",
             {REPORT_TEXT("report", "The Monte Carlo simulation was run before the last edit of the test: its "
                                    "figures are outdated.")});
+    if (!uncertainty.simulation->mayDecide()) {
+        // Shifts and differences of so few trials say nothing.
+        findFewTrials(evaluation, simulationDecides);
+        return;
+    }
     if (!uncertainty.simulation->stable)
         note(evaluation, "monteCarlo",
              {REPORT_TEXT("report",

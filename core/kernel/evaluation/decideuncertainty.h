@@ -9,9 +9,10 @@
 namespace palmer {
 
 /// Puts the simulation of the test, if it was run under this edition, beside the budget, and decides which U
-/// each parameter has. `method`: direct takes `stated` (mm, rotary: degrees); budget the budget; monteCarlo
-/// the simulation, unless it shifts the result by more than a third of its U: then the budget. `evaluation`
-/// has its parameters, their `budgetUncertainty`, and the contributions.
+/// each parameter has. `method`: direct takes `stated` (mm, rotary: degrees); budget the budget, budgetActual
+/// that with the actual targets; monteCarlo the simulation, unless it has too few trials or shifts the result
+/// by more than a third of its U: then the budget. `evaluation` has its parameters, their
+/// `budgetUncertainty`, and the contributions.
 void decideUncertainty(TestEvaluation &evaluation, UncertaintyMethod method, const Surroundings &surroundings,
                        const std::function<std::optional<double>(const Parameter &)> &stated);
 
@@ -23,8 +24,8 @@ struct MissingInput {
 };
 
 /// The findings on the uncertainty where the method needs a budget: missing inputs by name, a simulation that
-/// was not run, large shifts, and (a remark) where both methods differ by more than 20 %. `reason`: the
-/// sentence why they do for a parameter, with %1 for the symbols.
+/// was not run or has too few trials, large shifts, and (a remark) where both methods differ by more than 20
+/// %. `reason`: the sentence why they do for a parameter, with %1 for the symbols.
 void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput> &missing,
                      const std::function<Message(const Parameter &)> &reason);
 

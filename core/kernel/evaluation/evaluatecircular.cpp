@@ -41,9 +41,7 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
                                          const std::vector<iso230_4::ListedParameter> &listed) {
     const CircularUncertaintyInputs &inputs = test.measurement.uncertainty;
     std::vector<std::optional<double>> repeated(listed.size());
-    const bool needed =
-        inputs.method == UncertaintyMethod::budget || inputs.method == UncertaintyMethod::monteCarlo;
-    if (needed && !inputs.repeatability)
+    if (usesContributions(inputs.method) && !inputs.repeatability)
         repeated = iso230_4::repeatabilities(test);
     const auto largest =
         std::ranges::max_element(repeated, {}, [](const std::optional<double> &s) { return s.value_or(-1); });
@@ -96,15 +94,44 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
     return missing;
 }
 
-/// Why budget and simulation differ.
-Message reasonOfDifference(const Parameter &p) {
-    if (p.dependsOnTemperature)
+/// Why budget and simulation differ: the first reason that is computed to hold.
+Message reasonOfDifference(const Parameter &p, const TestEvaluation &evaluation,
+                           const CircularMeasurement &measurement) {
+    const SimulatedParameter &simulated = *p.simulated;
+    const double byBudget = *p.budgetUncertainty;
+    const auto agrees = [](double found, double expected) {
+        return std::abs(found - expected) <= agreementOfMethods * expected;
+    };
+    const auto without = [&](std::initializer_list<std::string_view> ids) {
+        double squares = byBudget * byBudget;
+        for (const Contribution &one : evaluation.uncertainty.contributions) {
+            if (std::ranges::find(ids, one.id) != ids.end())
+                squares -= one.expanded.value_or(0) * one.expanded.value_or(0);
+        }
+        return std::sqrt(std::max(0.0, squares));
+    };
+    const bool width = !p.dependsOnTemperature; // G and G(b); F and D are distances
+    const bool smaller = simulated.expanded() < byBudget;
+    const bool noise = measurement.uncertainty.pointNoise.value_or(0) > 0 ||
+                       measurement.uncertainty.resolution.value_or(0) > 0;
+    if (width && smaller &&
+        (agrees(simulated.expanded(), without({driftId})) ||
+         agrees(simulated.expanded(), without({driftId, displacementId}))))
+        return {REPORT_TEXT(
+            "report", "%1: budget and Monte Carlo differ by more than 20 %: an error that all points of "
+                      "a path have in common moves the circle and leaves its width; the budget counts "
+                      "it in full.")};
+    if (agrees(2 * simulated.u, byBudget))
+        return {REPORT_TEXT("report",
+                            "%1: budget and Monte Carlo differ by more than 20 %: the results of the "
+                            "trials are not normally distributed, half of their 95.45 % interval "
+                            "is not 2u.")};
+    if (noise && !smaller)
         return {REPORT_TEXT("report", "%1: budget and Monte Carlo differ by more than 20 %: the simulation "
                                       "follows the extreme points of the path and their noise.")};
     return {REPORT_TEXT("report",
-                        "%1: budget and Monte Carlo differ by more than 20 %: an error that all points of a "
-                        "path have in common moves the circle and leaves its width; the budget counts it in "
-                        "full.")};
+                        "%1: budget and Monte Carlo differ by more than 20 %; no single reason that "
+                        "is known explains it.")};
 }
 
 /// The parameters a key of `limits` is for. F stands for the larger of |Fmax| and |Fmin| of each path.
@@ -173,7 +200,8 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
                                            {REPORT_TEXT("report", "Not stated: %1."), {row.name}}});
     }
     findNotAgreed(edition, test, evaluation.findings);
-    findUncertainty(evaluation, missing, reasonOfDifference);
+    findUncertainty(evaluation, missing,
+                    [&](const Parameter &p) { return reasonOfDifference(p, evaluation, measurement); });
     applyLimits(evaluation, test, results.notCorrected,
                 [&](const std::string &id) { return judged(evaluation.parameters, id); });
 

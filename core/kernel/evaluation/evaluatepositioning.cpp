@@ -6,7 +6,7 @@
 #include "kernel/evaluation/iso230_2/correction.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
 #include "kernel/evaluation/positioningcase.h"
-#include "kernel/uncertainty/coefficients.h"
+#include "kernel/evaluation/positioninguncertainty.h"
 #include "kernel/uncertainty/positioningbudget.h"
 
 #include <algorithm>
@@ -42,53 +42,6 @@ std::optional<double> statedUncertainty(const PositioningMeasurement &measuremen
     return found->second / (measurement.axis.motion == Motion::linear ? 1000.0 : 3600.0); // µm, arc seconds
 }
 
-/// The fewest runs of what rules a parameter: of the ruling targets, or of all where the mean over them is
-/// taken, in the directions it looks at.
-int rulingRuns(const Parameter &p, const Row &row, std::span<const TargetStatistics> targets) {
-    int fewest = std::numeric_limits<int>::max();
-    const auto look = [&](const TargetStatistics &target, std::optional<Direction> approach) {
-        if ((row.needs & upward) != 0 && approach != Direction::negative)
-            fewest = std::min(fewest, target.positive.n);
-        if ((row.needs & downward) != 0 && approach != Direction::positive)
-            fewest = std::min(fewest, target.negative.n);
-    };
-    if (!p.ruling.front()) {
-        for (const TargetStatistics &target : targets)
-            look(target, std::nullopt);
-    }
-    for (const auto &ruling : p.ruling) {
-        if (ruling)
-            look(targets[static_cast<std::size_t>(ruling->target) - 1], ruling->approach);
-    }
-    return fewest;
-}
-
-/// One direction of one target rules: R is R_i↑ or R_i↓.
-bool oneDirectionRules(const Parameter &p) {
-    return p.ruling.front() && p.ruling.front()->approach && !p.ruling.back();
-}
-
-void addBudget(TestEvaluation &evaluation, const PositioningBudget &budget,
-               std::span<const TargetStatistics> targets) {
-    evaluation.uncertainty.contributions = budget.contributions;
-    evaluation.uncertainty.length = budget.length;
-    const auto systematic = budget.systematic();
-    const auto environmental = budget.environmental();
-    if (!systematic || !environmental)
-        return;
-    evaluation.uncertainty.complete = true;
-    const double c = evaluation.edition->c;
-    for (Parameter &p : evaluation.parameters) {
-        const auto row = std::ranges::find_if(
-            evaluation.edition->rows, [&](const Row &r) { return std::string_view(r.term.id) == p.term.id; });
-        const Coefficients *coefficients = palmer::coefficients(p.term.id, oneDirectionRules(p));
-        if (!p.value || !coefficients || row == evaluation.edition->rows.end())
-            continue;
-        p.budgetUncertainty =
-            combined(*coefficients, *systematic, *environmental, rulingRuns(p, *row, targets), c);
-    }
-}
-
 std::vector<MissingInput> missingInputs(const PositioningBudget &budget) {
     std::vector<MissingInput> missing;
     for (const Contribution &contribution : budget.contributions) {
@@ -98,29 +51,6 @@ std::vector<MissingInput> missingInputs(const PositioningBudget &budget) {
         }
     }
     return missing;
-}
-
-/// Why budget and simulation differ for a parameter.
-Message reasonOfDifference(const Parameter &p, const PositioningMeasurement &measurement,
-                           std::optional<double> length) {
-    const Coefficients *row = coefficients(p.term.id);
-    const auto position = [&](const Ruling &ruling) {
-        return measurement.targets[static_cast<std::size_t>(ruling.target) - 1];
-    };
-    if (row && row->systematic && length && p.ruling[0] && p.ruling[1] &&
-        std::abs(position(*p.ruling[0]) - position(*p.ruling[1])) < (1 - agreementOfMethods) * *length)
-        return {REPORT_TEXT("report",
-                            "%1: budget and Monte Carlo differ by more than 20 %: the ruling targets "
-                            "lie closer together than the length L = %2 of the budget."),
-                {Number{*length,
-                        measurement.axis.motion == Motion::linear ? Quantity::position : Quantity::angle}}};
-    if (!p.ruling[0])
-        return {REPORT_TEXT("report",
-                            "%1: budget and Monte Carlo differ by more than 20 %: the mean over all targets "
-                            "is surer than the one target that the budget takes.")};
-    return {REPORT_TEXT("report",
-                        "%1: budget and Monte Carlo differ by more than 20 %: the simulation follows the "
-                        "extremes over all targets and the scatter of the readings, the budget one target.")};
 }
 
 Parameter parameter(const Row &row, const PositioningMeasurement &measurement,
@@ -222,7 +152,7 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
     }
 
     const PositioningBudget budget = positioningBudget(measurement, surroundings.environmentalVariation);
-    addBudget(evaluation, budget, results.targets);
+    addPositioningBudget(evaluation, measurement, budget, results.targets);
     decideUncertainty(evaluation, measurement.uncertainty.method, surroundings,
                       [&](const Parameter &p) { return statedUncertainty(measurement, p); });
     const bool uncertaintyStated = std::ranges::all_of(
@@ -243,8 +173,9 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
     explainMissingValues(evaluation, results.targets, results);
     findNotStated(edition, whole, evaluation.findings);
     findNotAgreed(edition, test, evaluation.findings);
-    findUncertainty(evaluation, missingInputs(budget),
-                    [&](const Parameter &p) { return reasonOfDifference(p, measurement, budget.length); });
+    findUncertainty(evaluation, missingInputs(budget), [&](const Parameter &p) {
+        return reasonOfDifference(p, evaluation, measurement, budget, results.targets);
+    });
     applyLimits(evaluation, test, results.notCorrected, [&](const std::string &id) {
         const auto found =
             std::ranges::find_if(evaluation.parameters, [&](const Parameter &p) { return id == p.term.id; });

@@ -14,4 +14,9 @@ std::string plainSymbol(const Parameter &parameter) {
     return std::string(symbol.base) + symbol.subscript + symbol.arrow + parameter.index;
 }
 
+std::optional<double> Parameter::guardedUncertainty() const {
+    return decidedBy == UncertaintyMethod::monteCarlo && simulated ? simulated->guarded()
+                                                                   : expandedUncertainty;
+}
+
 } // namespace palmer

@@ -54,16 +54,21 @@ struct Parameter {
     bool dependsOnTemperature = false; ///< wrong away from 20 °C unless corrected
     bool required = true;              ///< one of the results the parties asked for (circular tests)
     std::optional<double> value;
-    std::array<std::optional<Ruling>, 2> ruling;           ///< the larger end first; first target on ties
-    std::optional<double> expandedUncertainty;             ///< U, k = 2, of the deciding method
+    std::array<std::optional<Ruling>, 2> ruling; ///< the larger end first; first target on ties
+    std::optional<double> expandedUncertainty;   ///< U of the deciding method; simulated: 95.45 %, else k = 2
     UncertaintyMethod decidedBy = UncertaintyMethod::none; ///< where that U comes from
     std::optional<double> budgetUncertainty;               ///< U, k = 2, of the budget
-    std::optional<SimulatedParameter> simulated;           ///< what a simulation says, if one was run
+    std::optional<double> actualUncertainty;     ///< the same with S_eff in place of S; null: no S in it
+    std::optional<double> effectiveSystematic;   ///< S_eff: what the actual targets carry of S
+    std::optional<SimulatedParameter> simulated; ///< what a simulation says, if one was run
     std::optional<Limit> limit; ///< of several the one with the worse verdict; of equal verdicts the tighter
     std::string limitOf;        ///< its key: that of the parameter, or "F" at Fmax and Fmin
     Bound bound = Bound::magnitude; ///< how that limit is meant
     std::optional<double> guardBand;
     std::optional<Verdict> verdict; ///< null: no limit, or one agreed for another edition
+
+    /// What the guard band is guardFactor times of: U, of a simulation U + 2 s_U.
+    [[nodiscard]] std::optional<double> guardedUncertainty() const;
 };
 
 /// "A", "G(b)_XY": the key of results.

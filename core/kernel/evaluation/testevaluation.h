@@ -85,14 +85,13 @@ struct UncertaintyEvaluation {
     UncertaintyMethod method = UncertaintyMethod::none; ///< the one that is to decide
     std::vector<Contribution> contributions;            ///< of the budget, in its order
     std::optional<double> length;                       ///< L of the budget of a linear axis, mm
+    std::optional<double> systematic;                   ///< S of a positioning test, mm or degrees
     bool complete = false;                        ///< every result that is asked for has a U by the budget
     std::shared_ptr<const Simulation> simulation; ///< null: not run
     bool outdated = false;                        ///< the test was edited since the simulation
 
     /// A simulation decides or is to be shown beside the budget, and can be run.
-    [[nodiscard]] bool wantsSimulation() const {
-        return complete && (method == UncertaintyMethod::budget || method == UncertaintyMethod::monteCarlo);
-    }
+    [[nodiscard]] bool wantsSimulation() const { return complete && usesContributions(method); }
 };
 
 /// The evaluation of one test; total: any measurement gives one, what is missing is a finding.

@@ -6,7 +6,16 @@
 
 namespace palmer {
 
-enum class UncertaintyMethod { none, budget, monteCarlo, direct };
+/// budgetActual: the budget with what the actual targets carry of S; positioning only.
+enum class UncertaintyMethod { none, budget, budgetActual, monteCarlo, direct };
+
+/// Whether a method stands on the contributions of a budget.
+[[nodiscard]] constexpr bool usesContributions(UncertaintyMethod method) {
+    return method != UncertaintyMethod::none && method != UncertaintyMethod::direct;
+}
+
+inline constexpr long long mostTrialsStated = 1'000'000'000; ///< of a simulation with a fixed number
+
 enum class DeviceKind { certificate, range };
 enum class DriftModel { independent, linear };
 
@@ -42,7 +51,7 @@ struct PositioningUncertaintyInputs {
     std::optional<std::string> driftTest;         ///< id of the drift test that gives E_VE
     DriftModel driftModel = DriftModel::independent;
     std::optional<double> length;    ///< L, mm; null: the measurement travel
-    std::optional<long long> trials; ///< null: adaptive
+    std::optional<long long> trials; ///< 1 … 10⁹; null: adaptive
     long long seed = 1;
     ExpandedUncertainties expanded;
 

@@ -1,12 +1,12 @@
 #include "kernel/simulation/runtrials.h"
 
+#include <array>
 #include <limits>
 
 namespace palmer {
 
 namespace {
 
-constexpr double coverageProbability = 0.9545;
 constexpr int pictureIntervals = 64;
 constexpr double pictureReach = 4; ///< u on either side
 
@@ -55,21 +55,26 @@ Histogram histogram(const FineCounts &fine, std::span<const long long> counts) {
     return result;
 }
 
-bool isStable(std::span<const double> blocks, double size) {
-    if (!(size > 0))
-        return true; // nothing varies
+std::optional<double> errorOfAverage(std::span<const double> blocks) {
     const auto h = static_cast<double>(blocks.size());
     if (h < 2)
-        return false;
+        return std::nullopt;
     double mean = 0;
     for (const double value : blocks)
         mean += value / h;
     double squares = 0;
     for (const double value : blocks)
         squares += (value - mean) * (value - mean);
-    const double deviation = std::sqrt(squares / (h * (h - 1)));
-    const double secondDigit = std::pow(10.0, std::floor(std::log10(size)) - 1);
-    return 2 * deviation <= secondDigit / 2;
+    return std::sqrt(squares / (h * (h - 1)));
+}
+
+bool BlockAverages::stable(double tolerance) const {
+    constexpr double rounding = 1e-12; // mm or degrees: of values that come out alike but for the last digits
+    return std::ranges::all_of(std::array{&means, &u, &low, &high, &expanded},
+                               [&](const std::vector<double> *averages) {
+                                   const auto error = errorOfAverage(*averages);
+                                   return error && 2 * *error <= std::max(tolerance, rounding);
+                               });
 }
 
 } // namespace palmer

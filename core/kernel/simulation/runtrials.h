@@ -39,12 +39,29 @@ struct CoverageInterval {
 /// The counts in 64 intervals over mean ± 4 u, for a picture.
 [[nodiscard]] Histogram histogram(const FineCounts &fine, std::span<const long long> counts);
 
-/// Whether averages of blocks are stable: twice their standard deviation is at most half a unit of the second
-/// significant digit of `size` (JCGM 101, 7.9.2 and 7.9.4).
-[[nodiscard]] bool isStable(std::span<const double> blocks, double size);
+/// Averages of the blocks of a run: what is stable and how sure the whole is (JCGM 101, 7.9.4).
+struct BlockAverages {
+    std::vector<double> means; ///< of d = Y − evaluated value
+    std::vector<double> u;
+    std::vector<double> low; ///< ends of the shortest interval
+    std::vector<double> high;
+    std::vector<double> expanded;
 
-inline constexpr long long trialsPerBlock = 10000;
-inline constexpr long long mostTrials = 10000000;
+    /// Twice the standard deviation of the average of each is at most `tolerance`, or so small that it is
+    /// rounding; false for one block.
+    [[nodiscard]] bool stable(double tolerance) const;
+};
+
+/// Standard deviation of the average of values, one a block; null for fewer than two.
+[[nodiscard]] std::optional<double> errorOfAverage(std::span<const double> blocks);
+
+inline constexpr long long mostBlocks = 1000;
+
+/// Trials of a block where their number is fixed: 10⁴, more where there would be more than `mostBlocks`.
+[[nodiscard]] constexpr long long fixedBlock(long long trials) {
+    constexpr long long most = mostBlocks * trialsPerBlock;
+    return trialsPerBlock * std::max(1LL, (trials + most - 1) / most);
+}
 
 /// Sums over trials of d = Y − evaluated value.
 struct Moments {
@@ -100,29 +117,27 @@ public:
     }
 
     std::optional<Simulation> run() {
-        const bool fixed = m_options.trials.has_value();
-        m_total = fixed ? std::optional(std::max(1LL, *m_options.trials)) : std::nullopt;
+        const bool adaptive = !m_options.trials;
+        if (!adaptive)
+            m_total = std::max(1LL, *m_options.trials);
+        const long long most = m_total.value_or(mostBlocks * trialsPerBlock);
+        const long long block = fixedBlock(most);
         Simulation result;
         result.seed = m_options.seed;
-        long long done = std::min(trialsPerBlock, m_total.value_or(trialsPerBlock));
-        if (!firstBlock(done))
-            return std::nullopt;
-        if (fixed) {
-            if (*m_total > done && !stage(done, *m_total - done))
+        result.adaptive = adaptive;
+        result.stable = false;
+        long long done = 0;
+        while (done < most && !(adaptive && result.stable)) {
+            const bool first = done == 0;
+            const long long next = std::min(first ? trialsPerBlock : block, most - done);
+            if (!(first ? firstBlock(next) : stage(done, next)))
                 return std::nullopt;
-            done = *m_total;
-        } else {
-            noteBlock();
-            result.stable = false;
-            while (!result.stable && done < mostTrials) {
-                if (!stage(done, trialsPerBlock))
-                    return std::nullopt;
-                done += trialsPerBlock;
+            done += next;
+            if (next == block) // blocks of one size are averaged, the rest counts in the whole
                 noteBlock();
-                result.stable = stable();
-            }
+            finishBlock();
+            result.stable = done >= fewestDecidingTrials && stable();
         }
-        finishBlock();
         result.trials = done;
         result.parameters = m_model.parameters();
         for (std::size_t p = 0; p < m_parameters; ++p) {
@@ -134,6 +149,8 @@ public:
             parameter.high = parameter.value + interval.high;
             parameter.histogram = histogram(m_fine[p], counts(m_counts, p));
             parameter.histogram.from += parameter.value;
+            if (p < m_averages.size())
+                parameter.expandedError = errorOfAverage(m_averages[p].expanded);
         }
         return result;
     }
@@ -241,7 +258,6 @@ private:
 
     /// Further trials, counted at once.
     bool stage(long long first, long long trials) {
-        finishBlock();
         m_groupMoments.assign(m_parameters * groupsOf(trials), {});
         const bool ready =
             onAllThreads(first, trials, [&](Worker &worker, std::size_t group, long long, long long number) {
@@ -305,29 +321,21 @@ private:
             const CoverageInterval interval = shortestInterval(m_fine[p], block);
             m_averages[p].means.push_back(m_block[p].mean());
             m_averages[p].u.push_back(m_block[p].deviation());
+            m_averages[p].low.push_back(interval.low);
+            m_averages[p].high.push_back(interval.high);
             m_averages[p].expanded.push_back((interval.high - interval.low) / 2);
         }
     }
 
+    /// For every parameter that varies, by the tolerance of u of all trials.
     [[nodiscard]] bool stable() const {
-        return std::ranges::all_of(m_averages, [](const Averages &a) {
-            const auto mean = [](const std::vector<double> &values) {
-                double sum = 0;
-                for (const double value : values)
-                    sum += value;
-                return sum / static_cast<double>(values.size());
-            };
-            const double u = mean(a.u);
-            return isStable(a.means, u) && isStable(a.u, u) && isStable(a.expanded, mean(a.expanded));
-        });
+        for (std::size_t p = 0; p < m_averages.size(); ++p) {
+            const double u = m_moments[p].deviation();
+            if (u > 0 && !m_averages[p].stable(numericalTolerance(u)))
+                return false;
+        }
+        return true;
     }
-
-    /// Of each block.
-    struct Averages {
-        std::vector<double> means;
-        std::vector<double> u;
-        std::vector<double> expanded;
-    };
 
     const Model &m_model;
     const SimulationOptions &m_options;
@@ -342,7 +350,7 @@ private:
     std::vector<Moments> m_moments;
     std::vector<Moments> m_block;
     std::vector<Moments> m_groupMoments; ///< by group of chunks, then parameter
-    std::vector<Averages> m_averages;
+    std::vector<BlockAverages> m_averages;
 };
 
 } // namespace palmer

@@ -10,7 +10,7 @@
 namespace palmer {
 
 struct SimulationOptions {
-    std::optional<long long> trials = {}; ///< null: until two significant digits are stable
+    std::optional<long long> trials = {}; ///< null: until the second digit of u is stable
     long long seed = 1;
     int threads = 0; ///< 0: as many as there are processors
 };
@@ -40,10 +40,12 @@ struct SimulationProgress {
 /// range of the deviations; reference length, correction to 20 °C and repeatability (normal) one draw a
 /// trial, added to the results that have them; centring a random direction of the set-up error.
 ///
-/// Adaptive: blocks of 10⁴ trials until twice the standard deviation of the averages of the blocks of mean, u
-/// and U is below half a unit of the second significant digit (7.9.4), or 10⁷ trials. The random numbers of a
-/// trial depend on seed and its number alone, the sums on the order of the trials: any number of threads
-/// gives the same figures, to the last bit.
+/// Adaptive: blocks of 10⁴ trials, at least 22 and at most 1 000, until twice the standard deviation of the
+/// averages over the blocks of mean, u, both ends of the interval and U is each below half a unit of the
+/// second significant digit of u, for every parameter that varies (7.9.4). The figures come from all trials
+/// together, never from means of blocks; only s_U does. The random numbers of a trial depend on seed and its
+/// number alone, the sums on the order of the trials: any number of threads gives the same figures, to the
+/// last bit.
 ///
 /// Null when an input is missing or impossible (the evaluation has a finding), or when stopped: that takes
 /// at most the time of one circle fit. `progress` is called on the calling thread.

@@ -1,32 +1,48 @@
 #pragma once
 
+#include "kernel/measurement/positioning.h"
+
 #include <optional>
 #include <span>
 #include <string_view>
 
 namespace palmer {
 
+/// The readings that make one end of a result as large as it is: how many there are at its target in each
+/// direction, and the direction that rules where one does.
+struct RulingReadings {
+    int positive = 0;
+    int negative = 0;
+    std::optional<Direction> approach; ///< null: both together
+
+    bool operator==(const RulingReadings &) const = default;
+};
+
+/// Both ends of a result; those that have one end alone say the same twice.
+struct Rulers {
+    RulingReadings upper;
+    RulingReadings lower;
+    bool sameTarget = false;
+};
+
 /// How the contributions combine to the U of a parameter of ISO 230-2 (GUM, after the model of ISO 230-2:2006
-/// Annex A): with c the factor of s and n the runs of the ruling target,
-///     U² = (systematic ? S² : 0) + (ofMeans/n + ofScatter·c²/(n − 1))·U_EVE²,
+/// Annex A):
+///     U² = (systematic ? S² : 0) + ofEnvironment·U_EVE²,
 /// S² the squares of all contributions but that of the environmental variation. Derived: a mean of n readings
-/// has 1/√n of the uncertainty of one, s has 1/√(n − 1), and both are uncorrelated.
+/// has 1/√n of the uncertainty of one, s has 1/√(n − 1), both are uncorrelated, and each takes the n of its
+/// own target and direction.
 struct Coefficients {
     const char *id;
     bool systematic;
-    double ofMeans;
-    double ofScatter;
+    /// c: factor of s. Infinite where a mean has no reading or an s fewer than two.
+    double (*ofEnvironment)(const Rulers &rulers, double c);
 };
 
-/// The one table of them.
-[[nodiscard]] std::span<const Coefficients> coefficientTable();
+/// The row of a parameter; null for an id that is none.
+[[nodiscard]] const Coefficients *coefficients(std::string_view id);
 
-/// The row of a parameter; null for an id that is none. `oneDirectionRules`: R is as large as it is because
-/// of R_i↑ or R_i↓, not of both together with B_i.
-[[nodiscard]] const Coefficients *coefficients(std::string_view id, bool oneDirectionRules = false);
-
-/// U from S, U_EVE (both k = 2, one unit), n ≥ 1 and c. Null where s is needed and n < 2.
+/// U from S and U_EVE (both k = 2, one unit). Null where s is needed and n < 2, or there is no reading.
 [[nodiscard]] std::optional<double> combined(const Coefficients &row, double systematic, double environmental,
-                                             int n, double c);
+                                             const Rulers &rulers, double c);
 
 } // namespace palmer

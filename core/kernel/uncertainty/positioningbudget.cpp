@@ -157,6 +157,7 @@ private:
                                              REPORT_TEXT("report", "coverage factor of the certificate"));
         const double atLength = fixed + perMetre * m_length / mmPerMetre;
         result.inputs = deviceInputs(certificate, fixed, perMetre);
+        m_budget.fixedDevice = scale * fixed / m_toBase;
         store(std::move(result), scale * atLength);
     }
 

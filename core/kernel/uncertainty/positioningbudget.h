@@ -22,6 +22,8 @@ struct PositioningBudget {
     std::vector<Contribution> contributions;
     std::optional<double> length; ///< L, mm (rotary: the measurement travel in degrees, which nothing needs)
 
+    double fixedDevice = 0; ///< part of the device's U that does not grow with the length, mm or degrees
+
     [[nodiscard]] const Contribution *find(std::string_view id) const;
     /// S: root of the sum of the squares of all but the environmental variation; mm, rotary: degrees. Null
     /// where one of them is unknown.

@@ -5,6 +5,20 @@
 
 namespace palmer {
 
+static_assert(fewestDecidingTrials >= 1e4 / (1 - coverageProbability) &&
+              fewestDecidingTrials - trialsPerBlock < 1e4 / (1 - coverageProbability));
+
+double numericalTolerance(double size) {
+    if (!(size > 0))
+        return 0;
+    const double secondDigit = std::pow(10.0, std::floor(std::log10(size)) - 1);
+    return secondDigit / 2;
+}
+
+double SimulatedParameter::tolerance() const {
+    return numericalTolerance(u);
+}
+
 bool SimulatedParameter::largeShift() const {
     return std::abs(shift()) > expanded() / 3;
 }

@@ -321,6 +321,15 @@ private slots:
             head +
                 R"(, "tests": [{"kind": "circular", "edition": "ISO 230-4:2005", "nominalRadius": -1, "arcs": []}]})",
             content, "tests[0].nominalRadius", "expected a number greater than 0");
+        for (const char *trials : {"0", "-1", "1000000001", "9223372036854775807"})
+            row((QByteArray("trials: ") + trials).constData(),
+                positioningFile(noReadings + R"(, "uncertainty": {"trials": )" + trials + "}"), content,
+                "tests[0].uncertainty.trials", "expected a whole number from 1 to 1 000 000 000");
+        row("the actual targets of a circle",
+            head + R"(, "tests": [{"kind": "circular", "edition": "ISO 230-4:2005", "nominalRadius": 1,
+                "arcs": [], "uncertainty": {"method": "budgetActual"}}]})",
+            content, "tests[0].uncertainty.method",
+            "the budget with the actual targets is for positioning tests");
         row("negative guard factor",
             positioningFile(noReadings + R"(, "decisionRule": {"guardFactor": -0.5})"), content,
             "tests[0].decisionRule.guardFactor", "expected a number that is not negative");

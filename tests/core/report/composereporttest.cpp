@@ -39,11 +39,11 @@ std::shared_ptr<const Document> document(const QString &name) {
 }
 
 Report report(const std::shared_ptr<const Document> &document, const Language &language) {
-    // As the program prints them, with a simulation beside every budget; a short one will do.
+    // As the program prints them, with a simulation beside every budget; a fixed number will do.
     EvaluatedDocument evaluated = evaluate(document);
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         SimulationOptions options = simulationOptions(*document->tests[i]);
-        options.trials = 10000;
+        options.trials = fewestDecidingTrials;
         if (!evaluated.tests[i]->uncertainty.wantsSimulation())
             continue;
         if (auto simulation = simulateTest(evaluated, i, options))

@@ -1,6 +1,9 @@
 #include "report/resulttable.h"
 
-#include "core/kernel/evaluation/positioningdata.h"
+#include "core/kernel/uncertainty/uncertaintydata.h"
+#include "report/plaintext.h"
+#include "report/report.h"
+#include "report/results.h"
 
 #include <QTest>
 
@@ -69,6 +72,49 @@ private slots:
         QCOMPARE(line(shown, u"E"_s).limit, u"–"_s);
         QCOMPARE(shown.unit, u"µm"_s);
         QCOMPARE(shown.coverage, u"k = 2"_s);
+    }
+
+    void headsSayWhatUStandsFor_data() {
+        QTest::addColumn<QStringList>("shifted"); // too far for the simulation: k = 2 of the budget
+        QTest::addColumn<QString>("coverage");
+        QTest::addColumn<QString>("head");
+        QTest::newRow("all by the simulation") << QStringList{} << u"95.45 %"_s << u"U (95.45 %)"_s;
+        QTest::newRow("A by the budget")
+            << QStringList{u"A"_s}
+            << u"95.45 % for A↑, A↓, E, E↑, E↓, M, R, R↑, R↓, B, B̄; k = 2 for the others"_s
+            << u"U: 95.45 % for A↑"_s;
+        QTest::newRow("all by the budget") << QStringList{u"*"_s} << u"k = 2"_s << u"U (k = 2)"_s;
+    }
+
+    void headsSayWhatUStandsFor() {
+        QFETCH(QStringList, shifted);
+        QFETCH(QString, coverage);
+        QFETCH(QString, head);
+        Test test = testdata::example1988("ISO 230-2:2006");
+        testdata::stateX1(measurement(test));
+        measurement(test).uncertainty.method = UncertaintyMethod::monteCarlo;
+        auto document = std::make_shared<Document>();
+        document->tests.push_back(std::make_shared<const Test>(test));
+        const EvaluatedDocument plain = evaluate(document);
+        Simulation simulation;
+        simulation.edition = test.edition;
+        simulation.trials = fewestDecidingTrials;
+        for (const Parameter &p : plain.tests[0]->parameters) {
+            const QString id = QString::fromStdString(parameterId(p));
+            const bool far = shifted.contains(id) || shifted.contains(u"*"_s);
+            const double mean = *p.value + (far ? 0.003 : 0);
+            simulation.parameters.push_back(
+                {parameterId(p), *p.value, mean, 0.002, mean - 0.004, mean + 0.004, {}, {}});
+        }
+        const EvaluatedDocument evaluated = withSimulation(
+            plain, 0, {std::make_shared<const Simulation>(simulation), document->tests[0], {}});
+        const Language english(Language::Id::english);
+        const ResultTable shown = resultTable(evaluated, 0, english);
+        QCOMPARE(shown.coverage, coverage);
+        QVERIFY(asTabSeparated(shown, english).contains(u"U (µm, "_s + coverage + u')'));
+        const QString printed = plainText(composeResults(evaluated, english));
+        QVERIFY2(printed.contains(head), qPrintable(printed));
+        QCOMPARE(printed.contains(u"U (k = 2)"_s), head == u"U (k = 2)"_s);
     }
 
     void circlesSayTheirSense() {

@@ -260,7 +260,7 @@ private slots:
     void theMethodIsChosenAndUndone() {
         Edited edited(budgetExample(std::nullopt));
         QVERIFY(edited.part<QToolButton>("method1")->isChecked()); // budget
-        edited.part<QToolButton>("method3")->click();
+        edited.part<QToolButton>("method4")->click();
         QCOMPARE(edited.inputs().method, UncertaintyMethod::direct);
         QVERIFY(!edited.part<RowTable>("contributions"));
         edited.type(u"expanded"_s, u"4"_s); // of A
@@ -276,54 +276,92 @@ private slots:
     }
 
     void theSimulationStandsBesideTheBudgetAndAgesWithAnEdit() {
-        Edited edited(budgetExample(20000));
-        QCOMPARE(edited.cell("methods", 0, 2), u"–"_s);
+        Edited edited(budgetExample(220000));
+        QCOMPARE(edited.cell("methods", 0, 3), u"–"_s);
+        QVERIFY(edited.cell("methods", 0, 2).startsWith(u"± "_s)); // with the actual targets
         QVERIFY(!edited.part<FigureCard>("distribution")->isVisible());
         edited.simulate();
         QVERIFY(edited.cell("methods", 0, 1).startsWith(u"± "_s));
-        QVERIFY(edited.cell("methods", 0, 2).startsWith(u"± "_s));
-        QVERIFY(edited.cell("methods", 0, 3).contains(u" … "_s));
+        QVERIFY(edited.cell("methods", 0, 3).startsWith(u"± "_s));
+        QVERIFY(edited.cell("methods", 0, 4).contains(u" … "_s));
         QVERIFY(edited.part<RowTable>("methods")->histogram(
-            edited.part<RowTable>("methods")->model()->index(0, 4)));
+            edited.part<RowTable>("methods")->model()->index(0, 5)));
         QVERIFY(!edited.part<QLabel>("simulationText")->text().contains(u"outdated"_s));
         edited.type(u"environmentalVariation"_s, u"2"_s);
         QVERIFY(edited.part<QLabel>("simulationText")->text().contains(u"outdated"_s));
     }
 
     void whichMethodDecidesIsBoldAndSaid() {
-        Edited edited(budgetExample(20000));
+        Edited edited(budgetExample(220000));
         edited.simulate();
         auto *table = edited.part<RowTable>("methods");
         QVERIFY(table->item(0, 1)->font().bold());
-        QVERIFY(!table->item(0, 2)->font().bold());
+        QVERIFY(!table->item(0, 3)->font().bold());
         QVERIFY(table->item(0, 1)->data(Qt::AccessibleTextRole).toString().endsWith(u"decides"_s));
         QVERIFY(edited.part<QLabel>("decides")->text().contains(u"The U of the budget decides."_s));
-        edited.part<QToolButton>("method2")->click();
+        edited.part<QToolButton>("method3")->click();
         table = edited.part<RowTable>("methods");
         // A is shifted too far: the budget decides there, the simulation for what it does not shift.
         QVERIFY(edited.part<QLabel>("decides")->text().contains(u"Monte Carlo simulation decides"_s));
         bool any = false;
         for (int row = 0; row < table->rowCount(); ++row)
-            any |= table->item(row, 2)->font().bold();
+            any |= table->item(row, 3)->font().bold();
         QVERIFY(any);
     }
 
+    void headsSayWhatUStandsFor() {
+        Edited edited(budgetExample(220000));
+        edited.simulate();
+        const auto head = [&](int column) {
+            return edited.part<RowTable>("methods")->horizontalHeaderItem(column)->text();
+        };
+        QVERIFY(head(1).endsWith(u"k = 2"_s));
+        QVERIFY(head(3).endsWith(u"95.45 %"_s));
+        QCOMPARE(edited.part<QLabel>("methodNote")->text(), u"decides · k = 2"_s);
+        edited.part<QToolButton>("method3")->click(); // Monte Carlo, for what it does not shift
+        const QString both = edited.part<QLabel>("methodNote")->text();
+        QVERIFY2(both.contains(u"95.45 % for "_s) && both.contains(u"k = 2 for the others"_s),
+                 qPrintable(both));
+    }
+
+    void tooFewTrialsAreSaid() {
+        Edited edited(budgetExample(3));
+        edited.simulate();
+        edited.part<QToolButton>("method3")->click();
+        auto *table = edited.part<RowTable>("methods");
+        for (int row = 0; row < table->rowCount(); ++row)
+            QVERIFY(table->item(row, 1)->font().bold() && !table->item(row, 3)->font().bold());
+        QVERIFY(edited.part<QLabel>("simulationText")->text().contains(u"too few to decide"_s));
+        QVERIFY(edited.part<QLabel>("decides")->text().contains(u"Too few trials to decide"_s));
+    }
+
+    void theActualTargetsDecideIfChosen() {
+        Edited edited(budgetExample(std::nullopt));
+        edited.part<QToolButton>("method2")->click();
+        QCOMPARE(edited.inputs().method, UncertaintyMethod::budgetActual);
+        auto *table = edited.part<RowTable>("methods");
+        QVERIFY(table->item(0, 2)->font().bold() && !table->item(0, 1)->font().bold());
+        QVERIFY(edited.part<RowTable>("contributions"));
+        const auto *a = parameter(edited.evaluation(), "A");
+        QCOMPARE(a->expandedUncertainty, a->actualUncertainty);
+    }
+
     void methodsThatDifferAreMarkedInWords() {
-        Edited edited(budgetExample(20000));
+        Edited edited(budgetExample(220000));
         edited.simulate();
         auto *table = edited.part<RowTable>("methods");
         int marked = 0;
         for (int row = 0; row < table->rowCount(); ++row) {
             const auto id = table->key(row).toStdString();
             const bool differs = methodsDiffer(*parameter(edited.evaluation(), id));
-            QCOMPARE(!table->item(row, 6)->data(RowTable::warningRole).toString().isEmpty(), differs);
+            QCOMPARE(!table->item(row, 7)->data(RowTable::warningRole).toString().isEmpty(), differs);
             marked += differs;
         }
         QVERIFY(marked > 0); // ruling targets closer together than L
     }
 
     void theHistogramIsThatOfTheChosenResult() {
-        Edited edited(budgetExample(20000));
+        Edited edited(budgetExample(220000));
         edited.simulate();
         auto *table = edited.part<RowTable>("methods");
         auto *card = edited.part<FigureCard>("distribution");
@@ -335,7 +373,7 @@ private slots:
         long long counted = 0;
         for (const long long count : shown.counts)
             counted += count;
-        QCOMPARE(counted, 20000LL);
+        QCOMPARE(counted, 220000LL);
         // An edit elsewhere leaves it where it is.
         edited.type(u"misalignmentRange"_s, u"2"_s);
         QCOMPARE(table->key(table->currentRow()), u"B"_s);
@@ -389,7 +427,7 @@ private slots:
     }
 
     void everythingHasAnAccessibleName() {
-        Edited edited(budgetExample(20000));
+        Edited edited(budgetExample(220000));
         edited.simulate();
         for (const char *name : {"contributions", "methods"})
             QVERIFY(!edited.part<RowTable>(name)->accessibleName().isEmpty());

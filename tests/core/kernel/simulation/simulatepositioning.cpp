@@ -41,6 +41,10 @@ private slots:
     void sumsOfManyChunksAreTheSameOnAnyThreads();
     void seedsDiffer();
     void adaptiveIsStable();
+    void adaptiveGoesOnUntilAllIsStable();
+    void constantsDoNotGoOn();
+    void errorOfU();
+    void oneTargetAndDirectionRulesA();
     void fixedNumber();
     void cancel();
     void progress();
@@ -329,7 +333,7 @@ void SimulatePositioning::workedExampleIsShifted() {
     stateNothing(m);
     m.uncertainty.environmentalVariation = 3;
     m.uncertainty.method = UncertaintyMethod::monteCarlo;
-    const Simulation result = simulated(test);
+    const Simulation result = simulated(test, fewestDecidingTrials);
     const SimulatedParameter &a = of(result, "A");
     QVERIFY(std::abs(a.value * 1000 - 16.23) < 0.005);
     QVERIFY2(std::abs(a.mean * 1000 - 18.2) < 0.1, qPrintable(QString::number(a.mean * 1000)));
@@ -403,11 +407,90 @@ void SimulatePositioning::adaptiveIsStable() {
     stateX1(measurement(test));
     const Simulation result = simulated(test, std::nullopt);
     QVERIFY(result.stable);
-    QVERIFY(result.trials >= 20000);
+    QVERIFY(result.trials >= 220000);
     QCOMPARE(result.trials % 10000, 0LL);
+    QVERIFY(result.mayDecide());
+    // The figures are those of all trials together, not of blocks.
+    const Simulation same = simulated(test, result.trials);
+    for (const SimulatedParameter &p : result.parameters)
+        QCOMPARE(p, of(same, p.id));
     const Simulation many = simulated(test, 300000);
     for (const SimulatedParameter &p : result.parameters)
         COMPARE_RELATIVE(p.u, of(many, p.id).u, 0.02); // two digits
+}
+
+void SimulatePositioning::adaptiveGoesOnUntilAllIsStable() {
+    // u of E↑ just above a power of ten has a coarse tolerance, just below it a fine one: ten times the
+    // digits, and 2s of every figure is below it at the end, by blocks of our own.
+    Test test = twoTargets(5);
+    long long trials[2]{};
+    for (int k = 0; k < 2; ++k) {
+        measurement(test).uncertainty.device.perMetre = 2 * (k == 0 ? 1.05 : 0.985); // u in µm
+        const Simulation result = simulated(test, std::nullopt);
+        QVERIFY(result.stable);
+        const double tolerance = k == 0 ? 0.05e-3 : 0.005e-3;
+        const SimulatedParameter &e = of(result, "E+");
+        QVERIFY(std::abs(e.tolerance() - tolerance) < 1e-12);
+        trials[k] = result.trials;
+        QVERIFY(2 * *e.expandedError <= tolerance);
+        QVERIFY(std::abs(e.u * 1000 - (k == 0 ? 1.05 : 0.985)) < 0.01);
+    }
+    QVERIFY2(trials[1] > trials[0] && trials[0] >= 220000,
+             qPrintable(QStringLiteral("%1 and %2").arg(trials[0]).arg(trials[1])));
+    QVERIFY(trials[1] <= 10'000'000);
+}
+
+void SimulatePositioning::constantsDoNotGoOn() {
+    // R is the same in every trial but for rounding: that is no uncertainty to wait for.
+    Test test = example1988("ISO 230-2:2006");
+    stateNothing(measurement(test));
+    measurement(test).uncertainty.device.perMetre = 1;
+    const Simulation result = simulated(test, std::nullopt);
+    QVERIFY(result.stable);
+    QVERIFY(result.trials < 10'000'000);
+    QVERIFY(of(result, "R").u < 1e-15);
+}
+
+void SimulatePositioning::errorOfU() {
+    // s_U of N trials tells how far runs of other seeds lie apart: 12 of them, each with 22 blocks.
+    Test test = twoTargets(5);
+    measurement(test).uncertainty.device.perMetre = 3;
+    SimulationOptions options;
+    options.trials = 220000;
+    std::vector<double> found;
+    double told = 0;
+    constexpr int seeds = 12;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        options.seed = seed;
+        const Simulation result = simulate(test, noSurroundings(), edition(test), options).value();
+        found.push_back(of(result, "E+").expanded());
+        told += *of(result, "E+").expandedError / seeds;
+    }
+    double mean = 0;
+    double squares = 0;
+    for (const double u : found)
+        mean += u / seeds;
+    for (const double u : found)
+        squares += (u - mean) * (u - mean) / (seeds - 1);
+    // The s of 12 is known to 21 %; of all trials together U scatters no more than the average of blocks.
+    QVERIFY2(std::sqrt(squares) < 1.7 * told && std::sqrt(squares) > 0.3 * told,
+             qPrintable(QStringLiteral("%1, told %2").arg(std::sqrt(squares)).arg(told)));
+    options.trials = 19999; // one block: not known
+    QVERIFY(!of(simulate(test, noSurroundings(), edition(test), options).value(), "E+").expandedError);
+}
+
+void SimulatePositioning::oneTargetAndDirectionRulesA() {
+    // A = R↑ = 4s of one target: its U by simulation against 2·U_EVE of the budget, U_EVE = 0.6 E_VE.
+    Test test = positioningTest("ISO 230-2:2006", {0, 500, 1000},
+                                {{0, -9, 0}, {0, 9, 0}, {0, -9, 0}, {0, 9, 0}, {0, 0, 0}},
+                                {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}});
+    stateNothing(measurement(test));
+    measurement(test).uncertainty.environmentalVariation = 1;
+    const SimulatedParameter a = of(simulated(test), "A");
+    const double budget = *parameter(evaluated(test), "A")->budgetUncertainty;
+    COMPARE_RELATIVE(budget, 0.0012, 1e-9);
+    // 0.6 for 0.577 and a sum of uniform errors: U a little below; two ends taken as uncorrelated give 0.930.
+    COMPARE_RELATIVE(a.expanded(), 0.577350 / 0.6 * budget, 0.02);
 }
 
 void SimulatePositioning::fixedNumber() {
@@ -416,7 +499,7 @@ void SimulatePositioning::fixedNumber() {
     for (const long long trials : {1LL, 3LL, 499LL, 501LL, 10000LL, 10001LL}) {
         const Simulation result = simulated(test, trials);
         QCOMPARE(result.trials, trials);
-        QVERIFY(result.stable);
+        QVERIFY(!result.mayDecide() && !result.adaptive);
         long long counted = 0;
         for (const long long count : of(result, "A").histogram.counts)
             counted += count;

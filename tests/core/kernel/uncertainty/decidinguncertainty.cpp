@@ -1,11 +1,18 @@
 #include "kernel/evaluation/decideuncertainty.h"
 
 #include "core/kernel/uncertainty/uncertaintydata.h"
+#include "kernel/simulation/simulate.h"
 
 #include <QTest>
 
+#include <cmath>
+#include <functional>
+
 using namespace palmer;
 using namespace palmer::testdata;
+
+using TestChange = std::function<void(Test &)>;
+Q_DECLARE_METATYPE(TestChange)
 
 /// Which uncertainty decides, what is said of it, and what the verdict makes of it.
 class DecidingUncertainty : public QObject {
@@ -18,8 +25,14 @@ private slots:
     void simulationNotRun();
     void simulationOfAnotherEdition();
     void outdatedSimulationIsProvisional();
+    void fewTrialsNeverDecide_data();
+    void fewTrialsNeverDecide();
+    void fewTrialsOfCircles();
+    void guardCarriesTheErrorOfU();
     void differencesAreRemarked();
-    void closeTargetsAreTheReason();
+    void realCauses_data();
+    void realCauses();
+    void actualTargetsDecideIfChosen();
     void guardFactor_data();
     void guardFactor();
     void verdictIgnoresTheSign();
@@ -33,7 +46,7 @@ namespace {
 std::shared_ptr<const Simulation> simulation(const Test &test, double expanded, double shift) {
     Simulation result;
     result.edition = test.edition;
-    result.trials = 10000;
+    result.trials = fewestDecidingTrials;
     for (const Parameter &p : evaluated(test).parameters) {
         if (!p.value)
             continue;
@@ -44,6 +57,7 @@ std::shared_ptr<const Simulation> simulation(const Test &test, double expanded, 
                                      expanded / 2000,
                                      mean - expanded / 1000,
                                      mean + expanded / 1000,
+                                     {},
                                      {}});
     }
     return std::make_shared<const Simulation>(result);
@@ -134,6 +148,10 @@ void DecidingUncertainty::outdatedSimulationIsProvisional() {
     const TestEvaluation outdated = evaluatedWith(test, simulation(test, 5, 0), true);
     QVERIFY(outdated.provisional);
     QVERIFY(finding(outdated, "monteCarlo"));
+    // The shift of an outdated simulation, by which the budget decides, may be another after the edit.
+    const TestEvaluation byBudget = evaluatedWith(test, simulation(test, 5, 1.7), true);
+    QCOMPARE(parameter(byBudget, "A")->decidedBy, UncertaintyMethod::budget);
+    QVERIFY(byBudget.provisional);
     // Under simple acceptance no uncertainty is looked at.
     test.decisionRule.rule = Rule::simpleAcceptance;
     QVERIFY(!evaluatedWith(test, simulation(test, 5, 0), true).provisional);
@@ -162,23 +180,209 @@ void DecidingUncertainty::differencesAreRemarked() {
     QVERIFY(finding(differing(0.79), "uncertaintyMethods"));
 }
 
-void DecidingUncertainty::closeTargetsAreTheReason() {
-    Test test = worked(UncertaintyMethod::budget);
-    // E is ruled by targets 2 and 5, 450 mm apart.
-    const auto reasonForE = [&](double length) {
-        measurement(test).uncertainty.length = length;
-        const TestEvaluation evaluation = evaluatedWith(test, simulation(test, 0.01, 0));
-        for (const Finding &f : evaluation.findings) {
-            if (f.id != "uncertaintyMethods")
-                continue;
-            const auto symbols = std::get<std::string>(f.message.arguments.front());
-            if (symbols == "E" || symbols.find("E,") != std::string::npos)
-                return std::string(f.message.text.source);
-        }
-        return std::string();
+namespace {
+
+/// What is said of the difference of one parameter; empty: nothing.
+std::string reasonFor(const TestEvaluation &evaluation, const std::string &symbol) {
+    for (const Finding &f : evaluation.findings) {
+        if (f.id != "uncertaintyMethods")
+            continue;
+        const std::string symbols = ", " + std::get<std::string>(f.message.arguments.front()) + ",";
+        if (symbols.find(", " + symbol + ",") != std::string::npos)
+            return f.message.text.source;
+    }
+    return {};
+}
+
+std::shared_ptr<const Simulation> realSimulation(const Test &test) {
+    static const Machine machine;
+    Surroundings surroundings;
+    surroundings.machine = &machine;
+    SimulationOptions options;
+    options.trials = fewestDecidingTrials;
+    return std::make_shared<const Simulation>(
+        simulate(test, surroundings, *findEdition(test.edition), options).value());
+}
+
+std::vector<std::vector<double>> runsOf(const std::vector<double> &run) {
+    return std::vector<std::vector<double>>(5, run);
+}
+
+} // namespace
+
+void DecidingUncertainty::fewTrialsNeverDecide_data() {
+    QTest::addColumn<qlonglong>("trials");
+    QTest::addColumn<bool>("decides");
+    QTest::newRow("three") << 3LL << false;
+    QTest::newRow("10⁴/(1 − p), not in whole blocks") << 219'781LL << false;
+    QTest::newRow("one less") << 219'999LL << false;
+    QTest::newRow("22 blocks") << 220'000LL << true;
+    QTest::newRow("one more") << 220'001LL << true;
+}
+
+void DecidingUncertainty::fewTrialsNeverDecide() {
+    QFETCH(qlonglong, trials);
+    QFETCH(bool, decides);
+    Test test = worked(UncertaintyMethod::monteCarlo);
+    test.limits["A"].value = 0.018; // 16.23: not proven with U 5.5, conforms with 1
+    test.decisionRule = {Rule::iso14253_1, 1};
+    Simulation few = *simulation(test, 1, 0.1);
+    few.trials = trials;
+    const TestEvaluation evaluation = evaluatedWith(test, std::make_shared<const Simulation>(few));
+    const Parameter *a = parameter(evaluation, "A");
+    QCOMPARE(a->decidedBy, decides ? UncertaintyMethod::monteCarlo : UncertaintyMethod::budget);
+    QCOMPARE(*evaluation.verdict, decides ? Verdict::conforms : Verdict::notProven);
+    QVERIFY(a->simulated); // shown all the same
+    const Finding *remark = finding(evaluation, "monteCarlo");
+    QCOMPARE(remark != nullptr, !decides);
+    if (remark) {
+        QCOMPARE(remark->grade, Grade::note);
+        QCOMPARE(std::get<Number>(remark->message.arguments[0]).value, double(trials));
+        QVERIFY(!finding(evaluation, "uncertaintyMethods")); // nothing is made of so few
+    }
+}
+
+void DecidingUncertainty::fewTrialsOfCircles() {
+    Test test = circularTest(36);
+    circle(test).uncertainty.method = UncertaintyMethod::monteCarlo;
+    circle(test).uncertainty.displacement.expanded = 1;
+    test.limits["G(b)"].value = 0.0005;
+    test.decisionRule = {Rule::iso14253_1, 1};
+    Simulation few = *simulation(test, 0.1, 0);
+    few.trials = 3;
+    const TestEvaluation evaluation = evaluatedWith(test, std::make_shared<const Simulation>(few));
+    QCOMPARE(parameter(evaluation, "G(b)_XY")->decidedBy, UncertaintyMethod::budget);
+    QCOMPARE(*evaluation.verdict, Verdict::notProven);
+    few.trials = fewestDecidingTrials;
+    QCOMPARE(*evaluatedWith(test, std::make_shared<const Simulation>(few)).verdict, Verdict::conforms);
+}
+
+void DecidingUncertainty::guardCarriesTheErrorOfU() {
+    Test test = worked(UncertaintyMethod::monteCarlo);
+    test.limits["A"].value = 0.0190; // A = 16.2321
+    test.decisionRule = {Rule::iso14253_1, 0.83};
+    Simulation sure = *simulation(test, 3, 0);
+    const auto verdict = [&](std::optional<double> error) {
+        for (SimulatedParameter &p : sure.parameters)
+            p.expandedError = error;
+        const TestEvaluation evaluation = evaluatedWith(test, std::make_shared<const Simulation>(sure));
+        const Parameter *a = parameter(evaluation, "A");
+        if (std::abs(*a->expandedUncertainty - 0.003) > 1e-12 ||
+            std::abs(*a->guardBand - 0.83 * (0.003 + 2 * error.value_or(0))) > 1e-12)
+            qFatal("U or guard band");
+        return *evaluation.verdict;
     };
-    QVERIFY(reasonForE(1500).find("closer together") != std::string::npos);
-    QVERIFY(reasonForE(500).find("extremes over all targets") != std::string::npos);
+    QCOMPARE(verdict(std::nullopt), Verdict::conforms); // 16.2321 + 2.49
+    QCOMPARE(verdict(0.00016), Verdict::conforms);      // + 0.83·0.32 = 18.988
+    QCOMPARE(verdict(0.00018), Verdict::notProven);     // + 0.83·0.36 = 19.021
+    // The budget's U has no such error.
+    measurement(test).uncertainty.method = UncertaintyMethod::budget;
+    const TestEvaluation budget = evaluatedWith(test, std::make_shared<const Simulation>(sure));
+    const Parameter *a = parameter(budget, "A");
+    QVERIFY(std::abs(*a->guardBand - 0.83 * *a->expandedUncertainty) < 1e-15);
+}
+
+void DecidingUncertainty::realCauses_data() {
+    QTest::addColumn<QString>("symbol");
+    QTest::addColumn<QString>("words"); // empty: no difference of 20 %
+    QTest::addColumn<TestChange>("change");
+    const auto row = [](const char *name, const char *symbol, const char *words, TestChange change) {
+        QTest::newRow(name) << QString::fromUtf8(symbol) << QString::fromUtf8(words) << std::move(change);
+    };
+    const auto device = [](double perMetre) {
+        return [perMetre](Test &test) {
+            stateNothing(measurement(test));
+            measurement(test).uncertainty.device.perMetre = perMetre;
+        };
+    };
+    // Targets 0, 500, 1000: the means of one test after the other.
+    const auto means = [](const std::vector<double> &up, const std::vector<double> &down) {
+        return [up, down](Test &test) {
+            test = positioningTest("ISO 230-2:2006", {0, 500, 1000}, runsOf(up), runsOf(down));
+        };
+    };
+    row("the rulers stand apart by half of L", "E", "closer together", [=](Test &test) {
+        means({0, 100, 50}, {-40, 60, 10})(test);
+        device(3)(test);
+    });
+    row("they stand apart by all of L", "E", "", [=](Test &test) {
+        means({0, 50, 100}, {-40, 10, 60})(test);
+        device(3)(test);
+    });
+    row("one uniform error", "E", "not normally distributed", [=](Test &test) {
+        means({0, 50, 100}, {-40, 10, 60})(test);
+        stateNothing(measurement(test));
+        measurement(test).uncertainty.temperatureRange.machine = 1;
+    });
+    row("both", "E", "closer together than the length L = %2 of the budget, and", [=](Test &test) {
+        means({0, 100, 50}, {-40, 60, 10})(test);
+        stateNothing(measurement(test));
+        measurement(test).uncertainty.temperatureRange.machine = 1;
+    });
+    row("the mean over all targets", "B̄", "mean over all targets", [=](Test &test) {
+        std::vector<double> positions;
+        std::vector<double> up;
+        for (int i = 0; i < 10; ++i) {
+            positions.push_back(100.0 * i);
+            up.push_back(20);
+        }
+        test = positioningTest("ISO 230-2:2006", positions, runsOf(up), runsOf(std::vector<double>(10, 0)));
+        stateNothing(measurement(test));
+        measurement(test).uncertainty.environmentalVariation = 1;
+    });
+    row("readings that scatter less than the drift", "R↑", "widens the s", [=](Test &test) {
+        means({0, 0, 0}, {0, 0, 0})(test);
+        stateNothing(measurement(test));
+        measurement(test).uncertainty.environmentalVariation = 3;
+    });
+    row("a fixed part of the instrument, rulers close together", "E", "fixed part", [=](Test &test) {
+        means({0, 100, 50}, {-40, 60, 10})(test);
+        stateNothing(measurement(test));
+        measurement(test).uncertainty.device.fixed = 3;
+    });
+    row("targets that are all alike but for the drift", "B", "other targets come within U", [=](Test &test) {
+        means({5, 5, 5}, {0, 0, 0})(test);
+        stateNothing(measurement(test));
+        measurement(test).uncertainty.environmentalVariation = 1;
+    });
+    row("a reversal that is the same everywhere", "E", "tilt one way or the other", [=](Test &test) {
+        means({5, 5, 5}, {0, 0, 0})(test);
+        device(4.85)(test);
+    });
+}
+
+void DecidingUncertainty::realCauses() {
+    QFETCH(QString, symbol);
+    QFETCH(QString, words);
+    QFETCH(TestChange, change);
+    Test test;
+    change(test);
+    const TestEvaluation evaluation = evaluatedWith(test, realSimulation(test));
+    const std::string found = reasonFor(evaluation, symbol.toStdString());
+    QVERIFY2(words.isEmpty() ? found.empty() : found.find(words.toStdString()) != std::string::npos,
+             found.c_str());
+}
+
+void DecidingUncertainty::actualTargetsDecideIfChosen() {
+    Test test = positioningTest("ISO 230-2:2006", {0, 500, 1000}, runsOf({1, 6, 1}), runsOf({-1, -6, -1}));
+    stateNothing(measurement(test));
+    measurement(test).uncertainty.device.perMetre = 4.85;
+    measurement(test).uncertainty.environmentalVariation = 1;
+    test.limits["E"].value = 0.013; // 12
+    test.decisionRule = {Rule::iso14253_1, 1};
+    QCOMPARE(*evaluated(test).verdict, Verdict::notProven);
+    QVERIFY(parameter(evaluated(test), "E")->actualUncertainty); // beside it, whichever decides
+    measurement(test).uncertainty.method = UncertaintyMethod::budgetActual;
+    const TestEvaluation actual = evaluated(test);
+    QCOMPARE(*actual.verdict, Verdict::conforms);
+    const Parameter *e = parameter(actual, "E");
+    QCOMPARE(e->decidedBy, UncertaintyMethod::budgetActual);
+    QVERIFY(std::abs(*e->expandedUncertainty * 1000 - 0.6 * std::sqrt(0.4)) < 1e-12); // of E_VE alone
+    // What has no S in it has the U of the budget.
+    const Parameter *b = parameter(actual, "B");
+    QCOMPARE(b->expandedUncertainty, b->budgetUncertainty);
+    QVERIFY(!b->actualUncertainty);
+    QVERIFY(actual.uncertainty.wantsSimulation());
 }
 
 void DecidingUncertainty::guardFactor_data() {

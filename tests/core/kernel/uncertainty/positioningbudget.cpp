@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <random>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -27,6 +28,13 @@ private slots:
     void everyParameterHasCoefficients();
     void runsOfTheRulingTarget();
     void oneDirectionRulesR();
+    void oneTargetAndDirectionRulesA();
+    void unequalRuns_data();
+    void unequalRuns();
+    void effectiveSystematic_data();
+    void effectiveSystematic();
+    void effectiveSystematicIsNeverLarger();
+    void fixedPartCountsInFull();
     void vdi();
     void nothingGivesNothing();
     void eachAloneGivesItsColumn_data();
@@ -160,6 +168,186 @@ void PositioningBudgetTest::oneDirectionRulesR() {
     const TestEvaluation evaluation = evaluated(test);
     QCOMPARE(*parameter(evaluation, "R")->value, *parameter(evaluation, "R-")->value);
     COMPARE_NEAR(uncertainty(evaluation, "R"), 2 * 1.8, 1e-12);
+}
+
+void PositioningBudgetTest::oneTargetAndDirectionRulesA() {
+    // s↑ of the second target alone: A = R↑ = 4s there, and A↑ likewise; A↓ is ruled by two targets.
+    Test test = positioningTest("ISO 230-2:2006", {0, 500, 1000},
+                                {{0, -9, 0.1}, {0, 9, 0}, {0, -9, 0.1}, {0, 9, 0}, {0, 0, 0}},
+                                {{0, 0.5, 1}, {0, 0.5, 1}, {0, 0.5, 1}, {0, 0.6, 1.1}, {0, 0.5, 1}});
+    PositioningMeasurement &m = measurement(test);
+    stateNothing(m);
+    m.uncertainty.environmentalVariation = 1; // U_EVE = 0.6
+    const TestEvaluation none = evaluated(test);
+    const Parameter *a = parameter(none, "A");
+    QVERIFY(*a->ruling[0] == *a->ruling[1]);
+    QCOMPARE(*a->value, *parameter(none, "R+")->value);
+    COMPARE_NEAR(uncertainty(none, "A"), 1.2, 1e-12);
+    COMPARE_NEAR(uncertainty(none, "A+"), 1.2, 1e-12);
+    COMPARE_NEAR(uncertainty(none, "A-"), std::sqrt(2.4) * 0.6, 1e-12);
+    // S beside it, and the factor of 1988.
+    m.uncertainty.device.perMetre = 2;
+    COMPARE_NEAR(uncertainty(evaluated(test), "A"), std::sqrt(4 + 4 * 0.36), 1e-12);
+    test.edition = "ISO 230-2:1988";
+    COMPARE_NEAR(uncertainty(evaluated(test), "A"), std::sqrt(4 + 9 * 0.36), 1e-12);
+}
+
+void PositioningBudgetTest::unequalRuns_data() {
+    QTest::addColumn<QString>("edition");
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<double>("expected"); // U²/U_EVE², S = 0
+    // Readings: target 1: 6 ↑, 5 ↓; target 2: 4 ↑, 3 ↓; target 3: 2 ↑, 6 ↓. See unequalRuns.
+    const char *iso = "ISO 230-2:2006";
+    QTest::newRow("E: 3↑ and 1↓") << iso << "E" << 1 / 2.0 + 1 / 5.0;
+    QTest::newRow("E↑: 3↑ and 1↑") << iso << "E+" << 1 / 2.0 + 1 / 6.0;
+    QTest::newRow("M: targets 3 and 1") << iso << "M" << (1 / 2.0 + 1 / 6.0 + 1 / 6.0 + 1 / 5.0) / 4;
+    QTest::newRow("A: 3↑ and 1↓") << iso << "A" << 1 / 2.0 + 1 / 5.0 + 4 * (1 / 1.0 + 1 / 4.0);
+    QTest::newRow("A↓: 3↓ and 1↓") << iso << "A-" << 1 / 6.0 + 1 / 5.0 + 4 * (1 / 5.0 + 1 / 4.0);
+    QTest::newRow("R↑: target 2") << iso << "R+" << 16 / 3.0;
+    QTest::newRow("R: target 2, both") << iso << "R" << 1 / 4.0 + 1 / 3.0 + 4 * (1 / 3.0 + 1 / 2.0);
+    QTest::newRow("B: target 2") << iso << "B" << 1 / 4.0 + 1 / 3.0;
+    QTest::newRow("B̄: the fewest of all") << iso << "Bmean" << 2 / 2.0;
+    const char *vdi = "VDI/DGQ 3441:1977";
+    QTest::newRow("Umax: target 2") << vdi << "Umax" << 1 / 4.0 + 1 / 3.0;
+    QTest::newRow("Psmax: target 2") << vdi << "Psmax" << 9 * (1 / 3.0 + 1 / 2.0);
+    QTest::newRow("P: 3↑ and 1↓") << vdi << "P"
+                                  << 1 / 2.0 + 1 / 5.0 + 9 / 4.0 * (1 / 1.0 + 1 / 5.0 + 1 / 4.0 + 1 / 5.0);
+    QTest::newRow("Pa: targets 3 and 1") << vdi << "Pa" << (1 / 2.0 + 1 / 6.0 + 1 / 6.0 + 1 / 5.0) / 4;
+}
+
+void PositioningBudgetTest::unequalRuns() {
+    QFETCH(QString, edition);
+    QFETCH(QString, id);
+    QFETCH(double, expected);
+    // Means 0, 50, 100 ↑ and −10, 20, 90 ↓; s of 2 at target 2, of some hundredths elsewhere.
+    constexpr int counts[2][3]{{6, 4, 2}, {5, 3, 6}};
+    constexpr double means[2][3]{{0, 50, 100}, {-10, 20, 90}};
+    std::vector<std::vector<double>> runs[2];
+    for (int d = 0; d < 2; ++d) {
+        for (int run = 0; run < 6; ++run) {
+            std::vector<double> readings;
+            for (int i = 0; i < 3; ++i)
+                readings.push_back(means[d][i] + (run % 2 == 0 ? 1 : -1) * (i == 1 ? 2 : 0.02));
+            runs[d].push_back(readings);
+        }
+    }
+    Test test = positioningTest(edition.toLatin1().constData(), {0, 500, 1000}, runs[0], runs[1]);
+    PositioningMeasurement &m = measurement(test);
+    int seen[2]{};
+    for (Run &run : m.runs) {
+        const int d = run.approach == Direction::positive ? 0 : 1;
+        for (int i = 0; i < 3; ++i) {
+            if (seen[d] >= counts[d][i])
+                run.deviations[static_cast<std::size_t>(i)].reset();
+        }
+        ++seen[d];
+    }
+    stateNothing(m);
+    m.uncertainty.environmentalVariation = 1;
+    const double u = uncertainty(evaluated(test), id.toStdString()) / 0.6;
+    COMPARE_NEAR(u * u, expected, 1e-12);
+}
+
+void PositioningBudgetTest::effectiveSystematic_data() {
+    QTest::addColumn<double>("here");  // reversal at the target in the middle, µm
+    QTest::addColumn<double>("there"); // at all others
+    QTest::addColumn<double>("expected");
+    QTest::newRow("uniform reversal") << 5.0 << 5.0 << 4.85;
+    QTest::newRow("one target a little larger") << 6.0 << 5.0 << 3.85;
+    QTest::newRow("one target rules alone") << 12.0 << 2.0 << 0.0;
+}
+
+void PositioningBudgetTest::effectiveSystematic() {
+    QFETCH(double, here);
+    QFETCH(double, there);
+    QFETCH(double, expected);
+    const std::vector<double> up{there / 2, there / 2, here / 2, there / 2, there / 2};
+    std::vector<double> down;
+    for (const double mean : up)
+        down.push_back(-mean);
+    Test test = positioningTest("ISO 230-2:2006", {0, 250, 500, 750, 1000}, {up, up, up, up, up},
+                                {down, down, down, down, down});
+    PositioningMeasurement &m = measurement(test);
+    stateNothing(m);
+    m.uncertainty.device.perMetre = 4.85;
+    m.uncertainty.environmentalVariation = 2; // U_EVE = 1.2
+    const TestEvaluation evaluation = evaluated(test);
+    COMPARE_NEAR(micrometres(evaluation.uncertainty.systematic), 4.85, 1e-12);
+    for (const char *id : {"E", "A"}) { // s = 0: both are the same
+        const Parameter *p = parameter(evaluation, id);
+        COMPARE_NEAR(micrometres(p->effectiveSystematic), expected, 1e-9);
+        const double environment = id[0] == 'E' ? 0.4 : *p->ruling[0] == *p->ruling[1] ? 4 : 2.4;
+        COMPARE_NEAR(micrometres(p->actualUncertainty), std::sqrt(expected * expected + environment * 1.44),
+                     1e-9);
+        COMPARE_NEAR(uncertainty(evaluation, id), std::sqrt(4.85 * 4.85 + environment * 1.44), 1e-9);
+    }
+}
+
+void PositioningBudgetTest::effectiveSystematicIsNeverLarger() {
+    // Any readings: S_eff lies between 0 and S, and is what evaluating the tilted readings gives.
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> reading(-8, 8);
+    for (int k = 0; k < 60; ++k) {
+        const int targets = 2 + k % 7;
+        std::vector<double> positions;
+        for (int i = 0; i < targets; ++i)
+            positions.push_back(-300 + 100.0 * i + reading(random));
+        std::vector<std::vector<double>> runs[2];
+        for (auto &direction : runs) {
+            for (int run = 0; run < 3; ++run) {
+                std::vector<double> values;
+                for (int i = 0; i < targets; ++i)
+                    values.push_back(reading(random));
+                direction.push_back(values);
+            }
+        }
+        Test test =
+            positioningTest(k % 2 == 0 ? "ISO 230-2:2014" : "VDI/DGQ 3441:1977", positions, runs[0], runs[1]);
+        PositioningMeasurement &m = measurement(test);
+        stateNothing(m);
+        const double length = positions.back() - positions.front();
+        m.uncertainty.device.perMetre = 5 * 1000 / length; // S = 5 µm
+        const TestEvaluation evaluation = evaluated(test);
+        const auto tilted = [&](double t) {
+            Test other = test;
+            for (Run &run : measurement(other).runs) {
+                for (std::size_t i = 0; i < run.deviations.size(); ++i)
+                    *run.deviations[i] += t / 1000 * (positions[i] - positions.front()) / length;
+            }
+            return evaluated(other);
+        };
+        const TestEvaluation up = tilted(5);
+        const TestEvaluation down = tilted(-5);
+        int looked = 0;
+        for (const Parameter &p : evaluation.parameters) {
+            if (!p.effectiveSystematic)
+                continue;
+            ++looked;
+            const double expected =
+                std::max(*parameter(up, p.term.id)->value, *parameter(down, p.term.id)->value) - *p.value;
+            COMPARE_NEAR(micrometres(p.effectiveSystematic), expected * 1000, 1e-9);
+            QVERIFY(*p.effectiveSystematic >= 0 && *p.effectiveSystematic <= 0.005 + 1e-12);
+            QVERIFY(*p.actualUncertainty <= *p.budgetUncertainty + 1e-12);
+        }
+        QVERIFY(looked >= 2);
+    }
+}
+
+void PositioningBudgetTest::fixedPartCountsInFull() {
+    Test test = positioningTest("ISO 230-2:2006", {0, 500, 1000}, {{1, 6, 1}, {1, 6, 1}},
+                                {{-1, -6, -1}, {-1, -6, -1}});
+    PositioningMeasurement &m = measurement(test);
+    stateNothing(m);
+    m.uncertainty.device = {DeviceKind::certificate, 0.8, 0.0, 2};
+    const auto effective = [&] { return micrometres(parameter(evaluated(test), "E")->effectiveSystematic); };
+    COMPARE_NEAR(effective(), 0.8, 1e-12); // E is ruled by one target, which a tilt does not reach
+    m.uncertainty.device = {DeviceKind::certificate, 0.0, 0.8, 2};
+    COMPARE_NEAR(effective(), 0.0, 1e-9);
+    m.uncertainty.device = {DeviceKind::certificate, 0.3, 0.5, 2};
+    COMPARE_NEAR(effective(), std::sqrt(0.8 * 0.8 - 0.5 * 0.5), 1e-9);
+    m.axis.motion = Motion::rotary; // arc seconds, nothing grows
+    m.uncertainty.device = {DeviceKind::certificate, 0.8, 0.0, 2};
+    COMPARE_NEAR(*parameter(evaluated(test), "E")->effectiveSystematic * 3600, 0.8, 1e-12);
 }
 
 void PositioningBudgetTest::vdi() {

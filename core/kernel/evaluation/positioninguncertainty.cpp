@@ -1,0 +1,301 @@
+#include "kernel/evaluation/positioninguncertainty.h"
+
+#include "kernel/evaluation/decideuncertainty.h"
+#include "kernel/numerics/normalquantile.h"
+#include "kernel/uncertainty/coefficients.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace palmer {
+
+namespace {
+
+using Targets = std::span<const TargetStatistics>;
+
+const Row *rowOf(const TestEvaluation &evaluation, const Parameter &p) {
+    const auto row = std::ranges::find_if(
+        evaluation.edition->rows, [&](const Row &r) { return std::string_view(r.term.id) == p.term.id; });
+    return row == evaluation.edition->rows.end() ? nullptr : &*row;
+}
+
+const TargetStatistics &targetOf(const Ruling &ruling, Targets targets) {
+    return targets[static_cast<std::size_t>(ruling.target) - 1];
+}
+
+/// The fewest readings at any target, in the directions the parameter looks at.
+RulingReadings fewest(const Row &row, Targets targets) {
+    int n = std::numeric_limits<int>::max();
+    for (const TargetStatistics &target : targets) {
+        if ((row.needs & upward) != 0)
+            n = std::min(n, target.positive.n);
+        if ((row.needs & downward) != 0)
+            n = std::min(n, target.negative.n);
+    }
+    return {n, n, std::nullopt};
+}
+
+/// The direction by which R_i is as large as it is; null: both together with B_i.
+std::optional<Direction> rulingDirection(const TargetStatistics &target, double c) {
+    const double up = repeatability(target.positive, c);
+    const double down = repeatability(target.negative, c);
+    if (std::max(up, down) < c * target.positive.s + c * target.negative.s + std::abs(target.reversal()))
+        return std::nullopt;
+    return up >= down ? Direction::positive : Direction::negative;
+}
+
+/// Of the means of a target the larger (or the smaller).
+Direction directionOfMean(const TargetStatistics &target, bool larger) {
+    return (target.positive.mean >= target.negative.mean) == larger ? Direction::positive
+                                                                    : Direction::negative;
+}
+
+Rulers rulersOf(const Parameter &p, const Row &row, Targets targets, double c) {
+    const auto &[first, second] = p.ruling;
+    if (!first)
+        return {fewest(row, targets), fewest(row, targets), false};
+    const auto end = [&](const Ruling &ruling) {
+        const TargetStatistics &target = targetOf(ruling, targets);
+        return RulingReadings{target.positive.n, target.negative.n, ruling.approach};
+    };
+    const Ruling &other = second.value_or(*first);
+    Rulers result{end(*first), end(other), first->target == other.target};
+    const std::string_view id = p.term.id;
+    if (id == "R" && !result.upper.approach)
+        result.upper.approach = rulingDirection(targetOf(*first, targets), c);
+    if (id == "P") {
+        result.upper.approach = directionOfMean(targetOf(*first, targets), true);
+        result.lower.approach = directionOfMean(targetOf(other, targets), false);
+    }
+    return result;
+}
+
+/// A parameter of readings that are tilted by t at the distance L from the first target: s stays as it is.
+class Tilted {
+public:
+    Tilted(const PositioningMeasurement &measurement, double length, Targets targets)
+        : m_measurement(measurement)
+        , m_length(length)
+        , m_targets(targets)
+        , m_tilted(targets.begin(), targets.end()) {}
+
+    double value(const Row &row, double t, double c) {
+        for (std::size_t i = 0; i < m_tilted.size(); ++i) {
+            const double part = t * (m_measurement.targets[i] - m_measurement.targets.front()) / m_length;
+            m_tilted[i].positive.mean = m_targets[i].positive.mean + part;
+            m_tilted[i].negative.mean = m_targets[i].negative.mean + part;
+        }
+        return row.value(m_tilted, c).value;
+    }
+
+private:
+    const PositioningMeasurement &m_measurement;
+    double m_length;
+    Targets m_targets;
+    std::vector<TargetStatistics> m_tilted;
+};
+
+/// Half of the shortest interval that holds 95.45 % of a parameter whose readings are tilted by S and nothing
+/// else: normally distributed (S is 2 deviations) or uniformly.
+double halfIntervalOfTilts(Tilted &tilted, const Row &row, double systematic, double c, bool normal) {
+    constexpr int count = 200;
+    const double deviation = systematic / 2;
+    std::vector<double> values;
+    for (int k = 0; k < count; ++k) {
+        const double place = (k + 0.5) / count;
+        const double t = normal ? normalQuantile(place) : std::sqrt(3.0) * (2 * place - 1);
+        values.push_back(tilted.value(row, deviation * t, c));
+    }
+    std::ranges::sort(values);
+    const auto held = static_cast<std::size_t>(std::ceil(coverageProbability * count));
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + held <= values.size(); ++k)
+        shortest = std::min(shortest, values[k + held - 1] - values[k]);
+    return shortest / 2;
+}
+
+/// The part of S that grows with the length, and the square of the rest.
+struct Systematic {
+    double growing = 0;
+    double restSquared = 0;
+};
+
+Systematic partsOf(const PositioningBudget &budget, double systematic) {
+    const Contribution *device = budget.find(deviceId);
+    const double whole = device ? device->expanded.value_or(0) : 0;
+    const double growing = std::max(0.0, whole - budget.fixedDevice);
+    const double others = systematic * systematic - whole * whole;
+    Systematic result;
+    result.growing = std::sqrt(std::max(0.0, others + growing * growing));
+    result.restSquared = std::max(0.0, whole * whole - growing * growing);
+    return result;
+}
+
+/// The scatter of the readings at a target and direction that rules, as the drift of a simulation widens it;
+/// 1: not at all.
+double widening(const Parameter &p, const Row &row, const PositioningBudget &budget,
+                const PositioningMeasurement &measurement, Targets targets) {
+    constexpr double twelve = 12; // variance of a uniform distribution
+    if ((row.needs & scatter) == 0 || measurement.uncertainty.driftModel == DriftModel::linear)
+        return 1;
+    const double range = budget.environmental().value_or(0) / rectangularFactor;
+    double widest = 1;
+    const auto look = [&](const DirectionStatistics &d) {
+        if (!std::isfinite(d.s) || range == 0)
+            return;
+        const double wide = std::sqrt(d.s * d.s + range * range / twelve);
+        widest = std::max(widest, d.s > 0 ? wide / d.s : std::numeric_limits<double>::infinity());
+    };
+    for (const auto &ruling : p.ruling) {
+        if (!ruling)
+            continue;
+        const TargetStatistics &target = targetOf(*ruling, targets);
+        if (ruling->approach != Direction::negative)
+            look(target.positive);
+        if (ruling->approach != Direction::positive)
+            look(target.negative);
+    }
+    return widest;
+}
+
+/// Without the targets that rule it the parameter is smaller by no more than `uncertainty`: from trial to
+/// trial another target may rule.
+bool othersComeClose(const Parameter &p, const Row &row, Targets targets, double c, double uncertainty) {
+    std::vector<TargetStatistics> others;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const bool rules = std::ranges::any_of(p.ruling, [&](const std::optional<Ruling> &ruling) {
+            return ruling && static_cast<std::size_t>(ruling->target) == i + 1;
+        });
+        if (!rules)
+            others.push_back(targets[i]);
+    }
+    const double without = row.value(others, c).value;
+    return std::isfinite(without) && *p.value - without <= uncertainty;
+}
+
+bool agrees(double found, double expected) {
+    return std::abs(found - expected) <= agreementOfMethods * expected;
+}
+
+/// Why the errors that tilt the readings make the difference; null: they do not. `environment`: what is left
+/// of U without S.
+std::optional<Text> reasonOfTilt(const Parameter &p, const Row &row, Tilted &tilted, double systematic,
+                                 double environment, double c, bool fixedPart) {
+    const SimulatedParameter &simulated = *p.simulated;
+    const double all =
+        std::max(tilted.value(row, systematic, c), tilted.value(row, -systematic, c)) - *p.value;
+    const double followed = std::hypot(all, environment);
+    if (fixedPart && (agrees(simulated.expanded(), followed) || agrees(2 * simulated.u, followed)))
+        return REPORT_TEXT(
+            "report", "%1: budget and Monte Carlo differ by more than 20 %: the simulation lets the fixed "
+                      "part of the instrument's uncertainty grow with the length, the budget counts it in "
+                      "full.");
+    for (const bool normal : {true, false}) {
+        const double half = halfIntervalOfTilts(tilted, row, systematic, c, normal);
+        if (agrees(simulated.expanded(), std::hypot(half, environment)))
+            return REPORT_TEXT("report", "%1: budget and Monte Carlo differ by more than 20 %: readings that "
+                                         "the errors tilt one way or the other let other targets rule, which "
+                                         "the budget does not follow.");
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+void addPositioningBudget(TestEvaluation &evaluation, const PositioningMeasurement &measurement,
+                          const PositioningBudget &budget, Targets targets) {
+    UncertaintyEvaluation &uncertainty = evaluation.uncertainty;
+    uncertainty.contributions = budget.contributions;
+    uncertainty.length = budget.length;
+    uncertainty.systematic = budget.systematic();
+    const auto environmental = budget.environmental();
+    if (!uncertainty.systematic || !environmental)
+        return;
+    uncertainty.complete = true;
+    const double c = evaluation.edition->c;
+    const Systematic parts = partsOf(budget, *uncertainty.systematic);
+    const double length = budget.length.value_or(0);
+    Tilted tilted(measurement, length, targets);
+    for (Parameter &p : evaluation.parameters) {
+        const Row *row = rowOf(evaluation, p);
+        const Coefficients *coefficients = palmer::coefficients(p.term.id);
+        if (!p.value || !coefficients || !row)
+            continue;
+        const Rulers rulers = rulersOf(p, *row, targets, c);
+        p.budgetUncertainty = combined(*coefficients, *uncertainty.systematic, *environmental, rulers, c);
+        if (!coefficients->systematic || !p.budgetUncertainty)
+            continue;
+        double carried = 0;
+        if (parts.growing > 0 && length > 0) {
+            const double largest =
+                std::max(tilted.value(*row, parts.growing, c), tilted.value(*row, -parts.growing, c));
+            carried = std::max(0.0, largest - *p.value);
+        }
+        p.effectiveSystematic = std::sqrt(carried * carried + parts.restSquared);
+        p.actualUncertainty = combined(*coefficients, *p.effectiveSystematic, *environmental, rulers, c);
+    }
+}
+
+Message reasonOfDifference(const Parameter &p, const TestEvaluation &evaluation,
+                           const PositioningMeasurement &measurement, const PositioningBudget &budget,
+                           Targets targets) {
+    const Row *row = rowOf(evaluation, p);
+    const SimulatedParameter &simulated = *p.simulated;
+    const double byBudget = *p.budgetUncertainty;
+    const double c = evaluation.edition->c;
+    const Number length{budget.length.value_or(0),
+                        measurement.axis.motion == Motion::linear ? Quantity::position : Quantity::angle};
+    const auto position = [&](const Ruling &ruling) {
+        return measurement.targets[static_cast<std::size_t>(ruling.target) - 1];
+    };
+    const bool close = p.actualUncertainty && p.ruling[0] && p.ruling[1] && budget.length &&
+                       *p.actualUncertainty < byBudget &&
+                       std::abs(position(*p.ruling[0]) - position(*p.ruling[1])) < *budget.length;
+    if (close && agrees(simulated.expanded(), *p.actualUncertainty))
+        return {REPORT_TEXT("report",
+                            "%1: budget and Monte Carlo differ by more than 20 %: the ruling targets "
+                            "lie closer together than the length L = %2 of the budget."),
+                {length}};
+    const double ofMean = byBudget / std::sqrt(static_cast<double>(std::max<std::size_t>(targets.size(), 1)));
+    if (!p.ruling[0] && simulated.expanded() < byBudget && agrees(simulated.expanded(), ofMean))
+        return {REPORT_TEXT("report",
+                            "%1: budget and Monte Carlo differ by more than 20 %: the mean over all targets "
+                            "is less uncertain than the single target used in the budget.")};
+    const double asNormal = 2 * simulated.u;
+    if (agrees(asNormal, byBudget))
+        return {REPORT_TEXT("report",
+                            "%1: budget and Monte Carlo differ by more than 20 %: the results of the "
+                            "trials are not normally distributed, half of their 95.45 % interval "
+                            "is not 2u.")};
+    if (close && agrees(asNormal, *p.actualUncertainty))
+        return {REPORT_TEXT("report",
+                            "%1: budget and Monte Carlo differ by more than 20 %: the ruling targets lie "
+                            "closer together than the length L = %2 of the budget, and the results of the "
+                            "trials are not normally distributed."),
+                {length}};
+    const double systematic = p.effectiveSystematic ? evaluation.uncertainty.systematic.value_or(0) : 0;
+    const double environment = std::sqrt(std::max(0.0, byBudget * byBudget - systematic * systematic));
+    if (row && systematic > 0 && budget.length.value_or(0) > 0) {
+        Tilted tilted(measurement, *budget.length, targets);
+        if (const auto reason =
+                reasonOfTilt(p, *row, tilted, systematic, environment, c, budget.fixedDevice > 0))
+            return {*reason};
+    }
+    if (environment > systematic && row &&
+        widening(p, *row, budget, measurement, targets) > 1 + agreementOfMethods)
+        return {REPORT_TEXT("report",
+                            "%1: budget and Monte Carlo differ by more than 20 %: the drift that the "
+                            "simulation adds to the readings widens the s of the ruling targets by more than "
+                            "20 %.")};
+    if (environment > systematic && row && p.ruling[0] && othersComeClose(p, *row, targets, c, byBudget))
+        return {REPORT_TEXT(
+            "report", "%1: budget and Monte Carlo differ by more than 20 %: other targets come within U "
+                      "of those that rule; from trial to trial another one rules.")};
+    return {REPORT_TEXT("report",
+                        "%1: budget and Monte Carlo differ by more than 20 %; no single reason that "
+                        "is known explains it.")};
+}
+
+} // namespace palmer
