@@ -1,5 +1,6 @@
 #include "ui/fonts.h"
 #include "ui/theme.h"
+#include "ui/typingguard.h"
 #include "ui/wheelguard.h"
 #include "ui/window/mainwindow.h"
 #include "ui/windowlanguage.h"
@@ -23,6 +24,7 @@ int main(int argc, char *argv[]) {
     restoreWindowLanguage();
     installTheme();
     guardWheel(application);
+    guardTyping(application);
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();

@@ -5273,5 +5273,9 @@
         <source>A new test, an import, a file, an example. A file holds one report: a machine, its instruments and any number of tests. A further test takes over what is stated of the one in view, but nothing that was measured and no limits.</source>
         <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
     </message>
+    <message>
+        <source>readings set aside keep value and reason, not taken: %1</source>
+        <translation>relevés écartés gardant valeur et motif, non remplacés : %1</translation>
+    </message>
 </context>
 </TS>

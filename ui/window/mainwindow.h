@@ -85,6 +85,8 @@ private:
     bool save();
     bool saveAs();
     bool mayClose();
+    bool mayForget(const QStringList &refused);
+    [[nodiscard]] static QString notTaken(const QStringList &refused);
     void read(const QString &path);
     MainWindow *take(Document document, const QString &path, bool modified = false);
     /// `ofThisFile`: the statements of the test in view may be taken over.
