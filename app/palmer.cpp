@@ -1,6 +1,7 @@
 #include "ui/fonts.h"
 #include "ui/settings.h"
 #include "ui/theme.h"
+#include "ui/typingguard.h"
 #include "ui/wheelguard.h"
 #include "ui/window/endofsession.h"
 #include "ui/window/mainwindow.h"
@@ -30,6 +31,7 @@ int main(int argc, char *argv[]) {
     installTheme();
     guardWheel(application);
     keepCopiesAtEnd(application);
+    guardTyping(application);
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();

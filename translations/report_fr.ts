@@ -5258,6 +5258,10 @@
         <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
     </message>
     <message>
+        <source>readings set aside keep value and reason, not taken: %1</source>
+        <translation>relevés écartés gardant valeur et motif, non remplacés : %1</translation>
+    </message>
+    <message>
         <source>the budget with the actual targets is for positioning tests</source>
         <translation>le budget avec les points réels est réservé aux essais de positionnement</translation>
     </message>

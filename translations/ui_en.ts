@@ -188,6 +188,14 @@
         <translation>
             <numerusform>%1 and %n target</numerusform><numerusform>%1 and %n targets</numerusform></translation>
     </message>
+    <message numerus="yes">
+        <source>%1, %n erased by empty cells</source>
+        <comment>readings pasted</comment>
+        <translation>
+            <numerusform>%1, %n erased by an empty cell</numerusform>
+            <numerusform>%1, %n erased by empty cells</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::PlanDialog</name>
@@ -239,6 +247,16 @@
         <source>%n reading(s)</source>
         <translation>
             <numerusform>%n reading</numerusform><numerusform>%n readings</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ReadingsModel</name>
+    <message numerus="yes">
+        <source>%n reading(s) set aside and left so: take back first (%1)</source>
+        <translation>
+            <numerusform>%n reading set aside and left so: take back first (%1)</numerusform>
+            <numerusform>%n readings set aside and left so: take back first (%1)</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -720,6 +720,26 @@
         <comment>unit</comment>
         <translation>Longueurs %1</translation>
     </message>
+    <message>
+        <source>a circle needs a nominal radius</source>
+        <translation>un cercle a besoin d’un rayon nominal</translation>
+    </message>
+    <message>
+        <source>not greater than 0</source>
+        <translation>pas supérieur à 0</translation>
+    </message>
+    <message>
+        <source>the range needs both ends</source>
+        <translation>l’étendue a besoin de ses deux extrémités</translation>
+    </message>
+    <message>
+        <source>not below the upper end of the range</source>
+        <translation>pas inférieur à la fin de l’étendue</translation>
+    </message>
+    <message>
+        <source>not above the lower end of the range</source>
+        <translation>pas supérieur au début de l’étendue</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::CompareDialog</name>
@@ -968,10 +988,6 @@
     <message>
         <source>applied here</source>
         <translation>appliquée ici</translation>
-    </message>
-    <message>
-        <source>agreed or the maker's procedure</source>
-        <translation>procédure convenue ou du constructeur</translation>
     </message>
     <message>
         <source>dry run</source>
@@ -1317,6 +1333,10 @@
         <source>Reference length calibrated</source>
         <translation>Longueur de référence étalonnée</translation>
     </message>
+    <message>
+        <source>agreed or the maker&apos;s procedure</source>
+        <translation>procédure convenue ou du constructeur</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::DriftModel</name>
@@ -1453,18 +1473,6 @@
         <translation>Vitesse d’avance de contournage</translation>
     </message>
     <message>
-        <source>Specified &amp;diameter d₂</source>
-        <translation>&amp;Diamètre spécifié d₂</translation>
-    </message>
-    <message>
-        <source>Specified &amp;feed V₂</source>
-        <translation>&amp;Avance spécifiée V₂</translation>
-    </message>
-    <message>
-        <source>Diameter of the &amp;test d₁</source>
-        <translation>Diamètre de l’&amp;essai d₁</translation>
-    </message>
-    <message>
         <source>Feed of the test V₁</source>
         <translation>Avance de l’essai V₁</translation>
     </message>
@@ -1475,6 +1483,26 @@
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>a number is needed</source>
+        <translation>il faut un nombre</translation>
+    </message>
+    <message>
+        <source>not greater than 0</source>
+        <translation>pas supérieur à 0</translation>
+    </message>
+    <message>
+        <source>Specified diameter d₂</source>
+        <translation>Diamètre spécifié d₂</translation>
+    </message>
+    <message>
+        <source>Specified feed V₂</source>
+        <translation>Avance spécifiée V₂</translation>
+    </message>
+    <message>
+        <source>Diameter of the test d₁</source>
+        <translation>Diamètre de l’essai d₁</translation>
     </message>
 </context>
 <context>
@@ -2667,6 +2695,18 @@
         <translation>Expor&amp;ter</translation>
     </message>
     <message>
+        <source>“%1”</source>
+        <translation>« %1 »</translation>
+    </message>
+    <message>
+        <source>Typed and shown in red, but never taken: %1. It is not saved.</source>
+        <translation>Saisi et affiché en rouge, mais jamais pris en compte : %1. Cela n’est pas enregistré.</translation>
+    </message>
+    <message>
+        <source>Close without what could not be taken?</source>
+        <translation>Fermer sans ce qui n’a pas pu être pris en compte ?</translation>
+    </message>
+    <message>
         <source>%1 is no longer where it was. Save it before closing?</source>
         <translation>%1 n’est plus à sa place. L’enregistrer avant de fermer ?</translation>
     </message>
@@ -2865,6 +2905,30 @@
         <source>The travel is a number above 0.</source>
         <translation>La course est un nombre supérieur à 0.</translation>
     </message>
+    <message>
+        <source>The number of runs each way is a whole number from 1 to %1.</source>
+        <translation>Le nombre de passes par sens est un nombre entier de 1 à %1.</translation>
+    </message>
+    <message>
+        <source>The first target is a number.</source>
+        <translation>Le premier point visé est un nombre.</translation>
+    </message>
+    <message>
+        <source>The last target is a number.</source>
+        <translation>Le dernier point visé est un nombre.</translation>
+    </message>
+    <message>
+        <source>The last target lies above the first.</source>
+        <translation>Le dernier point visé se trouve au-dessus du premier.</translation>
+    </message>
+    <message>
+        <source>The number of targets is a whole number from %1 to %2.</source>
+        <translation>Le nombre de points visés est un nombre entier de %1 à %2.</translation>
+    </message>
+    <message>
+        <source>A new test has %1 readings at most: fewer targets or runs.</source>
+        <translation>Un nouvel essai a au plus %1 relevés : moins de points visés ou de passes.</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::PasteBar</name>
@@ -2925,6 +2989,26 @@
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
+    <message numerus="yes">
+        <source>%1, %n erased by empty cells</source>
+        <comment>readings pasted</comment>
+        <translation>
+            <numerusform>%1, %n effacé par une cellule vide</numerusform>
+            <numerusform>%1, %n effacés par des cellules vides</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Undo the paste</source>
+        <translation>Annuler le collage</translation>
+    </message>
+    <message>
+        <source>Takes back what was pasted, also what it has erased</source>
+        <translation>Reprend ce qui a été collé et rétablit ce qui a été effacé</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::PlanDialog</name>
@@ -2967,10 +3051,6 @@
     <message>
         <source>Approach distance</source>
         <translation>Distance d’approche</translation>
-    </message>
-    <message>
-        <source>cannot be so</source>
-        <translation>valeur impossible</translation>
     </message>
     <message>
         <source>These numbers give no plan: too many targets, or too few decimals to tell them apart.</source>
@@ -3086,6 +3166,22 @@
         <translation>Cycle de mesure</translation>
     </message>
     <message>
+        <source>a number is needed</source>
+        <translation>il faut un nombre</translation>
+    </message>
+    <message>
+        <source>not greater than 0</source>
+        <translation>pas supérieur à 0</translation>
+    </message>
+    <message>
+        <source>not from %1 to %2</source>
+        <translation>pas entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>not a whole number</source>
+        <translation>pas un nombre entier</translation>
+    </message>
+    <message>
         <source>No part program: %1</source>
         <translation>Pas de programme pièce : %1</translation>
     </message>
@@ -3150,6 +3246,17 @@
     <message>
         <source>Far from the other readings here: a typing error?</source>
         <translation>Loin des autres relevés de ce point : une erreur de saisie ?</translation>
+    </message>
+    <message>
+        <source>%1: not taken, the target stays where it was</source>
+        <translation>%1 : non pris en compte, le point visé reste où il était</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) set aside and left so: take back first (%1)</source>
+        <translation>
+            <numerusform>%n relevé écarté laissé ainsi : le reprendre d’abord (%1)</numerusform>
+            <numerusform>%n relevés écartés laissés ainsi : les reprendre d’abord (%1)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3271,6 +3378,10 @@
     <message>
         <source>Take &amp;back</source>
         <translation>Re&amp;prendre</translation>
+    </message>
+    <message>
+        <source>nothing to fill with: the first cell has no reading</source>
+        <translation>rien à recopier : la première cellule n’a pas de relevé</translation>
     </message>
 </context>
 <context>

@@ -199,7 +199,11 @@ private:
 
     void put(const ReadingPlace &place, const TableCell &cell) {
         PositioningMeasurement &m = m_result.measurement;
-        if (cell.kind == CellKind::empty || cell.kind == CellKind::missing) {
+        const bool none = cell.kind == CellKind::empty || cell.kind == CellKind::missing;
+        if (excludedAt(m, place)) {
+            m_result.aside += none ? 0 : 1;
+        } else if (none) {
+            m_result.erased += readingAt(m, place) || refusedAt(m, place) ? 1 : 0;
             setReading(m, place, std::nullopt);
         } else if (cell.isNumber()) {
             ++m_result.readings;
@@ -233,6 +237,10 @@ private:
         if (m_result.refused > 0)
             remarks.push_back(
                 {REPORT_TEXT("report", "no numbers, kept in red: %1"), {count(m_result.refused)}});
+        if (m_result.aside > 0)
+            remarks.push_back(
+                {REPORT_TEXT("report", "readings set aside keep value and reason, not taken: %1"),
+                 {count(m_result.aside)}});
         if (m_result.left > 0)
             remarks.push_back(
                 {REPORT_TEXT("report", "outside the table and not taken: %1"), {count(m_result.left)}});

@@ -47,8 +47,10 @@ struct PastedBlock {
     PositioningMeasurement measurement;
     std::size_t readings = 0; ///< numbers taken as readings
     std::size_t targets = 0;  ///< numbers taken as target positions
-    std::size_t refused = 0;  ///< cells that are no numbers: kept as they are, shown red, missing
-    std::size_t left = 0;     ///< cells outside the table, not taken
+    std::size_t erased = 0; ///< readings (or texts in their place) that empty cells and words for "none" took
+    std::size_t aside = 0;  ///< cells that met a reading set aside: not taken, it keeps value and reason
+    std::size_t refused = 0; ///< cells that are no numbers: kept as they are, shown red, missing
+    std::size_t left = 0;    ///< cells outside the table, not taken
     Choice<DecimalMark> decimalMark;
     Delimiter delimiter = Delimiter::tab;
     bool hasMarks = false; ///< whether there is a decimal mark in the block at all
@@ -56,11 +58,12 @@ struct PastedBlock {
 };
 
 /// Puts a block (lines of cells, parted by tabs, as every spreadsheet copies them; or by what readTable
-/// recognises) into a measurement. Empty cells and words for "none" make the reading missing. Lines above the
-/// first number are headings and left out. A block that begins with the target positions themselves (or with
-/// their numbers too) may be put on the first reading: these columns are recognised and left out. From the
-/// columns of number and position on, the block may bring the targets, also more than there are; they have to
-/// ascend. What has no place is counted and said, never put elsewhere. Throws what readTable throws.
+/// recognises) into a measurement. Empty cells and words for "none" make the reading missing; a reading set
+/// aside stays as it is. Lines above the first number are headings and left out. A block that begins with the
+/// target positions themselves (or with their numbers too) may be put on the first reading: these columns are
+/// recognised and left out. From the columns of number and position on, the block may bring the targets, also
+/// more than there are; they have to ascend. What has no place is counted and said, never put elsewhere.
+/// Throws what readTable throws.
 [[nodiscard]] PastedBlock pasteBlock(PositioningMeasurement measurement, std::string text, BlockPlace place,
                                      const BlockChoices &choices);
 

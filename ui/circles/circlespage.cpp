@@ -15,19 +15,16 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableView>
 #include <QToolButton>
-#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -48,12 +45,7 @@ constexpr int cellMargin = 16;
 constexpr int rowsLookedAt = 50; ///< for the width of a column
 constexpr int leastHeightForPoints = 480;
 constexpr int gridColumns = 12;
-constexpr double longestRadius = 1e5; ///< mm
-constexpr double fastestFeed = 1e6;   ///< mm/min
-constexpr double farthestAngle = 1e6; ///< degrees
-constexpr int radiusDecimals = 4;
-constexpr int feedDecimals = 3;
-constexpr int angleDecimals = 3;
+constexpr int angleWidth = 92;
 
 /// The planes offered: right-handed first.
 constexpr std::array<std::array<const char *, 2>, 6> planes{
@@ -61,46 +53,6 @@ constexpr std::array<std::array<const char *, 2>, 6> planes{
 
 QString planeText(const std::string &first, const std::string &second) {
     return QString::fromStdString(first) + QStringLiteral(" → ") + QString::fromStdString(second);
-}
-
-/// A number as it was entered: without zeros at its end.
-class NumberBox : public QDoubleSpinBox {
-public:
-    using QDoubleSpinBox::QDoubleSpinBox;
-
-    [[nodiscard]] QString textFromValue(double value) const override {
-        QString text = locale().toString(value, 'f', decimals());
-        if (const QString group = locale().groupSeparator(); !group.isEmpty())
-            text.replace(group, QChar(0x202F));
-        const QString point = locale().decimalPoint();
-        if (text.contains(point)) {
-            while (text.endsWith(u'0'))
-                text.chop(1);
-            if (text.endsWith(point))
-                text.chop(point.size());
-        }
-        return text.replace(u'-', QChar(0x2212));
-    }
-    [[nodiscard]] double valueFromText(const QString &text) const override {
-        return QDoubleSpinBox::valueFromText(
-            QString(text).replace(QChar(0x2212), u'-').remove(QChar(0x202F)));
-    }
-    [[nodiscard]] QValidator::State validate(QString &text, int &position) const override {
-        QString plain = text;
-        plain.replace(QChar(0x2212), u'-').remove(QChar(0x202F));
-        return QDoubleSpinBox::validate(plain, position);
-    }
-};
-
-NumberBox *makeNumber(QWidget *parent, const char *name, const QString &unit) {
-    auto *box = new NumberBox(parent);
-    box->setObjectName(QLatin1StringView(name));
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    box->setKeyboardTracking(false); // one step to undo for what is typed
-    box->setSuffix(unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit);
-    box->setFixedHeight(fieldHeight);
-    return box;
 }
 
 } // namespace
@@ -113,7 +65,8 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     , m_newArc(new QToolButton(this))
     , m_empty(new QLabel(this))
     , m_curves(new ArcCurvesView(selection, this))
-    , m_points(new QTableView(this)) {
+    , m_points(new QTableView(this))
+    , m_reason(new QLabel(this)) {
     setObjectName(QStringLiteral("circlesPage"));
     auto *units = new QButtonGroup(this);
     m_deviations = addUnit(*units, "first", "showRadialDeviations", PointUnit::deviations);
@@ -149,6 +102,11 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     makeRangeRow(*rangeRow);
     makeTables();
     makeActions();
+    m_reason->setObjectName(QStringLiteral("circlesReason"));
+    m_reason->setProperty("reason", true);
+    m_reason->setTextFormat(Qt::PlainText);
+    m_reason->setWordWrap(true);
+    m_reason->hide();
     m_empty->setObjectName(QStringLiteral("noArcs"));
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
@@ -162,6 +120,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     layout->addLayout(grid);
     layout->addWidget(m_arcs);
     layout->addLayout(rangeRow);
+    layout->addWidget(m_reason);
     layout->addWidget(m_curves);
     layout->addWidget(m_points, 1);
     layout->addWidget(m_empty, 1);
@@ -215,23 +174,43 @@ QComboBox *CirclesPage::addChoice(QGridLayout &grid, int row, int column, int sp
     return box;
 }
 
-QDoubleSpinBox *CirclesPage::addNumber(QGridLayout &grid, int row, int column, int span, const char *name,
-                                       const char *label, const QString &unit) {
-    NumberBox *box = makeNumber(this, name, unit);
-    labelled(grid, row, column, span, label, box);
-    return box;
+/// Each visit of a number is a step of its own to undo.
+Field *CirclesPage::makeNumber(const char *name) {
+    auto *field = new Field(Field::Kind::number, this);
+    field->edit()->setObjectName(QLatin1StringView(name));
+    connect(field, &Field::begun, this, [this] { ++m_visit; });
+    m_numbers.push_back(field);
+    return field;
+}
+
+QString CirclesPage::stepOf(const Field *field) const {
+    return QStringLiteral("circles/%1/%2/%3").arg(field->edit()->objectName()).arg(m_test).arg(m_visit);
+}
+
+/// A number above 0; `needed`: it cannot be left out.
+void CirclesPage::readPositive(Field *field, Quantity quantity, bool needed) {
+    field->setReader([this, quantity, needed](const QString &typed) -> Field::Reading {
+        const NumberEntry entry = enteredNumber(typed, quantity, m_language.units());
+        if (entry.refusal)
+            return {{}, m_language.text(*entry.refusal)};
+        if (!entry.value && needed)
+            return {{}, tr("a circle needs a nominal radius")};
+        if (entry.value && !(*entry.value > 0))
+            return {{}, tr("not greater than 0")};
+        return {entry.value ? m_language.number(*entry.value, quantity) : QString(), {}};
+    });
 }
 
 void CirclesPage::makeParameters(QGridLayout &grid) {
     for (int column = 0; column < gridColumns; ++column)
         grid.setColumnStretch(column, 1);
     m_plane = addChoice(grid, 0, 0, 3, "plane", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Plane"));
-    m_radius =
-        addNumber(grid, 0, 3, 3, "nominalRadius",
-                  QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Nominal radius"), QStringLiteral("mm"));
-    m_feed =
-        addNumber(grid, 0, 6, 3, "contouringFeed",
-                  QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Contouring feed"), QStringLiteral("mm/min"));
+    m_radius = makeNumber("nominalRadius");
+    m_feed = makeNumber("contouringFeed");
+    grid.addWidget(m_radius, 0, 3, 1, 3);
+    grid.addWidget(m_feed, 0, 6, 1, 3);
+    readPositive(m_radius, Quantity::position, true);
+    readPositive(m_feed, Quantity::feed, false);
     m_source =
         addChoice(grid, 0, 9, 3, "signalSource", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Source"));
     m_circle = addChoice(grid, 1, 0, 4, "referenceCircle",
@@ -243,20 +222,20 @@ void CirclesPage::makeParameters(QGridLayout &grid) {
     for (const auto &[first, second] : planes)
         m_plane->addItem(planeText(first, second),
                          QStringList({QLatin1String(first), QLatin1String(second)}));
-    m_radius->setDecimals(radiusDecimals);
-    m_radius->setRange(0, longestRadius);
-    m_feed->setDecimals(feedDecimals);
-    m_feed->setRange(0, fastestFeed);
 
     connect(m_plane, &QComboBox::activated, this, &CirclesPage::setPlane);
-    connect(m_radius, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        if (value > 0)
-            edit(QT_TRANSLATE_NOOP("edits", "change the nominal radius"),
-                 [value](CircularMeasurement &m) { m.nominalRadius = value; });
+    connect(m_radius, &Field::entered, this, [this] {
+        const auto value = enteredNumber(m_radius->valueText(), Quantity::position, m_language.units()).value;
+        if (value)
+            edit(
+                QT_TRANSLATE_NOOP("edits", "change the nominal radius"),
+                [value](CircularMeasurement &m) { m.nominalRadius = *value; }, stepOf(m_radius));
     });
-    connect(m_feed, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        edit(QT_TRANSLATE_NOOP("edits", "change the contouring feed"),
-             [value](CircularMeasurement &m) { m.feed = value > 0 ? std::optional(value) : std::nullopt; });
+    connect(m_feed, &Field::entered, this, [this] {
+        const auto value = enteredNumber(m_feed->valueText(), Quantity::feed, m_language.units()).value;
+        edit(
+            QT_TRANSLATE_NOOP("edits", "change the contouring feed"),
+            [value](CircularMeasurement &m) { m.feed = value; }, stepOf(m_feed));
     });
     connect(m_source, &QComboBox::activated, this, [this](int index) {
         edit(QT_TRANSLATE_NOOP("edits", "change the source of the signal"),
@@ -281,18 +260,13 @@ void CirclesPage::makeParameters(QGridLayout &grid) {
 void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     m_rangeLabel = new QLabel(this);
     m_rangeLabel->setProperty("secondary", true);
-    m_from = makeNumber(this, "evaluatedFrom", QStringLiteral("°"));
-    m_to = makeNumber(this, "evaluatedTo", QStringLiteral("°"));
-    for (QDoubleSpinBox *box : {m_from, m_to}) {
-        box->setDecimals(angleDecimals);
-        box->setRange(-farthestAngle, farthestAngle);
-        box->setFixedWidth(78);
-        connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
-            if (m_from->value() < m_to->value())
-                setRange(m_arc, Interval{m_from->value(), m_to->value()});
-            else
-                fillRange(); // an empty range says nothing: back to the one that holds
-        });
+    m_from = makeNumber("evaluatedFrom");
+    m_to = makeNumber("evaluatedTo");
+    for (Field *end : {m_from, m_to}) {
+        end->setBare();
+        end->setFixedWidth(angleWidth);
+        end->setReader([this, end](const QString &typed) { return readEnd(end, typed); });
+        connect(end, &Field::entered, this, [this, end] { typeRange(end); });
     }
     const auto button = [&](const char *name) {
         auto *made = new QPushButton(this);
@@ -341,6 +315,63 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     row.addWidget(m_delete);
 }
 
+/// An end of the evaluated range lies on its side of the other.
+Field::Reading CirclesPage::readEnd(const Field *end, const QString &typed) const {
+    const NumberEntry entry = enteredNumber(typed, Quantity::angle, m_language.units());
+    if (entry.refusal)
+        return {{}, m_language.text(*entry.refusal)};
+    if (!entry.value)
+        return {{}, tr("the range needs both ends")};
+    const Field *other = end == m_from ? m_to : m_from;
+    const auto beyond = enteredNumber(other->text(), Quantity::angle, m_language.units()).value;
+    if (beyond && end == m_from && !(*entry.value < *beyond))
+        return {{}, tr("not below the upper end of the range")};
+    if (beyond && end == m_to && !(*beyond < *entry.value))
+        return {{}, tr("not above the lower end of the range")};
+    return {m_language.number(*entry.value, Quantity::angle), {}};
+}
+
+void CirclesPage::typeRange(const Field *end) {
+    (end == m_from ? m_to : m_from)->reread(); // what it lacked may be this
+    const auto number = [this](const Field *field) {
+        return enteredNumber(field->valueText(), Quantity::angle, m_language.units()).value;
+    };
+    const auto from = number(m_from);
+    const auto to = number(m_to);
+    const CircularMeasurement *shown = measurement();
+    const auto now =
+        shown && m_arc < shown->arcs.size() ? iso230_4::evaluatedRange(shown->arcs[m_arc]) : std::nullopt;
+    if (from && to && *from < *to && now != Interval{*from, *to})
+        setRange(m_arc, Interval{*from, *to}, stepOf(end));
+    showReason();
+}
+
+/// Why something here is red: an end of the range, or the point that was typed last.
+void CirclesPage::showReason() {
+    QString reason = m_pointReason;
+    for (const Field *end : {m_from, m_to}) {
+        if (end->isRefused())
+            reason = end->refusal();
+    }
+    if (!reason.isEmpty())
+        reason[0] = reason[0].toUpper();
+    m_reason->setText(reason.isEmpty() ? reason : QStringLiteral("⚠ ") + reason);
+    m_reason->setVisible(!reason.isEmpty());
+}
+
+QString CirclesPage::shownArc() const {
+    return QString::fromStdString(m_shownId) + u'/' + QString::number(m_arc);
+}
+
+QStringList CirclesPage::refusedTexts() const {
+    QStringList texts = m_pointsModel.refusedTexts().texts() + m_refused.texts();
+    for (const Field *field : m_numbers) {
+        if (field->isRefused())
+            texts << field->text();
+    }
+    return texts;
+}
+
 void CirclesPage::makeActions() {
     const auto action = [this](const char *name, const QKeySequence &shortcut) {
         auto *made = new QAction(this);
@@ -386,7 +417,7 @@ void CirclesPage::addArcs(const std::vector<Arc> &arcs) {
          [&](CircularMeasurement &m) { m.arcs.insert(m.arcs.end(), arcs.begin(), arcs.end()); });
 }
 
-/// A point has to have a number: what is none is not taken, and it is said why.
+/// A point has to have a number: what is none stays in red and is not taken, and it is said why.
 void CirclesPage::typePoint(const QModelIndex &index, const QString &text) {
     const CircularMeasurement *shown = measurement();
     const auto place = m_pointsModel.placeAt(index);
@@ -399,12 +430,16 @@ void CirclesPage::typePoint(const QModelIndex &index, const QString &text) {
                                             : length ? Quantity::position
                                                      : Quantity::deviation,
                                             m_language.units());
-    if (!entry.value) {
-        const QString why = entry.refusal ? m_language.text(*entry.refusal) : tr("a point needs a number");
-        QToolTip::showText(m_points->viewport()->mapToGlobal(m_points->visualRect(index).bottomLeft()), why,
-                           m_points);
-        return;
+    if (entry.refusal) {
+        m_pointReason = m_language.text(*entry.refusal);
+        m_pointsModel.refuse(index, text, m_pointReason);
+    } else {
+        m_pointReason = entry.value ? QString() : tr("a point needs a number");
+        m_pointsModel.accept(index);
     }
+    showReason();
+    if (!entry.value)
+        return;
     const double value = length ? deviationFrom(shown->nominalRadius, *entry.value) : *entry.value;
     edit(QT_TRANSLATE_NOOP("edits", "change a point"), [&](CircularMeasurement &m) {
         if (place->run >= m.arcs.size() || place->target >= m.arcs[place->run].angles.size())
@@ -473,23 +508,30 @@ const CircularMeasurement *CirclesPage::measurement() const {
                : nullptr;
 }
 
-void CirclesPage::edit(const char *name, const std::function<void(CircularMeasurement &)> &change) {
+void CirclesPage::edit(const char *name, const std::function<void(CircularMeasurement &)> &change,
+                       const QString &mergeKey) {
     const DocumentPointer &document = m_model.document();
     if (m_filling || m_test >= document->tests.size() ||
         !std::holds_alternative<CircularMeasurement>(document->tests[m_test]->measurement))
         return;
-    m_model.edit(name, [&](Document &changed) {
-        auto test = std::make_shared<Test>(*changed.tests[m_test]);
-        change(std::get<CircularMeasurement>(test->measurement));
-        changed.tests[m_test] = std::move(test);
-    });
+    m_model.edit(
+        name,
+        [&](Document &changed) {
+            auto test = std::make_shared<Test>(*changed.tests[m_test]);
+            change(std::get<CircularMeasurement>(test->measurement));
+            changed.tests[m_test] = std::move(test);
+        },
+        mergeKey);
 }
 
-void CirclesPage::setRange(std::size_t arc, std::optional<Interval> range) {
-    edit(QT_TRANSLATE_NOOP("edits", "change the evaluated range of an arc"), [&](CircularMeasurement &m) {
-        if (arc < m.arcs.size())
-            m.arcs[arc].evaluated = range;
-    });
+void CirclesPage::setRange(std::size_t arc, std::optional<Interval> range, const QString &mergeKey) {
+    edit(
+        QT_TRANSLATE_NOOP("edits", "change the evaluated range of an arc"),
+        [&](CircularMeasurement &m) {
+            if (arc < m.arcs.size())
+                m.arcs[arc].evaluated = range;
+        },
+        mergeKey);
 }
 
 void CirclesPage::setPlane() {
@@ -501,8 +543,10 @@ void CirclesPage::setPlane() {
 }
 
 void CirclesPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
-    if (m_test != test)
+    if (m_test != test) {
+        leaveFields({m_from, m_to});
         m_arc = 0;
+    }
     m_evaluated = evaluated;
     m_test = test;
     refresh();
@@ -510,9 +554,6 @@ void CirclesPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
 
 void CirclesPage::setLanguage(const Language &language) {
     m_language = language;
-    const QLocale locale(language.id() == Language::Id::french ? QLocale::French : QLocale::English);
-    for (QDoubleSpinBox *box : {m_radius, m_feed, m_from, m_to})
-        box->setLocale(locale);
     retranslate();
 }
 
@@ -524,11 +565,16 @@ void CirclesPage::refresh() {
     if (!shown)
         return;
     m_filling = true;
+    if (const std::string &now = m_evaluated.document->tests[m_test]->id; now != m_shownId) {
+        leaveFields(m_numbers);
+        m_pointReason.clear();
+        m_shownId = now;
+    }
     m_arc = shown->arcs.empty() ? 0 : std::min(m_arc, shown->arcs.size() - 1);
     fillParameters(*shown);
     m_arcsModel.show(m_evaluated, m_test, m_language);
     m_pointsModel.show(m_evaluated, m_test, m_language);
-    const std::string &id = m_evaluated.document->tests[m_test]->id;
+    const std::string &id = m_shownId;
     if (!m_evaluated.isPending(m_test)) {
         m_curves->show(m_evaluated, m_test, m_language);
         m_curvesOf = id;
@@ -552,8 +598,10 @@ void CirclesPage::fillParameters(const CircularMeasurement &shown) {
         m_plane->addItem(plane, QStringList({QString::fromStdString(shown.plane.first),
                                              QString::fromStdString(shown.plane.second)}));
     m_plane->setCurrentIndex(m_plane->findText(plane));
-    m_radius->setValue(shown.nominalRadius);
-    m_feed->setValue(shown.feed.value_or(0));
+    m_radius->show(m_language.number(shown.nominalRadius, Quantity::position), false);
+    m_feed->show(shown.feed ? m_language.number(*shown.feed, Quantity::feed) : QString(), false);
+    for (Field *field : {m_radius, m_feed})
+        m_refused.giveBack(QString::fromStdString(m_shownId), *field);
     m_source->setCurrentIndex(static_cast<int>(shown.source));
     m_circle->setCurrentIndex(static_cast<int>(shown.referenceCircle));
     m_centring->setCurrentIndex(static_cast<int>(shown.centring));
@@ -565,12 +613,14 @@ void CirclesPage::fillRange() {
     const CircularMeasurement *shown = measurement();
     const bool any = shown && m_arc < shown->arcs.size();
     const auto range = any ? iso230_4::evaluatedRange(shown->arcs[m_arc]) : std::nullopt;
-    const bool before = std::exchange(m_filling, true);
-    m_from->setValue(range ? range->from : 0);
-    m_to->setValue(range ? range->to : 0);
-    m_filling = before;
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_from, m_to})
-        widget->setEnabled(range.has_value());
+    const auto angle = [&](double value) { return m_language.number(value, Quantity::angle); };
+    m_from->show(range ? angle(range->from) : QString(), false);
+    m_to->show(range ? angle(range->to) : QString(), false);
+    for (Field *end : {m_from, m_to}) {
+        end->setEnabled(range.has_value());
+        m_refused.giveBack(shownArc(), *end);
+    }
+    showReason();
     m_whole->setEnabled(any && shown->arcs[m_arc].evaluated.has_value());
     m_reverse->setEnabled(any);
     m_earlier->setEnabled(any && m_arc > 0);
@@ -578,8 +628,20 @@ void CirclesPage::fillRange() {
     m_delete->setEnabled(any);
 }
 
+/// Texts that are refused come back with what they were typed for.
+void CirclesPage::leaveFields(const std::vector<Field *> &fields) {
+    for (Field *field : fields) {
+        const bool ofArc = field == m_from || field == m_to;
+        m_refused.keep(ofArc ? shownArc() : QString::fromStdString(m_shownId), *field);
+        field->forget();
+    }
+}
+
 void CirclesPage::chooseArc(int row) {
-    m_arc = static_cast<std::size_t>(std::max(0, row));
+    const auto arc = static_cast<std::size_t>(std::max(0, row));
+    if (arc != m_arc)
+        leaveFields({m_from, m_to});
+    m_arc = arc;
     m_curves->setCurrentArc(m_arc);
     fillRange();
 }
@@ -681,11 +743,18 @@ void CirclesPage::retranslate() {
     m_circle->setToolTip(tr("The circles the width of which is G"));
     m_centring->setToolTip(tr("About which centre F is measured"));
     m_angle->setToolTip(tr("Whether the angles are those of the measured points or of the programmed path"));
-    m_feed->setSpecialValueText(tr("not stated"));
+    m_radius->setLabel(tr("Nominal radius"));
+    m_radius->setUnit(m_language.unit(Quantity::position));
+    m_feed->setLabel(tr("Contouring feed"));
+    m_feed->setUnit(m_language.unit(Quantity::feed));
+    m_feed->setPlaceholder(tr("not stated"));
+    m_reason->setFont(themeFont(TextSize::small));
     m_rangeLabel->setFont(themeFont(TextSize::small));
     m_rangeLabel->setText(tr("Evaluated"));
-    m_from->setAccessibleName(tr("Evaluated range, from"));
-    m_to->setAccessibleName(tr("Evaluated range, to"));
+    m_from->setLabel(tr("Evaluated range, from"));
+    m_to->setLabel(tr("Evaluated range, to"));
+    for (Field *end : {m_from, m_to})
+        end->setUnit(m_language.unit(Quantity::angle));
     m_whole->setText(tr("Whole arc"));
     m_whole->setToolTip(tr("Evaluate all of the arc, of more than 360° the middle 360°"));
     m_reverse->setText(tr("Reverse sense"));

@@ -4,6 +4,8 @@
 #include "language/language.h"
 #include "ui/circles/arcsmodel.h"
 #include "ui/circles/pointsmodel.h"
+#include "ui/forms/field.h"
+#include "ui/forms/refusedfields.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
 
@@ -14,7 +16,6 @@
 class QAction;
 class QButtonGroup;
 class QComboBox;
-class QDoubleSpinBox;
 class QGridLayout;
 class QHBoxLayout;
 class QLabel;
@@ -43,6 +44,9 @@ public:
     /// What can be done to arcs, for the menus of the window. Shortcuts work in the page.
     [[nodiscard]] const QList<QAction *> &testActions() const { return m_testActions; }
 
+    /// What was typed here, for any test, and cannot be taken.
+    [[nodiscard]] QStringList refusedTexts() const;
+
     /// Asks for the points of an arc, beginning with that text, and adds what is accepted.
     void askForArc(const QString &text);
     /// Puts arcs behind the others, as one step.
@@ -68,8 +72,14 @@ private:
     void typePoint(const QModelIndex &index, const QString &text);
     QComboBox *addChoice(QGridLayout &grid, int row, int column, int span, const char *name,
                          const char *label);
-    QDoubleSpinBox *addNumber(QGridLayout &grid, int row, int column, int span, const char *name,
-                              const char *label, const QString &unit);
+    Field *makeNumber(const char *name);
+    void readPositive(Field *field, Quantity quantity, bool needed);
+    [[nodiscard]] Field::Reading readEnd(const Field *end, const QString &typed) const;
+    void typeRange(const Field *end);
+    void showReason();
+    void leaveFields(const std::vector<Field *> &fields);
+    [[nodiscard]] QString shownArc() const;
+    [[nodiscard]] QString stepOf(const Field *field) const; ///< key of steps to undo that become one
     QWidget *labelled(QGridLayout &grid, int row, int column, int span, const char *label, QWidget *field);
     QToolButton *addUnit(QButtonGroup &group, const char *segment, const char *name, PointUnit unit);
 
@@ -86,15 +96,21 @@ private:
     void retranslate();
     [[nodiscard]] const CircularMeasurement *measurement() const;
     /// Changes the test in view; `name` is a source of the context "edits".
-    void edit(const char *name, const std::function<void(CircularMeasurement &)> &change);
-    void setRange(std::size_t arc, std::optional<Interval> range);
+    void edit(const char *name, const std::function<void(CircularMeasurement &)> &change,
+              const QString &mergeKey = {});
+    void setRange(std::size_t arc, std::optional<Interval> range, const QString &mergeKey = {});
 
     DocumentModel &m_model;
     Selection &m_selection;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
-    std::size_t m_arc = 0;  ///< the current one
+    std::size_t m_arc = 0; ///< the current one
+    std::string m_shownId; ///< of the test
+    int m_visit = 0;       ///< counts the numbers the focus came to
+    std::vector<Field *> m_numbers;
+    RefusedFields m_refused;
+    QString m_pointReason;  ///< why the point typed last is not taken
     std::string m_curvesOf; ///< id of the test the curves show
     bool m_filling = false;
     ArcsModel m_arcsModel;
@@ -102,16 +118,16 @@ private:
 
     std::vector<Labelled> m_labels;
     QComboBox *m_plane;
-    QDoubleSpinBox *m_radius;
-    QDoubleSpinBox *m_feed;
+    Field *m_radius;
+    Field *m_feed;
     QComboBox *m_source;
     QComboBox *m_circle;
     QComboBox *m_centring;
     QComboBox *m_angle;
     QTableView *m_arcs;
     QLabel *m_rangeLabel;
-    QDoubleSpinBox *m_from;
-    QDoubleSpinBox *m_to;
+    Field *m_from;
+    Field *m_to;
     QPushButton *m_whole;
     QPushButton *m_reverse;
     QToolButton *m_earlier;
@@ -125,6 +141,7 @@ private:
     QAction *m_deleteArcAction;
     ArcCurvesView *m_curves;
     QTableView *m_points;
+    QLabel *m_reason;
     QToolButton *m_deviations;
     QToolButton *m_coordinates;
     QToolButton *m_lengths;

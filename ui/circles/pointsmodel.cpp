@@ -1,6 +1,7 @@
 #include "ui/circles/pointsmodel.h"
 
 #include "kernel/evaluation/iso230_4/paths.h"
+#include "ui/circles/quiettable.h"
 #include "ui/theme.h"
 
 #include <QApplication>
@@ -17,12 +18,40 @@ constexpr int lengthDecimals = 5; ///< mm, as fine as the deviations
 
 } // namespace
 
+bool PointsModel::hasSameCells(const CircularMeasurement *measurement) const {
+    constexpr auto points = [](const Arc &arc) { return arc.angles.size(); };
+    return measurement && m_measurement &&
+           std::ranges::equal(measurement->arcs, m_measurement->arcs, {}, points, points);
+}
+
+/// A text goes when its point is another.
+void PointsModel::dropRefused(const CircularMeasurement *now) {
+    const bool same = hasSameCells(now);
+    m_refused.removeIf(m_id, [&](const RefusedTexts::Cell &cell) {
+        const auto number = [&cell](const CircularMeasurement &measurement) {
+            const Arc &arc = measurement.arcs[cell.column / 2];
+            return cell.column % 2 == 0 ? arc.angles[cell.row] : arc.radialDeviations[cell.row];
+        };
+        return !same || number(*now) != number(*m_measurement);
+    });
+}
+
+/// Where the cells stay the same only their data change: whoever types there goes on.
 void PointsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
-    beginResetModel();
+    const auto *measurement =
+        test < evaluated.tests.size()
+            ? std::get_if<CircularMeasurement>(&evaluated.document->tests[test]->measurement)
+            : nullptr;
+    const std::string id = measurement ? evaluated.document->tests[test]->id : std::string();
+    const bool same = id == m_id && hasSameCells(measurement);
+    if (id == m_id)
+        dropRefused(measurement);
+    const std::shared_ptr<const Document> former = m_document; // owns what was shown until now
+    if (!same)
+        beginResetModel();
     m_document = evaluated.document;
-    m_measurement = test < evaluated.tests.size()
-                        ? std::get_if<CircularMeasurement>(&m_document->tests[test]->measurement)
-                        : nullptr;
+    m_measurement = measurement;
+    m_id = id;
     m_language = language;
     m_arcs.clear();
     std::size_t rows = 0;
@@ -34,7 +63,30 @@ void PointsModel::show(const EvaluatedDocument &evaluated, std::size_t test, con
                           decimalsOf(arc.radialDeviations, Quantity::deviation, mostDeviationDecimals)});
     }
     m_rows = static_cast<int>(std::min<std::size_t>(rows, std::numeric_limits<int>::max() / 64));
-    endResetModel();
+    if (!same) {
+        endResetModel();
+    } else if (m_rows > 0) {
+        emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+        emit dataChanged(index(0, 0), index(m_rows - 1, columnCount() - 1));
+    }
+}
+
+RefusedTexts::Cell PointsModel::cellOf(const QModelIndex &index) const {
+    return {static_cast<std::size_t>(index.row()), 2 * arcOf(index.column()) + (isAngle(index) ? 0U : 1U)};
+}
+
+const RefusedTexts::Refused *PointsModel::refused(const QModelIndex &index) const {
+    return placeAt(index) ? m_refused.find(m_id, cellOf(index)) : nullptr;
+}
+
+void PointsModel::refuse(const QModelIndex &index, const QString &text, const QString &reason) {
+    m_refused.put(m_id, cellOf(index), text, reason);
+    emit dataChanged(index, index);
+}
+
+void PointsModel::accept(const QModelIndex &index) {
+    m_refused.remove(m_id, cellOf(index));
+    emit dataChanged(index, index);
 }
 
 void PointsModel::setUnit(PointUnit unit) {
@@ -86,6 +138,8 @@ QString PointsModel::text(const Arc &arc, const ArcColumns &columns, std::size_t
 
 /// All its digits, as a field takes them.
 QString PointsModel::plainText(const QModelIndex &index, const ReadingPlace &place) const {
+    if (const RefusedTexts::Refused *text = refused(index))
+        return text->text;
     const Arc &arc = m_measurement->arcs[place.run];
     const double deviation = arc.radialDeviations[place.target];
     QString text = isAngle(index) ? m_language.number(arc.angles[place.target], Quantity::angle)
@@ -116,6 +170,10 @@ QVariant PointsModel::data(const QModelIndex &index, int role) const {
         const auto place = placeAt(index);
         return place ? QVariant(plainText(index, *place)) : QVariant();
     }
+    if (role == QuietDelegate::refusedRole)
+        return refused(index) != nullptr;
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleDescriptionRole)
+        return refused(index) ? QVariant(refused(index)->reason) : QVariant();
     if (role != Qt::DisplayRole && role != Qt::ForegroundRole)
         return {};
     if (index.column() == 0)
@@ -126,6 +184,8 @@ QVariant PointsModel::data(const QModelIndex &index, int role) const {
         return {};
     const Arc &arc = m_measurement->arcs[place->run];
     const ArcColumns &columns = m_arcs[place->run];
+    if (const RefusedTexts::Refused *text = refused(index))
+        return role == Qt::DisplayRole ? QVariant(text->text) : QVariant();
     if (role == Qt::DisplayRole)
         return text(arc, columns, place->target, (index.column() - 1) % columnsPerArc());
     const double angle = arc.angles[place->target];

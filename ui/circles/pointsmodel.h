@@ -4,6 +4,7 @@
 #include "language/language.h"
 #include "ui/circles/arctexts.h"
 #include "ui/model/selection.h"
+#include "ui/refusedtexts.h"
 
 #include <QAbstractTableModel>
 #include <memory>
@@ -37,6 +38,11 @@ public:
     }
     [[nodiscard]] PointUnit unit() const { return m_unit; }
 
+    /// Keeps a text in its cell that cannot be taken, with the reason, until the cell is typed anew.
+    void refuse(const QModelIndex &index, const QString &text, const QString &reason);
+    void accept(const QModelIndex &index);
+    [[nodiscard]] const RefusedTexts &refusedTexts() const { return m_refused; }
+
     /// The point of a cell; nothing in the column of numbers and below the end of an arc.
     [[nodiscard]] std::optional<ReadingPlace> placeAt(const QModelIndex &index) const;
     [[nodiscard]] QModelIndex indexOf(const ReadingPlace &place) const;
@@ -56,6 +62,10 @@ private:
     [[nodiscard]] std::size_t arcOf(int column) const {
         return static_cast<std::size_t>((column - 1) / columnsPerArc());
     }
+    void dropRefused(const CircularMeasurement *now);
+    [[nodiscard]] bool hasSameCells(const CircularMeasurement *measurement) const;
+    [[nodiscard]] RefusedTexts::Cell cellOf(const QModelIndex &index) const;
+    [[nodiscard]] const RefusedTexts::Refused *refused(const QModelIndex &index) const;
     [[nodiscard]] QString plainText(const QModelIndex &index, const ReadingPlace &place) const;
     [[nodiscard]] QString text(const Arc &arc, const ArcColumns &columns, std::size_t point, int part) const;
 
@@ -65,6 +75,8 @@ private:
     PointUnit m_unit = PointUnit::deviations;
     std::vector<ArcColumns> m_arcs;
     int m_rows = 0;
+    std::string m_id; ///< of the test
+    RefusedTexts m_refused;
 };
 
 } // namespace palmer::ui

@@ -44,14 +44,18 @@ void QuietDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
                           const QModelIndex &index) const {
     const QPalette &palette = option.palette;
     const bool hovered = index == m_hovered;
-    painter->fillRect(option.rect, option.state & QStyle::State_Selected ? selectedGround(palette)
-                                   : hovered                             ? token(Token::hover, palette)
-                                                                         : palette.color(QPalette::Base));
+    const bool refused = index.data(refusedRole).toBool();
+    painter->fillRect(option.rect, refused                                 ? token(Token::badGround, palette)
+                                   : option.state & QStyle::State_Selected ? selectedGround(palette)
+                                   : hovered                               ? token(Token::hover, palette)
+                                                                           : palette.color(QPalette::Base));
     painter->setPen(token(Token::line, palette));
     painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
     const QVariant colour = index.data(Qt::ForegroundRole);
     painter->setFont(option.font);
-    painter->setPen(colour.isValid() ? colour.value<QColor>() : palette.color(QPalette::Text));
+    painter->setPen(refused            ? token(Token::bad, palette)
+                    : colour.isValid() ? colour.value<QColor>()
+                                       : palette.color(QPalette::Text));
     const QRect room = option.rect.adjusted(padding, 0, -padding, 0);
     painter->drawText(room, alignmentOf(index.data(Qt::TextAlignmentRole)),
                       option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, room.width()));
@@ -60,6 +64,14 @@ void QuietDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
         painter->setBrush(Qt::NoBrush);
         painter->drawRect(option.rect.adjusted(1, 1, -1, -2));
     }
+}
+
+void QuietDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const {
+    constexpr auto filled = "filled";
+    if (editor->property(filled).toBool())
+        return;
+    editor->setProperty(filled, true);
+    QStyledItemDelegate::setEditorData(editor, index);
 }
 
 } // namespace palmer::ui

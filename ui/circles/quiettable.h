@@ -17,16 +17,20 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 };
 
-/// A cell of a quiet table: its text, a light rule below, and the ground of what is current or under the
-/// pointer.
+/// A cell of a quiet table: its text, a light rule below, and the ground of what is current, under the
+/// pointer or refused. What is being typed stays when other data arrive.
 class QuietDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
+    enum Role { refusedRole = Qt::UserRole + 20 }; ///< bool: the text was typed and cannot be taken
+
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override;
+
+    void setEditorData(QWidget *editor, const QModelIndex &index) const override;
 
     /// The cell that is pointed at, here or in a figure.
     void setHovered(const QModelIndex &index) { m_hovered = index; }

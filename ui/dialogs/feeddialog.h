@@ -2,13 +2,17 @@
 
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 
+#include "kernel/words/quantity.h"
+
 #include <QDialog>
+#include <vector>
 
 class QDialogButtonBox;
-class QDoubleSpinBox;
 class QLabel;
 
 namespace palmer::ui {
+
+class Field;
 
 /// "Contouring feed…": the feed for a circle of another diameter (ISO 230-4, annex C), computed while one
 /// types. Begins with the example of the annex. Changes no document.
@@ -25,16 +29,21 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    QDoubleSpinBox *addNumber(const char *name, double largest);
+    struct NumberField {
+        Field *field;
+        Quantity quantity;
+        double iso230_4::ContouringFeed::*member;
+    };
+
+    Field *addNumber(const char *name, Quantity quantity, double iso230_4::ContouringFeed::*member);
     void showFeed();
     void retranslate();
 
-    QLabel *m_specifiedDiameterLabel;
-    QLabel *m_specifiedFeedLabel;
-    QLabel *m_diameterLabel;
-    QDoubleSpinBox *m_specifiedDiameter;
-    QDoubleSpinBox *m_specifiedFeed;
-    QDoubleSpinBox *m_diameter;
+    std::vector<NumberField> m_fields;
+    iso230_4::ContouringFeed m_numbers;
+    Field *m_specifiedDiameter;
+    Field *m_specifiedFeed;
+    Field *m_diameter;
     QLabel *m_feedLabel;
     QLabel *m_feed;
     QLabel *m_formula;

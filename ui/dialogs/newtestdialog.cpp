@@ -20,7 +20,7 @@
 #include <QRandomGenerator>
 #include <QRegularExpression>
 #include <QSignalBlocker>
-#include <QSpinBox>
+#include <QStyle>
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -34,8 +34,11 @@ constexpr double proposedAngle = 360;
 constexpr int decimals = 3; ///< of proposed targets
 constexpr double resolution = 0.001;
 constexpr int dialogWidth = 460;
-constexpr int spinWidth = 56;
-constexpr quint32 mostSeed = 1'000'000; ///< short enough to be read out
+constexpr int runsWidth = 64;
+constexpr std::size_t fewestTargets = 2;
+constexpr std::size_t mostRuns = 1000;          ///< each way
+constexpr std::size_t mostReadings = 1'000'000; ///< places of a new test
+constexpr quint32 mostSeed = 1'000'000;         ///< short enough to be read out
 
 } // namespace
 
@@ -48,11 +51,11 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     , m_travel(new QLineEdit(this))
     , m_edition(new QComboBox(this))
     , m_cycle(new QComboBox(this))
-    , m_runs(new QSpinBox(this))
+    , m_runs(new QLineEdit(this))
     , m_both(new QCheckBox(this))
     , m_first(new QLineEdit(this))
     , m_last(new QLineEdit(this))
-    , m_count(new QSpinBox(this))
+    , m_count(new QLineEdit(this))
     , m_list(new QPlainTextEdit(this))
     , m_statements(new StatementsBox(this))
     , m_problem(new QLabel(this)) {
@@ -79,17 +82,11 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     }
     m_cycle->addItem(tr("standard cycle"), static_cast<int>(Cycle::standard));
     m_cycle->addItem(tr("step cycle"), static_cast<int>(Cycle::step));
-    m_runs->setRange(1, 50);
-    m_runs->setValue(5);
+    m_runs->setText(QStringLiteral("5"));
     m_both->setText(tr("from &both sides"));
     m_both->setChecked(true);
-    m_count->setRange(2, 10'000);
-    for (QSpinBox *box : {m_runs, m_count}) {
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setAlignment(Qt::AlignRight);
-    }
-    m_runs->setFixedWidth(spinWidth);
-    for (QLineEdit *field : {m_travel, m_first, m_last})
+    m_runs->setFixedWidth(runsWidth);
+    for (QLineEdit *field : {m_travel, m_first, m_last, m_runs, m_count})
         field->setAlignment(Qt::AlignRight);
     m_list->setMaximumHeight(110);
     m_list->setTabChangesFocus(true);
@@ -107,7 +104,7 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     m_name->selectAll();
     m_travel->setText(m_language.number(proposedTravel, Quantity::position));
 
-    auto *form = new QFormLayout;
+    auto *form = m_form = new QFormLayout;
     // What stands beside a field is no field of its own: the label belongs to the field.
     const auto addRow = [&](const QString &text, QWidget *field, QWidget *beside) {
         auto *label = new QLabel(text, this);
@@ -141,31 +138,27 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     auto *column = new QVBoxLayout(this);
     column->addLayout(form);
     column->addWidget(m_statements);
-    column->addWidget(m_problem);
     column->addWidget(buttons);
     connect(m_motion, &QComboBox::currentIndexChanged, this, [this] {
         const bool linear = axis().motion == Motion::linear;
-        m_name->setText(linear ? QStringLiteral("X") : QStringLiteral("C"));
-        m_travel->setText(m_language.number(linear ? proposedTravel : proposedAngle,
-                                            linear ? Quantity::position : Quantity::angle));
+        if (!m_name->isModified())
+            m_name->setText(linear ? QStringLiteral("X") : QStringLiteral("C"));
+        if (!m_travel->isModified())
+            m_travel->setText(m_language.number(linear ? proposedTravel : proposedAngle,
+                                                linear ? Quantity::position : Quantity::angle));
+        propose();
     });
     connect(m_travel, &QLineEdit::textChanged, this, &NewTestDialog::propose);
     connect(m_edition, &QComboBox::currentIndexChanged, this, &NewTestDialog::propose);
-    connect(m_runs, &QSpinBox::valueChanged, this, [this] { m_ran = true; });
-    for (QLineEdit *field : {m_first, m_last}) {
+    connect(m_name, &QLineEdit::textChanged, this, &NewTestDialog::check);
+    connect(m_runs, &QLineEdit::textEdited, this, &NewTestDialog::check);
+    for (QLineEdit *field : {m_first, m_last, m_count}) {
         connect(field, &QLineEdit::textEdited, this, [this] {
             m_listed = false;
             propose();
         });
-        field->setProperty("proposed", true);
     }
-    connect(m_first, &QLineEdit::textEdited, this, [this] { m_first->setProperty("proposed", false); });
-    connect(m_last, &QLineEdit::textEdited, this, [this] { m_last->setProperty("proposed", false); });
-    connect(m_count, &QSpinBox::valueChanged, this, [this] {
-        m_counted = true;
-        m_listed = false;
-        propose();
-    });
+    connect(m_both, &QCheckBox::toggled, this, &NewTestDialog::check);
     connect(m_list, &QPlainTextEdit::textChanged, this, [this] {
         m_listed = true;
         check();
@@ -190,6 +183,15 @@ std::optional<double> NewTestDialog::number(const QLineEdit *field) const {
         .value;
 }
 
+std::optional<std::size_t> NewTestDialog::whole(const QLineEdit *field, std::size_t least,
+                                                std::size_t most) const {
+    const auto typed = enteredNumber(field->text(), Quantity::count, m_language.units()).value;
+    if (!typed || std::trunc(*typed) != *typed || *typed < static_cast<double>(least) ||
+        *typed > static_cast<double>(most))
+        return std::nullopt;
+    return static_cast<std::size_t>(*typed);
+}
+
 TargetRequest NewTestDialog::request() const {
     TargetRequest result;
     const Axis asked = axis();
@@ -208,8 +210,8 @@ TargetRequest NewTestDialog::request() const {
 TargetPlan NewTestDialog::planned() const {
     TargetRequest asked = request();
     TargetPlan plan = planTargets(asked);
-    const auto wanted = static_cast<std::size_t>(m_count->value());
-    if (!m_counted || plan.targets.size() == wanted)
+    const std::size_t wanted = whole(m_count, fewestTargets, mostTargets).value_or(0);
+    if (!m_count->isModified() || plan.targets.size() == wanted)
         return plan;
     constexpr double metre = 1000;
     asked.perMetre = (static_cast<double>(wanted) - 0.5) * metre / asked.travel; // rounded up
@@ -217,6 +219,7 @@ TargetPlan NewTestDialog::planned() const {
     return plan.targets.size() == wanted ? plan : TargetPlan{};
 }
 
+/// Fills what nobody has typed; a field that was typed in is never written.
 void NewTestDialog::propose() {
     const Axis asked = axis();
     const Quantity quantity = positionQuantity(asked);
@@ -225,27 +228,23 @@ void NewTestDialog::propose() {
         unit->setText(m_language.unit(quantity));
     // Every target is approached from its own side: the axis needs room beyond the first and the last.
     const double room = travel > 2 * CycleProgram().approach ? CycleProgram().approach : 0;
-    if (m_first->property("proposed").toBool())
+    if (!m_first->isModified())
         m_first->setText(m_language.number(room, quantity));
-    if (m_last->property("proposed").toBool())
+    if (!m_last->isModified())
         m_last->setText(m_language.number(travel - room, quantity));
     const TargetPlan plan = planned();
-    if (!m_counted && !plan.targets.empty()) {
-        const QSignalBlocker blocker(m_count);
-        m_count->setValue(static_cast<int>(plan.targets.size()));
-    }
-    if (!m_ran && !plan.targets.empty()) {
-        const QSignalBlocker blocker(m_runs);
-        m_runs->setValue(plan.runs);
-    }
-    if (!m_listed) {
+    if (!m_count->isModified() && !plan.targets.empty())
+        m_count->setText(QString::number(plan.targets.size()));
+    if (!m_runs->isModified() && !plan.targets.empty())
+        m_runs->setText(QString::number(plan.runs));
+    const auto count = whole(m_count, fewestTargets, mostTargets);
+    if (!m_listed && count) {
         std::vector<double> proposed = plan.targets;
         m_choice = {TargetChoiceKind::free, plan.interval, std::nullopt, static_cast<long long>(m_seed)};
         if (proposed.empty()) { // a number the rule does not have
             m_choice = {};
             const TargetRequest ends = request();
-            proposed = evenTargets(ends.from, ends.from + ends.travel,
-                                   static_cast<std::size_t>(m_count->value()), resolution);
+            proposed = evenTargets(ends.from, ends.from + ends.travel, *count, resolution);
         }
         QStringList positions;
         for (const double target : proposed)
@@ -268,22 +267,72 @@ std::optional<std::vector<double>> NewTestDialog::targets() const {
     return result;
 }
 
-void NewTestDialog::check() {
-    QString problem;
+/// What is wrong first, and at which field.
+NewTestDialog::Problem NewTestDialog::problem() const {
+    const auto count = [this](std::size_t number) {
+        return m_language.number(static_cast<double>(number), Quantity::count);
+    };
+    const auto first = number(m_first);
+    const auto last = number(m_last);
+    const auto runs = whole(m_runs, 1, mostRuns);
     const auto list = targets();
     if (axis().name.empty())
-        problem = tr("The axis needs a name.");
-    else if (!m_travel->text().trimmed().isEmpty() && !(axis().travel.value_or(0) > 0))
-        problem = tr("The travel is a number above 0.");
-    else if (!list)
-        problem = tr("The target positions are numbers, parted by semicolons, blanks or lines.");
-    else if (list->size() < 2)
-        problem = tr("A test has two targets at least.");
-    else if (std::ranges::adjacent_find(*list, std::greater_equal<>()) != list->end())
-        problem = tr("The target positions have to ascend.");
-    m_problem->setText(problem);
-    m_problem->setVisible(!problem.isEmpty());
-    m_create->setEnabled(problem.isEmpty());
+        return {m_name, tr("The axis needs a name.")};
+    if (!m_travel->text().trimmed().isEmpty() && !(axis().travel.value_or(0) > 0))
+        return {m_travel, tr("The travel is a number above 0.")};
+    if (!runs)
+        return {m_runs,
+                tr("The number of runs each way is a whole number from 1 to %1.").arg(count(mostRuns))};
+    if (!m_listed && !first)
+        return {m_first, tr("The first target is a number.")};
+    if (!m_listed && !last)
+        return {m_last, tr("The last target is a number.")};
+    if (!m_listed && !(*first < *last))
+        return {m_last, tr("The last target lies above the first.")};
+    if (!m_listed && !whole(m_count, fewestTargets, mostTargets))
+        return {m_count, tr("The number of targets is a whole number from %1 to %2.")
+                             .arg(count(fewestTargets), count(mostTargets))};
+    if (!list)
+        return {m_list, tr("The target positions are numbers, parted by semicolons, blanks or lines.")};
+    if (list->size() < fewestTargets)
+        return {m_list, tr("A test has two targets at least.")};
+    if (std::ranges::adjacent_find(*list, std::greater_equal<>()) != list->end())
+        return {m_list, tr("The target positions have to ascend.")};
+    if (list->size() * *runs * (m_both->isChecked() ? 2 : 1) > mostReadings)
+        return {m_runs,
+                tr("A new test has %1 readings at most: fewer targets or runs.").arg(count(mostReadings))};
+    return {};
+}
+
+/// The sentence stands below its field.
+void NewTestDialog::check() {
+    const Problem found = problem();
+    for (QWidget *field :
+         std::initializer_list<QWidget *>{m_name, m_travel, m_runs, m_first, m_last, m_count, m_list}) {
+        const bool refused = field == found.field;
+        field->setAccessibleDescription(refused ? found.sentence : QString());
+        if (field->property("refused").toBool() == refused)
+            continue;
+        field->setProperty("refused", refused);
+        field->style()->unpolish(field); // lets the rules be matched anew
+        field->style()->polish(field);
+    }
+    m_problem->setText(found.sentence);
+    m_problem->setVisible(found.field);
+    m_create->setEnabled(!found.field);
+    if (!found.field || found.field == m_problemAt)
+        return;
+    m_problemAt = found.field;
+    if (m_form->indexOf(m_problem) >= 0)
+        delete m_form->takeRow(m_problem).fieldItem;
+    for (int row = 0; row < m_form->rowCount(); ++row) {
+        const QLayoutItem *label = m_form->itemAt(row, QFormLayout::LabelRole);
+        const auto *words = label ? qobject_cast<const QLabel *>(label->widget()) : nullptr;
+        if (words && words->buddy() == found.field) {
+            m_form->insertRow(row + 1, m_problem);
+            break;
+        }
+    }
 }
 
 NewPositioningTest NewTestDialog::wanted() const {
@@ -294,7 +343,7 @@ NewPositioningTest NewTestDialog::wanted() const {
     result.targets = targets().value_or(std::vector<double>());
     if (!m_listed)
         result.targetChoice = m_choice;
-    result.runs = m_runs->value();
+    result.runs = static_cast<int>(whole(m_runs, 1, mostRuns).value_or(1));
     result.bothDirections = m_both->isChecked();
     return result;
 }

@@ -10,11 +10,11 @@
 
 class QComboBox;
 class QCheckBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
-class QSpinBox;
 
 namespace palmer::ui {
 
@@ -22,7 +22,7 @@ class StatementsBox;
 
 /// Asks what a new positioning test begins with. Targets are proposed after the rule of the edition, with a
 /// random part of their own in every new test; they may be typed or pasted as a list, which then is what
-/// counts.
+/// counts. What is typed stays as it is typed; a number that cannot be is said below its field.
 class NewTestDialog : public QDialog {
     Q_OBJECT
 
@@ -38,8 +38,17 @@ public:
     [[nodiscard]] bool takesStatements() const;
 
 private:
+    struct Problem {
+        QWidget *field = nullptr; ///< null: none
+        QString sentence;
+    };
+
     void propose();
     void check();
+    [[nodiscard]] Problem problem() const;
+    /// A whole number from least to most; null where the field says none.
+    [[nodiscard]] std::optional<std::size_t> whole(const QLineEdit *field, std::size_t least,
+                                                   std::size_t most) const;
     [[nodiscard]] Axis axis() const;
     [[nodiscard]] std::optional<double> number(const QLineEdit *field) const;
     [[nodiscard]] std::optional<std::vector<double>> targets() const;
@@ -47,25 +56,25 @@ private:
     [[nodiscard]] TargetPlan planned() const;
 
     Language m_language;
-    bool m_counted = false; ///< the number of targets was chosen, not proposed
-    bool m_listed = false;  ///< the list was typed, not proposed
-    bool m_ran = false;     ///< the number of runs was chosen, not proposed
-    std::uint64_t m_seed;   ///< of the random part
-    TargetChoice m_choice;  ///< of the targets proposed last
+    bool m_listed = false; ///< the list was typed, not proposed
+    std::uint64_t m_seed;  ///< of the random part
+    TargetChoice m_choice; ///< of the targets proposed last
     QLineEdit *m_name;
     QComboBox *m_motion;
     QLineEdit *m_travel;
     QComboBox *m_edition;
     QComboBox *m_cycle;
-    QSpinBox *m_runs;
+    QLineEdit *m_runs;
     QCheckBox *m_both;
     QLineEdit *m_first;
     QLineEdit *m_last;
-    QSpinBox *m_count;
+    QLineEdit *m_count;
     QPlainTextEdit *m_list;
     StatementsBox *m_statements;
     QLabel *m_problem;
     std::array<QLabel *, 4> m_units{};
+    QFormLayout *m_form = nullptr;
+    const QWidget *m_problemAt = nullptr; ///< the field the sentence stands below
     QPushButton *m_create;
 };
 

@@ -40,6 +40,9 @@ namespace {
 constexpr int fieldsWidth = 380;
 constexpr const char *defaultEdition = "ISO 230-2:2014";
 constexpr double pointsPerInch = 72;
+constexpr double mostDecimals = 9;
+constexpr double mostSeed = 999'999'999;
+constexpr double mostRuns = 1000; ///< each way
 
 bool hasReadings(const PositioningMeasurement &measurement) {
     return std::ranges::any_of(measurement.runs,
@@ -106,11 +109,21 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     };
     const auto amount = [this](double TargetRequest::*member, bool positive) {
         return [this, member, positive](const std::optional<double> &value) {
-            if (!value || (positive && !(*value > 0)))
-                return false;
+            if (!value)
+                return tr("a number is needed");
+            if (positive && !(*value > 0))
+                return tr("not greater than 0");
             m_request.*member = *value;
-            return true;
+            return QString();
         };
+    };
+    const auto whole = [](const std::optional<double> &value, double least, double most) {
+        if (!value)
+            return tr("a number is needed");
+        return *value < least || *value > most ? tr("not from %1 to %2")
+                                                     .arg(windowLanguage().number(least, Quantity::count),
+                                                          windowLanguage().number(most, Quantity::count))
+                                               : QString();
     };
     place(addNumber(
               "from", QT_TR_NOOP("Travel begins at"), false, position, [this] { return m_request.from; },
@@ -126,9 +139,9 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
               [this] { return m_request.period; },
               [this](const std::optional<double> &value) {
                   if (value && !(*value > 0))
-                      return false;
+                      return tr("not greater than 0");
                   m_request.period = value;
-                  return true;
+                  return QString();
               }));
     m_rule = new Field(Field::Kind::choice, fields);
     m_rule->edit()->setObjectName(QStringLiteral("plan.rule"));
@@ -139,11 +152,11 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     place(m_rule, addNumber(
                       "decimals", QT_TR_NOOP("Decimals"), true, [] { return Quantity::count; },
                       [this] { return m_request.decimals; },
-                      [this](const std::optional<double> &value) {
-                          if (!value || *value < 0 || *value > 9)
-                              return false;
-                          m_request.decimals = static_cast<int>(*value);
-                          return true;
+                      [this, whole](const std::optional<double> &value) {
+                          const QString refusal = whole(value, 0, mostDecimals);
+                          if (refusal.isEmpty())
+                              m_request.decimals = static_cast<int>(*value);
+                          return refusal;
                       }));
     m_reseed->setObjectName(QStringLiteral("reseed"));
     m_reseed->setAutoDefault(false);
@@ -159,11 +172,11 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     place(addNumber(
               "seed", QT_TR_NOOP("Seed"), true, [] { return Quantity::count; },
               [this] { return static_cast<double>(m_request.seed); },
-              [this](const std::optional<double> &value) {
-                  if (!value || *value < 0)
-                      return false;
-                  m_request.seed = static_cast<std::uint64_t>(*value);
-                  return true;
+              [this, whole](const std::optional<double> &value) {
+                  const QString refusal = whole(value, 0, mostSeed);
+                  if (refusal.isEmpty())
+                      m_request.seed = static_cast<std::uint64_t>(*value);
+                  return refusal;
               }),
           seedRow);
     m_cycle = new Field(Field::Kind::choice, fields);
@@ -175,40 +188,38 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     place(m_cycle, addNumber(
                        "runs", QT_TR_NOOP("Runs each way"), true, [] { return Quantity::count; },
                        [this] { return m_program.runs; },
-                       [this](const std::optional<double> &value) {
-                           if (value && (*value < 1 || *value > 1000))
-                               return false;
-                           m_runs = value ? std::optional(static_cast<int>(*value)) : std::nullopt;
-                           return true;
+                       [this, whole](const std::optional<double> &value) {
+                           const QString refusal = value ? whole(value, 1, mostRuns) : QString();
+                           if (refusal.isEmpty())
+                               m_runs = value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+                           return refusal;
                        }));
+    const auto programmed = [this](double CycleProgram::*member) {
+        return [this, member](const std::optional<double> &value) {
+            if (!value)
+                return tr("a number is needed");
+            if (!(*value > 0))
+                return tr("not greater than 0");
+            m_program.*member = *value;
+            return QString();
+        };
+    };
     place(addNumber(
               "feed", QT_TR_NOOP("Feed rate (empty: rapid)"), false,
               [this] { return m_request.motion == Motion::linear ? Quantity::feed : Quantity::angularFeed; },
               [this] { return m_program.feed; },
               [this](const std::optional<double> &value) {
                   if (value && !(*value > 0))
-                      return false;
+                      return tr("not greater than 0");
                   m_program.feed = value;
-                  return true;
+                  return QString();
               }),
           addNumber(
               "dwell", QT_TR_NOOP("Dwell at the target"), false, [] { return Quantity::time; },
-              [this] { return m_program.dwell; },
-              [this](const std::optional<double> &value) {
-                  if (!value || !(*value > 0))
-                      return false;
-                  m_program.dwell = *value;
-                  return true;
-              }));
+              [this] { return m_program.dwell; }, programmed(&CycleProgram::dwell)));
     place(addNumber(
               "approach", QT_TR_NOOP("Approach distance"), false, position,
-              [this] { return m_program.approach; },
-              [this](const std::optional<double> &value) {
-                  if (!value || !(*value > 0))
-                      return false;
-                  m_program.approach = *value;
-                  return true;
-              }),
+              [this] { return m_program.approach; }, programmed(&CycleProgram::approach)),
           nullptr);
     grid->setRowStretch(row, 1);
 
@@ -273,7 +284,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
 
 Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
                              std::function<Quantity()> quantity, std::function<std::optional<double>()> get,
-                             std::function<bool(const std::optional<double> &)> set) {
+                             std::function<QString(const std::optional<double> &)> set) {
     auto *field = new Field(Field::Kind::number, this);
     field->edit()->setObjectName(QStringLiteral("plan.") + QLatin1StringView(name));
     const auto shown = [whole, quantity](const std::optional<double> &value) {
@@ -285,9 +296,10 @@ Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
         const NumberEntry entry = enteredNumber(typed, quantity(), windowLanguage().units());
         if (entry.refusal)
             return {{}, windowLanguage().text(*entry.refusal)};
-        if ((entry.value && whole && std::trunc(*entry.value) != *entry.value) || !set(entry.value))
-            return {{}, tr("cannot be so")};
-        return {shown(entry.value), {}};
+        if (entry.value && whole && std::trunc(*entry.value) != *entry.value)
+            return {{}, tr("not a whole number")};
+        const QString refusal = set(entry.value);
+        return refusal.isEmpty() ? Field::Reading{shown(entry.value), {}} : Field::Reading{{}, refusal};
     });
     connect(field, &Field::entered, this, [this, field, quantity, set] {
         if (field->isRefused()) // what was there before the typing holds

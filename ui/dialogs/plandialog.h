@@ -46,9 +46,10 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    /// `set` takes the number, or says why not.
     Field *addNumber(const char *name, const char *label, bool whole, std::function<Quantity()> quantity,
                      std::function<std::optional<double>()> get,
-                     std::function<bool(const std::optional<double> &)> set);
+                     std::function<QString(const std::optional<double> &)> set);
     void begin(std::size_t test);
     void replan();
     void showFields();

@@ -2,6 +2,7 @@
 
 #include "language/decimals.h"
 #include "language/entry.h"
+#include "ui/circles/quiettable.h"
 
 #include <algorithm>
 
@@ -22,15 +23,55 @@ int commonDecimals(const std::vector<double> &values, Quantity quantity) {
 } // namespace
 
 void DriftModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
-    beginResetModel();
+    const auto *measurement =
+        test < evaluated.tests.size()
+            ? std::get_if<DriftMeasurement>(&evaluated.document->tests[test]->measurement)
+            : nullptr;
+    const std::string id = measurement ? evaluated.document->tests[test]->id : std::string();
+    const bool same = measurement && m_measurement && id == m_id &&
+                      measurement->times.size() == m_measurement->times.size();
+    if (id == m_id)
+        dropRefused(measurement);
+    const std::shared_ptr<const Document> former = m_document; // owns what was shown until now
+    if (!same)
+        beginResetModel();
     m_document = evaluated.document;
-    m_measurement = test < evaluated.tests.size()
-                        ? std::get_if<DriftMeasurement>(&m_document->tests[test]->measurement)
-                        : nullptr;
+    m_measurement = measurement;
+    m_id = id;
     m_language = language;
-    m_newTime.reset();
-    m_newDeviation.reset();
-    endResetModel();
+    if (!same) {
+        endResetModel();
+    } else { // whoever types there goes on
+        emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+    }
+}
+
+/// A text goes when its reading is another; those of the new one stay with it.
+void DriftModel::dropRefused(const DriftMeasurement *now) {
+    m_refused.removeIf(m_id, [&](const RefusedTexts::Cell &cell) {
+        const auto number = [&cell](const DriftMeasurement &measurement) -> std::optional<double> {
+            const auto &numbers = cell.column == time ? measurement.times : measurement.deviations;
+            return cell.row < numbers.size() ? std::optional(numbers[cell.row]) : std::nullopt;
+        };
+        return number(*now) != number(*m_measurement);
+    });
+}
+
+const RefusedTexts::Refused *DriftModel::refused(const QModelIndex &index) const {
+    return m_refused.find(m_id,
+                          {static_cast<std::size_t>(index.row()), static_cast<std::size_t>(index.column())});
+}
+
+QStringList DriftModel::unfinishedTexts() const {
+    QStringList all = m_refused.texts();
+    for (const auto &[id, beginning] : m_beginnings) {
+        for (const QString &text : beginning.texts) {
+            if (!text.isEmpty())
+                all << text;
+        }
+    }
+    return all;
 }
 
 std::size_t DriftModel::readings() const {
@@ -51,8 +92,12 @@ int DriftModel::columnCount(const QModelIndex &parent) const {
 
 std::optional<double> DriftModel::value(const QModelIndex &index) const {
     const auto row = static_cast<std::size_t>(index.row());
-    if (row >= readings())
-        return index.column() == time ? m_newTime : m_newDeviation;
+    if (row >= readings()) {
+        const auto found = m_beginnings.find(m_id);
+        return found == m_beginnings.end()
+                   ? std::nullopt
+                   : found->second.numbers.at(static_cast<std::size_t>(index.column()));
+    }
     return index.column() == time ? m_measurement->times[row] : m_measurement->deviations[row];
 }
 
@@ -61,8 +106,15 @@ QVariant DriftModel::data(const QModelIndex &index, int role) const {
         return {};
     if (role == Qt::TextAlignmentRole)
         return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    const RefusedTexts::Refused *text = refused(index);
+    if (role == QuietDelegate::refusedRole)
+        return text != nullptr;
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleDescriptionRole)
+        return text ? QVariant(text->reason) : QVariant();
     if (role != Qt::DisplayRole && role != Qt::EditRole)
         return {};
+    if (text)
+        return text->text;
     const auto shown = value(index);
     if (!shown)
         return QString();
@@ -91,22 +143,35 @@ Qt::ItemFlags DriftModel::flags(const QModelIndex &index) const {
 bool DriftModel::setData(const QModelIndex &index, const QVariant &value, int role) {
     if (role != Qt::EditRole || !index.isValid() || !m_measurement)
         return false;
-    const NumberEntry entry = enteredNumber(value.toString(), quantity(index.column()), m_language.units());
-    if (entry.refusal) {
-        emit refused(m_language.text(*entry.refusal));
-        return false;
-    }
+    const QString typed = value.toString();
+    if (typed == data(index, Qt::EditRole).toString())
+        return true;
     const auto row = static_cast<std::size_t>(index.row());
-    if (row >= readings()) {
-        (index.column() == time ? m_newTime : m_newDeviation) = entry.value;
+    const auto column = static_cast<std::size_t>(index.column());
+    const NumberEntry entry = enteredNumber(typed, quantity(index.column()), m_language.units());
+    if (entry.refusal) {
+        m_refused.put(m_id, {row, column}, typed, m_language.text(*entry.refusal));
         emit dataChanged(index, index);
-        if (m_newTime && m_newDeviation)
-            m_write(row, {{*m_newTime, *m_newDeviation}});
+        emit refusedText(m_language.text(*entry.refusal));
+        return true;
+    }
+    m_refused.remove(m_id, {row, column});
+    emit dataChanged(index, index);
+    emit refusedText({});
+    if (row >= readings()) {
+        NewReading &beginning = m_beginnings[m_id];
+        beginning.numbers.at(column) = entry.value;
+        beginning.texts.at(column) = typed.trimmed();
+        const auto [newTime, newDeviation] = beginning.numbers;
+        if (newTime && newDeviation) {
+            m_beginnings.erase(m_id);
+            m_write(row, {{*newTime, *newDeviation}});
+        }
         return true;
     }
     if (!entry.value) {
-        emit refused(tr("a reading has both numbers; remove the row instead"));
-        return false;
+        emit refusedText(tr("a reading has both numbers; remove the row instead"));
+        return true;
     }
     DriftReading reading{m_measurement->times[row], m_measurement->deviations[row]};
     (index.column() == time ? reading.time : reading.deviation) = *entry.value;

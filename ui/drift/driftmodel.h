@@ -3,15 +3,21 @@
 #include "document/evaluateddocument.h"
 #include "editing/driftreadings.h"
 #include "language/language.h"
+#include "ui/refusedtexts.h"
 
 #include <QAbstractTableModel>
+#include <array>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace palmer::ui {
 
 /// The readings of a drift test in the order of the file: time and deviation. The row below the last takes a
-/// new reading, which is one as soon as both its numbers are there.
+/// new reading, which is one as soon as both its numbers are there. What cannot be taken stays in its cell,
+/// and half a reading in its row, until it is put right: also while other tests are in view.
 class DriftModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -26,6 +32,8 @@ public:
         m_write = std::move(write);
     }
     [[nodiscard]] std::size_t readings() const;
+    /// What was typed and is in no document: refused texts, and halves of new readings.
+    [[nodiscard]] QStringList unfinishedTexts() const;
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
@@ -35,18 +43,25 @@ public:
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
 signals:
-    /// What was typed cannot be read: why not.
-    void refused(const QString &reason);
+    /// What was typed cannot be taken: why not. Empty: it can.
+    void refusedText(const QString &reason);
 
 private:
     [[nodiscard]] Quantity quantity(int column) const;
     [[nodiscard]] std::optional<double> value(const QModelIndex &index) const;
+    [[nodiscard]] const RefusedTexts::Refused *refused(const QModelIndex &index) const;
+    void dropRefused(const DriftMeasurement *now);
 
     std::shared_ptr<const Document> m_document; ///< owns the measurement
     const DriftMeasurement *m_measurement = nullptr;
     Language m_language{Language::Id::english};
-    std::optional<double> m_newTime; ///< of the reading that is being added
-    std::optional<double> m_newDeviation;
+    struct NewReading {
+        std::array<std::optional<double>, columns> numbers; ///< s; mm or degrees
+        std::array<QString, columns> texts;                 ///< as typed
+    };
+    std::string m_id;                               ///< of the test
+    std::map<std::string, NewReading> m_beginnings; ///< of readings that are being added, by test
+    RefusedTexts m_refused;
     std::function<void(std::size_t, const std::vector<DriftReading> &)> m_write;
 };
 

@@ -87,7 +87,7 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     m_readings.setWriter([this](std::size_t row, const std::vector<DriftReading> &readings) {
         write(row, readings, QT_TRANSLATE_NOOP("edits", "change a reading"));
     });
-    connect(&m_readings, &DriftModel::refused, this, &DriftPage::showReason);
+    connect(&m_readings, &DriftModel::refusedText, this, &DriftPage::showReason);
     connect(m_paste, &QToolButton::clicked, this, &DriftPage::paste);
     connect(m_remove, &QToolButton::clicked, this, &DriftPage::removeRows);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -131,9 +131,10 @@ void DriftPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     const int row = current.row();
     const int column = current.column();
     const int scrolled = test == m_test ? m_table->verticalScrollBar()->value() : 0;
+    if (test != m_test)
+        m_reason->hide();
     m_evaluated = evaluated;
     m_test = test;
-    m_reason->hide();
     m_readings.show(evaluated, test, m_language);
     if (row >= 0 && row < m_readings.rowCount()) {
         m_following = true;
@@ -243,7 +244,7 @@ void DriftPage::showReason(const QString &reason) {
     if (!text.isEmpty())
         text[0] = text[0].toUpper();
     m_reason->setText(text);
-    m_reason->show();
+    m_reason->setVisible(!text.isEmpty());
 }
 
 bool DriftPage::eventFilter(QObject *watched, QEvent *event) {

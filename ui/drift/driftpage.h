@@ -25,6 +25,9 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
 
+    /// What was typed and is in no document.
+    [[nodiscard]] QStringList refusedTexts() const { return m_readings.unfinishedTexts(); }
+
 protected:
     void changeEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;

@@ -213,7 +213,13 @@ void Field::setText(const QString &text) {
 }
 
 void Field::show(const QString &value, bool required) {
-    const bool kept = isRefused() ? value == m_shown : m_isTyped && read(text()).canonical == value;
+    bool kept = isRefused() ? value == m_shown : m_isTyped && read(text()).canonical == value;
+    // What nothing is taken for stands there when the field is left: now something is about to be typed.
+    if (!kept && m_isTyped && !m_choice && text().isEmpty()) {
+        if (!m_ofNothing)
+            m_ofNothing = value;
+        kept = m_ofNothing == value;
+    }
     if (!kept) {
         setText(value);
         m_refusal.clear();
@@ -239,11 +245,37 @@ void Field::showChoice(int index, bool required) {
 
 void Field::forget() {
     m_isTyped = false;
+    m_ofNothing.reset();
     m_refusal.clear();
+}
+
+void Field::refuse(const QString &text) {
+    const QString refusal = read(text).refusal;
+    if (refusal.isEmpty())
+        return;
+    setText(text);
+    m_isTyped = true;
+    m_refusal = refusal;
+    m_atFocus = m_shown;
+    retranslate();
+}
+
+void Field::reread() {
+    if (!isRefused())
+        return;
+    m_refusal = read(text()).refusal;
+    retranslate();
+}
+
+void Field::setBare() {
+    m_bare = true;
+    m_label->hide();
+    retranslate();
 }
 
 void Field::typed() {
     m_isTyped = true;
+    m_ofNothing.reset();
     const Reading reading = read(text());
     m_refusal = reading.refusal;
     if (isRefused())
@@ -258,8 +290,9 @@ void Field::finish() {
         m_line->setCursorPosition(0); // of a text longer than the field its beginning
     if (!m_isTyped || isRefused())
         return;
-    const QString canonical = read(text()).canonical;
+    const QString canonical = text().isEmpty() && m_ofNothing ? *m_ofNothing : read(text()).canonical;
     m_isTyped = false;
+    m_ofNothing.reset();
     if (m_line && canonical != m_line->text())
         setText(canonical);
 }
@@ -299,7 +332,7 @@ void Field::retranslate() {
                               ? m_labelSource
                               : m_labelSource.arg(m_labelArgument);
     m_label->setText(label);
-    m_mark->setVisible(m_required);
+    m_mark->setVisible(m_required && !m_bare);
     const QString placeholder = !m_placeholder.isEmpty()                              ? m_placeholder
                                 : m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
                                                                                       : tr("not stated");
@@ -316,7 +349,7 @@ void Field::retranslate() {
         m_reason->setText(kept.isEmpty() ? tr("%1.").arg(reason)
                                          : tr("%1; %2 kept.").arg(reason, beginningOf(kept)));
     }
-    m_reasonRow->setVisible(isRefused());
+    m_reasonRow->setVisible(isRefused() && !m_bare);
     QWidget *shown = edit();
     setStyled(shown, "refused", isRefused());
     shown->setAccessibleName(label);

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <QWidget>
 #include <functional>
+#include <optional>
 
 class QComboBox;
 class QLabel;
@@ -52,6 +53,12 @@ public:
     void setRequired(bool required);
     /// Forgets what was typed and refused: another test, another document.
     void forget();
+    /// Puts a text back that was refused; nothing where it can be read by now.
+    void refuse(const QString &text);
+    /// Reads a refused text again: what it depends on has changed.
+    void reread();
+    /// Without label and reason, for a place that has both: the label is still its accessible name.
+    void setBare();
 
     /// The part that takes the focus.
     [[nodiscard]] QWidget *edit() const;
@@ -88,6 +95,8 @@ private:
     Kind m_kind;
     Reader m_reader;
     std::size_t m_most;
+    std::optional<QString> m_ofNothing; ///< what an emptied field is taken for, until it is left
+    bool m_bare = false;
     bool m_required = false;
     bool m_none = false;    ///< the first choice states nothing
     bool m_isTyped = false; ///< since the field was shown or left

@@ -309,6 +309,7 @@ void Form::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_test = test;
     if (another) {
         startOver();
+        keepRefused();
         for (const Entry &entry : m_entries)
             entry.field->forget();
     }
@@ -366,7 +367,23 @@ void Form::removeItems(QLayout &layout) {
     }
 }
 
+/// What is refused stays to be put right when the fields come back.
+void Form::keepRefused() {
+    for (const Entry &entry : m_entries)
+        m_refused.keep(m_of, *entry.field);
+}
+
+QStringList Form::refusedTexts() const {
+    QStringList texts = m_refused.texts();
+    for (const Entry &entry : m_entries) {
+        if (entry.field->isRefused())
+            texts << entry.field->text();
+    }
+    return texts;
+}
+
 void Form::clear() {
+    keepRefused();
     const QWidget *focused = QWidget::focusWidget();
     m_focused =
         focused && body()->isAncestorOf(focused) && focused->hasFocus() ? focused->objectName() : QString();
@@ -422,6 +439,9 @@ void Form::refresh() {
             entry.field->show(value, value.isEmpty() && isMissingHere(entry.key));
         }
     }
+    m_of = source.test ? QString::fromStdString(source.test->id) : QString();
+    for (const Entry &entry : m_entries)
+        m_refused.giveBack(m_of, *entry.field);
     refreshOthers();
     if (!m_focused.isEmpty()) {
         if (auto *field = findChild<QWidget *>(std::exchange(m_focused, QString())))

@@ -5,6 +5,7 @@
 #include "language/language.h"
 #include "ui/forms/field.h"
 #include "ui/forms/member.h"
+#include "ui/forms/refusedfields.h"
 #include "ui/model/selection.h"
 
 #include <QScrollArea>
@@ -50,6 +51,8 @@ public:
     bool focusNextRequired(bool forward);
     /// The walk begins at the first field again.
     void startOver() { m_place.reset(); }
+    /// What was typed here, for any test, and cannot be taken.
+    [[nodiscard]] QStringList refusedTexts() const;
     /// Moves the focus to fields that are chosen while the page is in view.
     void follow(Selection &selection);
 
@@ -148,6 +151,7 @@ private:
     Entry &last() { return m_entries.back(); }
     void commit(const Field *field);
     void refreshTexts();
+    void keepRefused();
     void removeItems(class QLayout &layout);
     [[nodiscard]] bool isMissingHere(const char *key) const;
 
@@ -156,6 +160,8 @@ private:
     DocumentModel &m_model;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
+    QString m_of; ///< id of the test the fields show; empty outside of tests
+    RefusedFields m_refused;
     Language m_language{Language::Id::english};
     Chip *m_chip;
     QPushButton *m_next;

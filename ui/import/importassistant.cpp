@@ -655,7 +655,18 @@ void ImportAssistant::refresh() {
     m_open->setStyleSheet(QStringLiteral("color: %1;").arg(token(Token::unsure, palette()).name()));
 }
 
+/// What still is in a field was meant, too: a mnemonic does not leave the field.
+void ImportAssistant::takeTyped() {
+    for (const Box &box : m_boxes) {
+        if (box.edit && box.edit->isModified()) {
+            choose(box.key, box.edit->text().trimmed().toStdString());
+            return; // one at most: others were left; and the boxes may be others now
+        }
+    }
+}
+
 void ImportAssistant::accept() {
+    takeTyped();
     if (!m_import->isEnabled())
         return;
     try {

@@ -75,6 +75,7 @@ private:
     void makeLayout();
     void useLastProfile();
     void chooseOther();
+    void takeTyped();
     void takeOptions(ImportOptions options);
     void useProfile(const QString &name);
     void fillProfiles(const QString &current);

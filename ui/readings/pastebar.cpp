@@ -21,6 +21,7 @@ PasteBar::PasteBar(QWidget *parent)
     , m_comma(new QToolButton(this))
     , m_point(new QToolButton(this))
     , m_content(new QComboBox(this))
+    , m_undo(new QToolButton(this))
     , m_close(new QToolButton(this)) {
     setObjectName(QStringLiteral("pasteBar"));
     setProperty("bar", true);
@@ -29,6 +30,7 @@ PasteBar::PasteBar(QWidget *parent)
     m_comma->setObjectName(QStringLiteral("pasteComma"));
     m_point->setObjectName(QStringLiteral("pastePoint"));
     m_content->setObjectName(QStringLiteral("pasteContent"));
+    m_undo->setObjectName(QStringLiteral("pasteUndo"));
     m_close->setObjectName(QStringLiteral("pasteClose"));
     m_remarks->setWordWrap(true);
     m_remarks->setTextFormat(Qt::PlainText);
@@ -44,6 +46,9 @@ PasteBar::PasteBar(QWidget *parent)
         m_marks->addButton(button, id++);
     }
     m_content->setFocusPolicy(Qt::StrongFocus);
+    m_undo->setIcon(lineIcon(QStringLiteral("undo")));
+    m_undo->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_undo->setFocusPolicy(Qt::StrongFocus);
     m_close->setIcon(lineIcon(QStringLiteral("close")));
     m_close->setProperty("iconOnly", true);
     m_close->setFocusPolicy(Qt::StrongFocus);
@@ -61,6 +66,7 @@ PasteBar::PasteBar(QWidget *parent)
     row->addWidget(m_guess);
     row->addLayout(marks);
     row->addWidget(m_content);
+    row->addWidget(m_undo);
     row->addWidget(m_close);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(8, 4, 4, 4);
@@ -72,16 +78,22 @@ PasteBar::PasteBar(QWidget *parent)
             [this](int mark) { emit decimalMarkChosen(static_cast<DecimalMark>(mark)); });
     connect(m_content, &QComboBox::activated, this,
             [this](int content) { emit contentChosen(static_cast<BlockContent>(content)); });
+    connect(m_undo, &QToolButton::clicked, this, &PasteBar::undoWanted);
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
     retranslate();
     hide();
 }
 
-void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language) {
+void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language,
+                    bool canUndo) {
     QString summary = tr("%n reading(s) pasted", nullptr, static_cast<int>(pasted.readings));
     if (pasted.targets > 0)
         summary = tr("%1 and %n target(s)", "readings pasted", static_cast<int>(pasted.targets)).arg(summary);
+    if (pasted.erased > 0)
+        summary = tr("%1, %n erased by empty cells", "readings pasted", static_cast<int>(pasted.erased))
+                      .arg(summary);
     m_summary->setText(summary);
+    m_undo->setVisible(canUndo);
     QStringList remarks;
     for (const Message &remark : pasted.remarks)
         remarks << language.sentence(remark);
@@ -118,6 +130,9 @@ void PasteBar::retranslate() {
     m_point->setToolTip(tr("The decimal mark of the block is the point: 5.4"));
     m_content->setAccessibleName(tr("What the numbers are"));
     m_content->setToolTip(tr("What the numbers are, and in which unit"));
+    m_undo->setText(tr("Undo"));
+    m_undo->setAccessibleName(tr("Undo the paste"));
+    m_undo->setToolTip(tr("Takes back what was pasted, also what it has erased"));
     m_close->setAccessibleName(tr("Close"));
     m_close->setToolTip(tr("Close"));
 }

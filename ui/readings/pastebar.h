@@ -20,11 +20,12 @@ class PasteBar : public QFrame {
 public:
     explicit PasteBar(QWidget *parent = nullptr);
 
-    void show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language);
+    void show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language, bool canUndo);
 
 signals:
     void decimalMarkChosen(palmer::DecimalMark mark);
     void contentChosen(palmer::BlockContent content);
+    void undoWanted();
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -39,6 +40,7 @@ private:
     QToolButton *m_comma;
     QToolButton *m_point;
     QComboBox *m_content;
+    QToolButton *m_undo;
     QToolButton *m_close;
 };
 

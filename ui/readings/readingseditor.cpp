@@ -8,15 +8,6 @@
 
 namespace palmer::ui {
 
-namespace {
-
-void makeMissing(PositioningMeasurement &measurement, const std::vector<ReadingPlace> &places) {
-    for (const ReadingPlace &place : places)
-        setReading(measurement, place, std::nullopt);
-}
-
-} // namespace
-
 ReadingsEditor::ReadingsEditor(DocumentModel &model, QObject *parent)
     : QObject(parent)
     , m_model(model) {}
@@ -33,7 +24,7 @@ void ReadingsEditor::edit(const char *name, const std::function<void(Positioning
 void ReadingsEditor::type(const ReadingPlace &place, const QString &text, ReadingUnit unit,
                           const Language &language) {
     const PositioningMeasurement *now = measurement();
-    if (!now || place.target >= now->targets.size())
+    if (!now || place.target >= now->targets.size() || excludedAt(*now, place))
         return;
     const bool positions = unit == ReadingUnit::positions;
     const NumberEntry typed =
@@ -60,14 +51,29 @@ std::optional<Message> ReadingsEditor::typeTarget(std::size_t target, const QStr
     return std::nullopt;
 }
 
+std::vector<ReadingPlace> ReadingsEditor::notAside(const std::vector<ReadingPlace> &places) const {
+    std::vector<ReadingPlace> result;
+    for (const ReadingPlace &place : places) {
+        if (measurement() && !excludedAt(*measurement(), place))
+            result.push_back(place);
+    }
+    return result;
+}
+
+void ReadingsEditor::makeMissing(const char *counted, const std::vector<ReadingPlace> &places) {
+    const std::vector<ReadingPlace> free = notAside(places);
+    edit(countedEdit(counted, static_cast<int>(free.size())), [&](PositioningMeasurement &m) {
+        for (const ReadingPlace &place : free)
+            setReading(m, place, std::nullopt);
+    });
+}
+
 void ReadingsEditor::clear(const std::vector<ReadingPlace> &places) {
-    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "clear %n reading(s)"), static_cast<int>(places.size())),
-         [&](PositioningMeasurement &m) { makeMissing(m, places); });
+    makeMissing(QT_TRANSLATE_N_NOOP("edits", "clear %n reading(s)"), places);
 }
 
 void ReadingsEditor::cut(const std::vector<ReadingPlace> &places) {
-    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "cut %n reading(s)"), static_cast<int>(places.size())),
-         [&](PositioningMeasurement &m) { makeMissing(m, places); });
+    makeMissing(QT_TRANSLATE_N_NOOP("edits", "cut %n reading(s)"), places);
 }
 
 void ReadingsEditor::setAside(const std::vector<ReadingPlace> &places, const QString &reason) {
@@ -82,26 +88,31 @@ void ReadingsEditor::bringBack(const std::vector<ReadingPlace> &places) {
         [&](PositioningMeasurement &m) { palmer::bringBack(m, places); });
 }
 
-void ReadingsEditor::fill(const std::vector<std::vector<ReadingPlace>> &lists) {
-    int count = 0;
-    for (const auto &places : lists)
-        count += static_cast<int>(places.empty() ? 0 : places.size() - 1);
-    if (count == 0)
-        return;
-    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "fill %n reading(s)"), count),
+bool ReadingsEditor::fill(const std::vector<std::vector<ReadingPlace>> &lists) {
+    std::vector<std::pair<ReadingPlace, double>> filled;
+    bool any = false;
+    for (const auto &places : lists) {
+        const auto source =
+            measurement() && !places.empty() ? readingAt(*measurement(), places.front()) : std::nullopt;
+        if (!source)
+            continue;
+        any = true;
+        for (const ReadingPlace &place : notAside({places.begin() + 1, places.end()}))
+            filled.emplace_back(place, *source);
+    }
+    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "fill %n reading(s)"), static_cast<int>(filled.size())),
          [&](PositioningMeasurement &m) {
-             for (const auto &places : lists) {
-                 for (std::size_t i = 1; i < places.size(); ++i)
-                     setReading(m, places[i], readingAt(m, places.front()));
-             }
+             for (const auto &[place, value] : filled)
+                 setReading(m, place, value);
          });
+    return any;
 }
 
 std::optional<PastedBlock> ReadingsEditor::paste(const QString &text, const BlockPlace &place,
                                                  const BlockChoices &choices, bool instead) {
     QUndoStack &stack = *m_model.undoStack();
-    if (instead && stack.index() == m_pasteIndex && stack.canUndo())
-        stack.undo();
+    if (instead)
+        undoPaste();
     m_pasteIndex = -1;
     if (!measurement())
         return std::nullopt;
@@ -113,6 +124,16 @@ std::optional<PastedBlock> ReadingsEditor::paste(const QString &text, const Bloc
     if (stack.index() != before)
         m_pasteIndex = stack.index();
     return pasted;
+}
+
+bool ReadingsEditor::isPasteLast() const {
+    const QUndoStack &stack = *m_model.undoStack();
+    return m_pasteIndex > 0 && stack.index() == m_pasteIndex;
+}
+
+void ReadingsEditor::undoPaste() {
+    if (isPasteLast())
+        m_model.undoStack()->undo();
 }
 
 void ReadingsEditor::insertTarget(std::size_t before) {

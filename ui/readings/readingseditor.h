@@ -13,7 +13,8 @@
 namespace palmer::ui {
 
 /// What a user does to the readings of the test in view, each as one named step to undo. Does nothing where
-/// that test is no positioning test.
+/// that test is no positioning test. A reading set aside keeps value and reason, whatever is typed, deleted,
+/// filled or pasted over it, until it is taken back.
 class ReadingsEditor : public QObject {
     Q_OBJECT
 
@@ -37,13 +38,17 @@ public:
     void cut(const std::vector<ReadingPlace> &places); ///< the same under another name
     void setAside(const std::vector<ReadingPlace> &places, const QString &reason);
     void bringBack(const std::vector<ReadingPlace> &places);
-    /// The first place of each list is put into the others.
-    void fill(const std::vector<std::vector<ReadingPlace>> &lists);
+    /// The reading at the first place of each list is put into the others; false: there is none at any.
+    bool fill(const std::vector<std::vector<ReadingPlace>> &lists);
 
     /// Puts a block in, as one step: the former one, if it was the last thing done, is taken back before
     /// (`instead`). Throws what pasteBlock throws. Null where there is no test.
     std::optional<PastedBlock> paste(const QString &text, const BlockPlace &place,
                                      const BlockChoices &choices, bool instead = false);
+
+    /// Whether the paste was the last thing done, and can be taken back as such.
+    [[nodiscard]] bool isPasteLast() const;
+    void undoPaste();
 
     void insertTarget(std::size_t before);
     void removeTargets(const std::vector<std::size_t> &targets);
@@ -52,6 +57,8 @@ public:
     void removeRuns(const std::vector<std::size_t> &runs);
 
 private:
+    [[nodiscard]] std::vector<ReadingPlace> notAside(const std::vector<ReadingPlace> &places) const;
+    void makeMissing(const char *counted, const std::vector<ReadingPlace> &places);
     void edit(const char *name, const std::function<void(PositioningMeasurement &)> &change);
 
     DocumentModel &m_model;

@@ -58,6 +58,7 @@ void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
     const bool same = hasSameCells(measurement, evaluation.get());
     const std::shared_ptr<const Document> former = m_document; // owns the measurement shown until now
     const PositioningMeasurement *before = m_measurement;
+    dropRefused(measurement ? evaluated.document->tests[test]->id : std::string(), measurement);
     const auto outliers = m_outliers;
     const bool wasPending = m_pending;
     const bool sameEdition = m_evaluation && evaluation && m_evaluation->edition == evaluation->edition;
@@ -69,7 +70,6 @@ void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_measurement = measurement;
     rebuild();
     if (!same) {
-        m_refusedTarget.reset();
         endResetModel();
     } else if (rowCount() > 0) {
         // Of one reading typed only its row is painted anew.
@@ -84,17 +84,31 @@ void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
     }
 }
 
-void ReadingsModel::setRefusedTarget(std::optional<std::size_t> target, const QString &text,
-                                     const QString &reason) {
-    const auto before = std::exchange(m_refusedTarget, target);
-    m_refusedTargetText = text;
-    m_refusedTargetReason = reason;
-    for (const auto &changed : {before, target}) {
-        if (changed && static_cast<int>(*changed) < rowCount()) {
-            const QModelIndex cell = index(static_cast<int>(*changed), positionColumn);
-            emit dataChanged(cell, cell);
-        }
+/// What was refused at a target goes when the target is another.
+void ReadingsModel::dropRefused(const std::string &id, const PositioningMeasurement *now) {
+    if (now && m_measurement && id == m_id) {
+        m_refusedTargets.removeIf(id, [&](const RefusedTexts::Cell &cell) {
+            return now->targets.size() != m_measurement->targets.size() ||
+                   now->targets[cell.row] != m_measurement->targets[cell.row];
+        });
     }
+    m_id = id;
+}
+
+void ReadingsModel::refuseTarget(std::size_t target, const QString &text, const QString &reason) {
+    m_refusedTargets.put(m_id, {target, positionColumn}, text, reason);
+    const QModelIndex cell = index(static_cast<int>(target), positionColumn);
+    emit dataChanged(cell, cell);
+}
+
+void ReadingsModel::acceptTarget(std::size_t target) {
+    m_refusedTargets.remove(m_id, {target, positionColumn});
+    const QModelIndex cell = index(static_cast<int>(target), positionColumn);
+    emit dataChanged(cell, cell);
+}
+
+const RefusedTexts::Refused *ReadingsModel::refusedTarget(int row) const {
+    return m_refusedTargets.find(m_id, {static_cast<std::size_t>(row), positionColumn});
 }
 
 void ReadingsModel::setLanguage(const Language &language) {
@@ -193,8 +207,10 @@ QString ReadingsModel::text(const QModelIndex &index) const {
     const auto row = static_cast<std::size_t>(index.row());
     if (index.column() == numberColumn)
         return QString::number(index.row() + 1);
-    if (index.column() == positionColumn)
-        return m_refusedTarget == row ? m_refusedTargetText : m_texts->position(row);
+    if (index.column() == positionColumn) {
+        const RefusedTexts::Refused *refused = refusedTarget(index.row());
+        return refused ? refused->text : m_texts->position(row);
+    }
     if (const auto place = placeAt(index)) {
         const RefusedReading *refused = refusedAt(*m_measurement, *place);
         return refused ? QString::fromStdString(refused->text)
@@ -223,7 +239,7 @@ QString ReadingsModel::plainText(const QModelIndex &index) const {
         QString text = m_language.number(value, quantity);
         return text.remove(u'\u202F').replace(u'\u2212', u'-');
     };
-    if (index.column() == positionColumn && m_refusedTarget != row)
+    if (index.column() == positionColumn && !refusedTarget(index.row()))
         return plain(m_measurement->targets[row], positionQuantity(m_measurement->axis));
     const auto place = placeAt(index);
     if (!place)
@@ -241,8 +257,10 @@ QString ReadingsModel::plainText(const QModelIndex &index) const {
 
 /// Why the cell is red; empty: it is not.
 QString ReadingsModel::refusal(const QModelIndex &index) const {
-    if (index.column() == positionColumn && m_refusedTarget == static_cast<std::size_t>(index.row()))
-        return m_refusedTargetReason;
+    if (index.column() == positionColumn) {
+        const RefusedTexts::Refused *refused = refusedTarget(index.row());
+        return refused ? refused->reason : QString();
+    }
     const auto place = placeAt(index);
     const RefusedReading *refused = place ? refusedAt(*m_measurement, *place) : nullptr;
     if (!refused)
@@ -269,7 +287,9 @@ QVariant ReadingsModel::data(const QModelIndex &index, int role) const {
         return place && m_outliers.contains(*place);
     case Qt::ToolTipRole:
         if (const QString reason = refusal(index); !reason.isEmpty())
-            return tr("%1: not taken, the reading is missing").arg(reason);
+            return index.column() == positionColumn
+                       ? tr("%1: not taken, the target stays where it was").arg(reason)
+                       : tr("%1: not taken, the reading is missing").arg(reason);
         if (place && m_outliers.contains(*place))
             return tr("Far from the other readings here: a typing error?");
         if (place) {
@@ -323,6 +343,21 @@ Qt::ItemFlags ReadingsModel::flags(const QModelIndex &index) const {
         return Qt::NoItemFlags;
     const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
     return index.column() == positionColumn || placeAt(index) ? flags | Qt::ItemIsEditable : flags;
+}
+
+QString ReadingsModel::keptAside(const std::vector<ReadingPlace> &places) const {
+    if (!m_measurement)
+        return {};
+    const auto count = std::ranges::count_if(
+        places, [this](const ReadingPlace &place) { return excludedAt(*m_measurement, place) != nullptr; });
+    if (count == 0)
+        return {};
+    return tr("%n reading(s) set aside and left so: take back first (%1)", nullptr, static_cast<int>(count))
+        .arg(bringBackKeys().toString(QKeySequence::NativeText));
+}
+
+QKeySequence ReadingsModel::bringBackKeys() {
+    return {Qt::CTRL | Qt::SHIFT | Qt::Key_E};
 }
 
 QString ReadingsModel::summary(const QModelIndexList &indexes) const {

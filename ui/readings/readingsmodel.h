@@ -4,10 +4,13 @@
 #include "language/language.h"
 #include "report/readingtable.h"
 #include "ui/model/selection.h"
+#include "ui/refusedtexts.h"
 
 #include <QAbstractTableModel>
+#include <QKeySequence>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace palmer::ui {
@@ -58,13 +61,17 @@ public:
     [[nodiscard]] std::vector<std::size_t> runs() const;
     /// The text of a cell for a spreadsheet or a field: all its digits, not grouped.
     [[nodiscard]] QString plainText(const QModelIndex &index) const;
-    /// A target position that was typed and cannot be one: shown until it is put right. Null: none.
-    void setRefusedTarget(std::optional<std::size_t> target, const QString &text = {},
-                          const QString &reason = {});
+    /// A target position that was typed and cannot be one: shown until it is put right.
+    void refuseTarget(std::size_t target, const QString &text, const QString &reason);
+    void acceptTarget(std::size_t target);
+    [[nodiscard]] const RefusedTexts &refusedTargets() const { return m_refusedTargets; }
     [[nodiscard]] const Head &head(int column) const { return m_heads[static_cast<std::size_t>(column)]; }
     [[nodiscard]] int computedColumn() const; ///< the first that is computed
     [[nodiscard]] std::optional<ReadingPlace> placeAt(const QModelIndex &index) const;
     [[nodiscard]] QModelIndex indexOf(const ReadingPlace &place) const;
+    /// Why readings set aside among the places stay as they are, and how they are changed; empty: none is.
+    [[nodiscard]] static QKeySequence bringBackKeys();
+    [[nodiscard]] QString keptAside(const std::vector<ReadingPlace> &places) const;
     /// Mean and range of the readings among the indexes; empty where there is none.
     [[nodiscard]] QString summary(const QModelIndexList &indexes) const;
     /// The longest texts of a column, for its width.
@@ -74,6 +81,8 @@ private:
     [[nodiscard]] bool hasSameCells(const PositioningMeasurement *measurement,
                                     const TestEvaluation *evaluation) const;
     void rebuild();
+    void dropRefused(const std::string &id, const PositioningMeasurement *now);
+    [[nodiscard]] const RefusedTexts::Refused *refusedTarget(int row) const;
     [[nodiscard]] bool holds(const ReadingPlace &place) const;
     [[nodiscard]] QString text(const QModelIndex &index) const;
     [[nodiscard]] QString refusal(const QModelIndex &index) const;
@@ -90,9 +99,8 @@ private:
     std::vector<StatisticColumn> m_statistics;
     std::vector<Head> m_heads;
     std::set<ReadingPlace> m_outliers;
-    std::optional<std::size_t> m_refusedTarget;
-    QString m_refusedTargetText;
-    QString m_refusedTargetReason;
+    std::string m_id;              ///< of the test
+    RefusedTexts m_refusedTargets; ///< by the row
 };
 
 } // namespace palmer::ui

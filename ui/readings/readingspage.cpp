@@ -5,6 +5,7 @@
 #include "ui/readings/readingsview.h"
 #include "ui/ruling.h"
 #include "ui/theme.h"
+#include "ui/typingguard.h"
 
 #include <QAction>
 #include <QButtonGroup>
@@ -99,6 +100,11 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
         m_blockChoices.content = content;
         pasteAgain();
     });
+    connect(m_pasteBar, &PasteBar::undoWanted, this, [this] {
+        m_editor.undoPaste();
+        m_pasteBar->hide();
+        m_view->setFocus();
+    });
     retranslate();
 }
 
@@ -121,7 +127,8 @@ QAction *ReadingsPage::addAction(QList<QAction *> &list, const QString &name, co
     action->setShortcut(shortcut);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     list << action;
-    m_view->addAction(action); // also its context menu
+    connect(action, &QAction::triggered, this, [] { commitTyping(); }); // before what the action does
+    m_view->addAction(action);                                          // also its context menu
     return action;
 }
 
@@ -141,8 +148,7 @@ void ReadingsPage::makeActions() {
     m_fillRight = addAction(m_editActions, QStringLiteral("fillRight"), QKeySequence(Qt::CTRL | Qt::Key_R));
     addSeparator(m_editActions);
     m_setAside = addAction(m_editActions, QStringLiteral("setAside"), QKeySequence(Qt::CTRL | Qt::Key_E));
-    m_bringBack =
-        addAction(m_editActions, QStringLiteral("bringBack"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E));
+    m_bringBack = addAction(m_editActions, QStringLiteral("bringBack"), ReadingsModel::bringBackKeys());
     addSeparator(m_editActions);
     m_insertAbove = addAction(m_testActions, QStringLiteral("insertTargetAbove"),
                               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Plus));
@@ -158,11 +164,17 @@ void ReadingsPage::makeActions() {
 
     connect(m_cut, &QAction::triggered, this, [this] {
         QGuiApplication::clipboard()->setText(copied());
-        m_editor.cut(m_view->selectedPlaces());
+        const std::vector<ReadingPlace> places = m_view->selectedPlaces();
+        m_editor.cut(places);
+        m_view->say(m_model.keptAside(places));
     });
     connect(m_copy, &QAction::triggered, this, [this] { QGuiApplication::clipboard()->setText(copied()); });
     connect(m_paste, &QAction::triggered, this, &ReadingsPage::paste);
-    connect(m_clear, &QAction::triggered, this, [this] { m_editor.clear(m_view->selectedPlaces()); });
+    connect(m_clear, &QAction::triggered, this, [this] {
+        const std::vector<ReadingPlace> places = m_view->selectedPlaces();
+        m_editor.clear(places);
+        m_view->say(m_model.keptAside(places));
+    });
     connect(m_fillDown, &QAction::triggered, this, [this] { fill(true); });
     connect(m_fillRight, &QAction::triggered, this, [this] { fill(false); });
     connect(m_setAside, &QAction::triggered, this, &ReadingsPage::askReason);
@@ -268,7 +280,7 @@ void ReadingsPage::pasteAgain() {
 }
 
 void ReadingsPage::showPasted(const PastedBlock &pasted) {
-    m_pasteBar->show(pasted, m_blockChoices, m_model.language());
+    m_pasteBar->show(pasted, m_blockChoices, m_model.language(), m_editor.isPasteLast());
 }
 
 void ReadingsPage::fill(bool down) {
@@ -288,7 +300,13 @@ void ReadingsPage::fill(bool down) {
     else
         add(m_view->selectedRows(), m_view->selectedColumns(),
             [this](int row, int column) { return m_model.index(row, column); });
-    m_editor.fill(lists);
+    std::vector<ReadingPlace> goals;
+    for (const auto &places : lists) {
+        if (places.size() > 1)
+            goals.insert(goals.end(), places.begin() + 1, places.end());
+    }
+    m_view->say(m_editor.fill(lists) ? m_model.keptAside(goals)
+                                     : tr("nothing to fill with: the first cell has no reading"));
 }
 
 void ReadingsPage::askReason() {
@@ -306,7 +324,7 @@ void ReadingsPage::askReason() {
 }
 
 void ReadingsPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
-    if (test != m_test)
+    if (test != m_test || !m_editor.isPasteLast())
         m_pasteBar->hide();
     m_evaluated = evaluated;
     m_test = test;

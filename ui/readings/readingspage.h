@@ -34,6 +34,10 @@ public:
     [[nodiscard]] const QList<QAction *> &editActions() const { return m_editActions; }
     [[nodiscard]] const QList<QAction *> &testActions() const { return m_testActions; }
 
+    /// What was typed and cannot be taken, and is in no document: target positions. Readings are kept with
+    /// it.
+    [[nodiscard]] QStringList refusedTexts() const { return m_model.refusedTargets().texts(); }
+
     /// Puts the text of the clipboard in, from the current cell on.
     void paste();
     /// The selected cells as a spreadsheet takes them: tabs, the decimal mark of the window's language.

@@ -89,6 +89,7 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     connect(&m_selection, &Selection::readingChanged, this, &ReadingsView::showCurrent);
     connect(&model, &QAbstractItemModel::modelReset, this, [this] {
         m_typed = QModelIndex();
+        m_said.clear();
         fitColumns();
         showHovered();
         showCurrent();
@@ -228,6 +229,7 @@ void ReadingsView::showNext() {
 
 void ReadingsView::currentChanged(const QModelIndex &current, const QModelIndex &previous) {
     QTableView::currentChanged(current, previous);
+    m_said.clear();
     showNext();
     showReason();
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
@@ -325,9 +327,13 @@ void ReadingsView::keyPressEvent(QKeyEvent *event) {
 
 /// The frozen columns lie above the others: their cells are typed in there.
 bool ReadingsView::edit(const QModelIndex &index, EditTrigger trigger, QEvent *event) {
+    const bool typing = trigger == AnyKeyPressed || trigger == EditKeyPressed || trigger == DoubleClicked;
+    if (typing && index.data(ReadingsModel::excludedRole).toBool()) {
+        say(m_model.keptAside({*m_model.placeAt(index)}));
+        return true; // it is done with
+    }
     if (!index.isValid() || index.column() > ReadingsModel::positionColumn)
         return QTableView::edit(index, trigger, event);
-    const bool typing = trigger == AnyKeyPressed || trigger == EditKeyPressed || trigger == DoubleClicked;
     if (!typing || !(m_model.flags(index) & Qt::ItemIsEditable))
         return false;
     m_frozen->edit(index);
@@ -339,24 +345,29 @@ bool ReadingsView::edit(const QModelIndex &index, EditTrigger trigger, QEvent *e
 
 void ReadingsView::take(const QModelIndex &index, const QString &text) {
     m_typed = index;
+    m_said.clear();
     if (const auto place = m_model.placeAt(index)) {
-        m_model.setRefusedTarget(std::nullopt);
         m_editor.type(*place, text, m_model.unit(), m_model.language());
     } else {
         const auto target = static_cast<std::size_t>(index.row());
         const auto problem = m_editor.typeTarget(target, text, m_model.language());
         if (problem)
-            m_model.setRefusedTarget(target, text, m_model.language().sentence(*problem));
+            m_model.refuseTarget(target, text, m_model.language().sentence(*problem));
         else
-            m_model.setRefusedTarget(std::nullopt);
+            m_model.acceptTarget(target);
     }
     showReason();
     emit typed();
 }
 
+void ReadingsView::say(const QString &sentence) {
+    m_said = sentence;
+    showReason();
+}
+
 void ReadingsView::showReason() {
     QModelIndex cell = currentIndex();
-    QString reason = cell.data(ReadingsModel::refusedRole).toString();
+    QString reason = m_said.isEmpty() ? cell.data(ReadingsModel::refusedRole).toString() : m_said;
     if (reason.isEmpty()) {
         cell = m_typed;
         reason = cell.data(ReadingsModel::refusedRole).toString();

@@ -36,6 +36,9 @@ public:
 
     void step(ReadingsDelegate::Step step);
 
+    /// Says something beside the current cell, until another becomes the current one.
+    void say(const QString &sentence);
+
 signals:
     /// Mean and range of what is selected; empty: nothing.
     void summaryChanged(const QString &text);
@@ -53,6 +56,7 @@ protected:
     void scrollContentsBy(int dx, int dy) override;
     void updateGeometries() override;
     bool edit(const QModelIndex &index, EditTrigger trigger, QEvent *event) override;
+    void keyboardSearch(const QString &) override {} ///< digits are typed, they search nothing
 
 private:
     void hover(const QModelIndex &index);
@@ -71,6 +75,7 @@ private:
     QTableView *m_frozen;
     QLabel *m_reason;              ///< why a text is no number, beside its cell
     QPersistentModelIndex m_typed; ///< the cell typed last
+    QString m_said;                ///< of the current cell
     QModelIndex m_hovered;
     bool m_following = false; ///< the selection of the window is what moves the current cell
 };

@@ -20,6 +20,7 @@
 #include "ui/readings/readingspage.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
+#include "ui/typingguard.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
 #include "ui/welcome/welcomepage.h"
@@ -138,6 +139,7 @@ QAction *MainWindow::addAction(QMenu *menu, const QString &name, const QString &
     if (!icon.isEmpty())
         action->setIcon(lineIcon(icon));
     menu->addAction(action);
+    connect(action, &QAction::triggered, this, [] { commitTyping(); }); // before what the action does
     return action;
 }
 
@@ -705,6 +707,7 @@ void MainWindow::watchFile(const std::optional<FileState> &known) {
 }
 
 void MainWindow::keepCopy() {
+    commitTyping();
     if (isUnsaved())
         m_autosave.flush();
 }
@@ -822,14 +825,36 @@ void MainWindow::remember() {
         rememberFile(describeFile(m_model.path(), m_evaluator.current()));
 }
 
+QString MainWindow::notTaken(const QStringList &refused) {
+    QStringList quoted;
+    for (const QString &text : refused)
+        quoted << tr("“%1”").arg(text);
+    return tr("Typed and shown in red, but never taken: %1. It is not saved.")
+        .arg(quoted.join(QStringLiteral(", ")));
+}
+
+/// Texts that could not be taken go with the window: only when the user says so.
+bool MainWindow::mayForget(const QStringList &refused) {
+    QMessageBox box(QMessageBox::Question, tr("Close"), tr("Close without what could not be taken?"),
+                    QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setObjectName(QStringLiteral("closeBox"));
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.setInformativeText(notTaken(refused));
+    return box.exec() == QMessageBox::Discard;
+}
+
 bool MainWindow::isUnsaved() const {
     return m_open && (m_model.isModified() || m_outsideAsked || m_fileGone);
 }
 
 bool MainWindow::mayClose() {
+    commitTyping();
     m_fileGone = m_open && !m_model.path().isEmpty() && !QFileInfo::exists(m_model.path());
-    if (!isUnsaved())
+    if (!m_open)
         return true;
+    const QStringList refused = m_workplace->refusedTexts();
+    if (!isUnsaved())
+        return refused.isEmpty() || mayForget(refused);
     const QString name = QFileInfo(m_model.path()).fileName();
     const bool onlyHere = m_fileGone || m_outsideAsked;
     QMessageBox box(QMessageBox::Question, tr("Close"),
@@ -841,8 +866,9 @@ bool MainWindow::mayClose() {
     box.setObjectName(QStringLiteral("closeBox"));
     box.setTextFormat(Qt::PlainText);
     box.setDefaultButton(QMessageBox::Save);
-    box.setInformativeText(onlyHere ? tr("Otherwise what is here is lost.")
-                                    : tr("Otherwise the changes since the last saving are lost."));
+    box.setInformativeText((onlyHere ? tr("Otherwise what is here is lost.")
+                                     : tr("Otherwise the changes since the last saving are lost.")) +
+                           (refused.isEmpty() ? QString() : u' ' + notTaken(refused)));
     const int answer = box.exec();
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }

@@ -92,6 +92,8 @@ private:
     [[nodiscard]] bool isUnsaved() const;
     /// Takes the file as it is, or as it was, for what this document was read from.
     void watchFile(const std::optional<FileState> &known = {});
+    bool mayForget(const QStringList &refused);
+    [[nodiscard]] static QString notTaken(const QStringList &refused);
     void read(const QString &path);
     MainWindow *take(Document document, const QString &path, bool modified = false);
     /// `ofThisFile`: the statements of the test in view may be taken over.

@@ -17,6 +17,7 @@
 #include "ui/results/findingspanel.h"
 #include "ui/results/resultspanel.h"
 #include "ui/theme.h"
+#include "ui/typingguard.h"
 #include "ui/uncertainty/uncertaintypage.h"
 #include "ui/window/pagetabs.h"
 #include "ui/window/rightside.h"
@@ -221,6 +222,7 @@ void Workplace::showPage(Page page) {
         return;
     if (tabOf(page) > 0 && isDrift())
         page = Page::readings;
+    commitTyping();
     m_selection.setPage(page);
     presentPage(); // also where it was the page already and only a tab moved
 }
@@ -229,6 +231,7 @@ void Workplace::showTest(std::size_t test) {
     if (test >= m_evaluated.tests.size())
         return;
     const bool fromReport = isReportPage();
+    commitTyping(); // while the test it belongs to is in view
     m_selection.setTest(test);
     if (fromReport)
         showPage(Page::readings);
@@ -411,6 +414,13 @@ void Workplace::presentCircularStatus(const CircularMeasurement &measurement) {
                         place->target < measurement.arcs[place->run].angles.size();
     emit hintChanged(exists ? pointText(measurement, place->run, place->target, windowLanguage())
                             : QString());
+}
+
+QStringList Workplace::refusedTexts() const {
+    QStringList texts = m_readings->refusedTexts() + m_circles->refusedTexts() + m_drift->refusedTexts();
+    for (const Form *form : findChildren<Form *>())
+        texts += form->refusedTexts();
+    return texts;
 }
 
 Form *Workplace::formInView() const {

@@ -48,6 +48,8 @@ public:
 
     [[nodiscard]] Selection &selection() { return m_selection; }
     [[nodiscard]] ReadingsPage &readings() { return *m_readings; }
+    /// What was typed anywhere and cannot be taken: shown in red, in no document.
+    [[nodiscard]] QStringList refusedTexts() const;
     [[nodiscard]] CirclesPage &circles() { return *m_circles; }
 
     /// Shows the document, keeping what is chosen where it still exists. Of a test that is pending the pages

@@ -11,7 +11,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -72,7 +71,7 @@ struct Shown {
         emit box->activated(index);
     }
     void type(const char *name, const QString &text) const {
-        auto *box = find<QDoubleSpinBox>(name);
+        auto *box = find<QLineEdit>(name);
         box->setFocus();
         box->selectAll();
         QTest::keyClicks(box, text);
@@ -165,14 +164,14 @@ private slots:
 
     void rangeByNumberIsOneStep() {
         Shown shown;
-        QCOMPARE(shown.find<QDoubleSpinBox>("evaluatedFrom")->value(), 0.1);
+        QCOMPARE(shown.find<QLineEdit>("evaluatedFrom")->text(), u"0.1"_s);
         shown.type("evaluatedFrom", u"20"_s);
         QCOMPARE(shown.circles().arcs[0].evaluated, (Interval{20, 359.9}));
         QCOMPARE(shown.cell("arcs", 0, ArcsModel::from), u"20.0°"_s);
         QCOMPARE(shown.cell("arcs", 0, ArcsModel::cut), u"19.9°"_s);
         QCOMPARE(shown.model.undoStack()->count(), 1);
         shown.find<QTableView>("arcs")->selectRow(1); // the fields are those of the current arc
-        QCOMPARE(shown.find<QDoubleSpinBox>("evaluatedFrom")->value(), 0.1);
+        QCOMPARE(shown.find<QLineEdit>("evaluatedFrom")->text(), u"0.1"_s);
         shown.model.undoStack()->undo();
         QVERIFY(!shown.circles().arcs[0].evaluated);
     }
@@ -181,8 +180,27 @@ private slots:
         Shown shown;
         shown.type("evaluatedTo", u"-5"_s);
         QVERIFY(!shown.circles().arcs[0].evaluated);
-        QCOMPARE(shown.find<QDoubleSpinBox>("evaluatedTo")->value(), 359.9);
-        QCOMPARE(shown.model.undoStack()->count(), 0);
+        QCOMPARE(shown.find<QLineEdit>("evaluatedTo")->text(), u"-5"_s); // stays, and it is said why
+        QVERIFY(shown.find<QLabel>("circlesReason")
+                    ->text()
+                    .startsWith(u"⚠ Not above the lower end of the range"_s));
+        QCOMPARE(shown.page.refusedTexts(), QStringList{u"-5"_s});
+        shown.type("evaluatedTo", u"300"_s);
+        QCOMPARE(shown.circles().arcs[0].evaluated, (Interval{0.1, 300}));
+        QVERIFY(!shown.find<QLabel>("circlesReason")->isVisible());
+        shown.model.undoStack()->undo();
+        QCOMPARE(shown.model.undoStack()->index(), 0);
+    }
+
+    void aRangeMovesBeyondItself() {
+        Shown shown;
+        shown.type("evaluatedTo", u"90"_s);
+        shown.type("evaluatedFrom", u"100"_s); // not below 90: waits for the other end
+        QCOMPARE(shown.find<QLineEdit>("evaluatedFrom")->text(), u"100"_s);
+        QVERIFY(!shown.page.refusedTexts().isEmpty());
+        shown.type("evaluatedTo", u"180"_s);
+        QCOMPARE(shown.circles().arcs[0].evaluated, (Interval{100, 180}));
+        QVERIFY(shown.page.refusedTexts().isEmpty());
     }
 
     void handlesSetTheRange() {
@@ -236,12 +254,16 @@ private slots:
         QCOMPARE(shown.cell("arcs", 0, ArcsModel::sense), u"anticlockwise, YZ"_s);
         shown.type("nominalRadius", u"149.9995"_s);
         QCOMPARE(shown.circles().nominalRadius, 149.9995);
-        QCOMPARE(shown.find<QDoubleSpinBox>("contouringFeed")->text(), u"1\u202f000 mm/min"_s);
+        QCOMPARE(shown.find<QLineEdit>("contouringFeed")->text(), u"1\u202f000"_s);
         shown.type("contouringFeed", u"500"_s);
         QCOMPARE(shown.circles().feed, std::optional(500.0));
         shown.type("contouringFeed", u"0"_s);
+        QCOMPARE(shown.page.refusedTexts(), QStringList{u"0"_s});
+        auto *feed = shown.find<QLineEdit>("contouringFeed");
+        feed->selectAll();
+        QTest::keyClick(feed, Qt::Key_Backspace);
         QVERIFY(!shown.circles().feed);
-        QCOMPARE(shown.find<QDoubleSpinBox>("contouringFeed")->text(), u"not stated"_s);
+        QCOMPARE(feed->placeholderText(), u"not stated"_s);
         shown.choose("signalSource", 1);
         QCOMPARE(shown.circles().source, SignalSource::feedback);
         shown.choose("referenceCircle", 1);
@@ -260,7 +282,7 @@ private slots:
         Shown shown(decidedPair(), Language::Id::french);
         shown.type("nominalRadius", u"149,5"_s);
         QCOMPARE(shown.circles().nominalRadius, 149.5);
-        QCOMPARE(shown.find<QDoubleSpinBox>("nominalRadius")->text(), u"149,5 mm"_s);
+        QCOMPARE(shown.find<QLineEdit>("nominalRadius")->text(), u"149,5"_s);
         QCOMPARE(shown.cell("arcs", 0, ArcsModel::from), u"0,1°"_s);
     }
 
@@ -403,7 +425,7 @@ private slots:
         const Shown shown(circularTest({}));
         QCOMPARE(shown.find<QTableView>("arcs")->model()->rowCount(), 0);
         QVERIFY(!shown.find<QPushButton>("reverseSense")->isEnabled());
-        QVERIFY(!shown.find<QDoubleSpinBox>("evaluatedFrom")->isEnabled());
+        QVERIFY(!shown.find<QLineEdit>("evaluatedFrom")->isEnabled());
         QVERIFY(!shown.find<QComboBox>("angleReference")->isEnabled());
         const Shown empty(circularTest({Arc()}));
         QCOMPARE(empty.cell("arcs", 0, ArcsModel::points), u"0"_s);

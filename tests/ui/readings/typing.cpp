@@ -22,7 +22,6 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QSpinBox>
 #include <QTableView>
 #include <QTest>
 #include <QTimer>
@@ -391,6 +390,113 @@ private slots:
         QVERIFY(typing.measurement() == published());
     }
 
+    /// Whatever is done over a reading set aside: it keeps value and reason, and it is said how to change it.
+    void aReadingSetAsideIsNotLost_data() {
+        QTest::addColumn<int>("way");
+        QTest::newRow("typing") << 0;
+        QTest::newRow("F2") << 1;
+        QTest::newRow("Delete") << 2;
+        QTest::newRow("Delete among others") << 3;
+        QTest::newRow("cutting") << 4;
+        QTest::newRow("pasting a number") << 5;
+        QTest::newRow("pasting a dash") << 6;
+        QTest::newRow("filling from above") << 7;
+    }
+
+    void aReadingSetAsideIsNotLost() {
+        QFETCH(int, way);
+        TypingWindow typing(publishedTest());
+        const ReadingPlace place{1, 3};
+        typing.window->model().edit("prepare", [&](Document &document) {
+            editReadings(document, 0, [&](PositioningMeasurement &m) {
+                setAside(m, std::vector{place}, "beam interrupted");
+            });
+        });
+        const ExcludedReading aside = *excludedAt(typing.measurement(), place);
+        typing.setCurrent(place.run, place.target);
+        const QModelIndex cell = typing.view->currentIndex();
+        if (way == 0) {
+            typing.type("12");
+        } else if (way == 1) {
+            typing.press(Qt::Key_F2);
+        } else if (way == 2) {
+            typing.press(Qt::Key_Delete);
+        } else if (way == 3) {
+            typing.press(Qt::Key_Down, Qt::ShiftModifier);
+            typing.press(Qt::Key_Delete);
+            QVERIFY(!readingAt(typing.measurement(), {1, 4}));
+        } else if (way == 4) {
+            typing.press(Qt::Key_X, Qt::ControlModifier);
+        } else if (way == 5) {
+            typing.paste("7.7");
+        } else if (way == 6) {
+            typing.paste("-\n5");
+            QVERIFY(readingAt(typing.measurement(), {1, 4}));
+        } else if (way == 7) {
+            typing.setCurrent(place.run, place.target - 1);
+            typing.press(Qt::Key_Down, Qt::ShiftModifier);
+            typing.press(Qt::Key_D, Qt::ControlModifier);
+        }
+        QVERIFY(!typing.view->findChild<QLineEdit *>("readingField"));
+        QVERIFY(excludedAt(typing.measurement(), place));
+        QCOMPARE(*excludedAt(typing.measurement(), place), aside);
+        QVERIFY(!refusedAt(typing.measurement(), place));
+        if (way <= 4 || way == 7) {
+            const auto *reason = typing.view->findChild<QLabel *>("reason");
+            QVERIFY(reason->isVisible());
+            QVERIFY2(reason->text().contains("Ctrl+Shift+E"), qPrintable(reason->text()));
+        }
+        if (way == 5)
+            QVERIFY(typing.find<QLabel>("pasteRemarks")->text().contains("set aside"));
+        // Taken back, it is typed over as any other.
+        typing.setCurrent(0, 0); // nothing else is selected
+        typing.setCurrent(place.run, place.target);
+        QCOMPARE(typing.view->currentIndex(), cell);
+        typing.find<QAction>("bringBack")->trigger();
+        QCOMPARE(readingAt(typing.measurement(), place), std::optional(aside.value));
+        typing.type("12");
+        typing.press(Qt::Key_Return);
+        QCOMPARE(readingAt(typing.measurement(), place), std::optional(0.012));
+        typing.window->model().undoStack()->undo();
+        typing.window->model().undoStack()->undo();
+        QCOMPARE(*excludedAt(typing.measurement(), place), aside);
+    }
+
+    void aPasteThatErasesSaysSo_data() {
+        QTest::addColumn<QString>("block");
+        QTest::addColumn<int>("erased");
+        QTest::newRow("blanks") << "1\t\t3\n\t5\t6\n" << 2;
+        QTest::newRow("dashes") << "1\t-\t3\n-\t5\t-\n" << 3;
+        QTest::newRow("n/a") << "1\tn/a\t3\n" << 1;
+        QTest::newRow("nothing") << "1\t2\t3\n" << 0;
+    }
+
+    void aPasteThatErasesSaysSo() {
+        QFETCH(QString, block);
+        QFETCH(int, erased);
+        TypingWindow typing(publishedTest());
+        const PositioningMeasurement before = typing.measurement();
+        typing.setCurrent(0, 0);
+        typing.paste(block);
+        const QString summary = typing.find<QLabel>("pasteSummary")->text();
+        QCOMPARE(summary.contains(QString("%1 erased").arg(erased)), erased > 0);
+        QCOMPARE(summary.contains("erased"), erased > 0);
+        typing.find<QToolButton>("pasteUndo")->click();
+        QVERIFY(typing.measurement() == before);
+        QVERIFY(!typing.find<QWidget>("pasteBar")->isVisible());
+    }
+
+    void fillingFromNothingErasesNothing() {
+        TypingWindow typing(publishedTest());
+        typing.setCurrent(0, 0);
+        typing.press(Qt::Key_Delete);
+        const PositioningMeasurement before = typing.measurement();
+        typing.press(Qt::Key_Down, Qt::ShiftModifier);
+        typing.press(Qt::Key_D, Qt::ControlModifier);
+        QVERIFY(typing.measurement() == before);
+        QVERIFY(typing.view->findChild<QLabel *>("reason")->isVisible());
+    }
+
     void fillsInsertsAndDeletes() {
         const TypingWindow typing(publishedTest());
         typing.view->selectionModel()->select(
@@ -559,9 +665,9 @@ private slots:
             auto *list = dialog->findChild<QPlainTextEdit *>("newTargets");
             QCOMPARE(list->toPlainText().count(';'), 8); // five a metre
             field("newTravel")->setText("4000");
-            QCOMPARE(dialog->findChild<QSpinBox *>("newRuns")->value(), 1); // once over the whole of it
+            QCOMPARE(dialog->findChild<QLineEdit *>("newRuns")->text(), "1"); // once over the whole of it
             field("newTravel")->setText("1800");
-            QCOMPARE(dialog->findChild<QSpinBox *>("newRuns")->value(), 5);
+            QCOMPARE(dialog->findChild<QLineEdit *>("newRuns")->text(), "5");
             list->setPlainText("0 150,71 300,85");
             QTest::keyClick(dialog, Qt::Key_Return);
         });

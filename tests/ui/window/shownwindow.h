@@ -2,6 +2,7 @@
 
 #include "ui/fonts.h"
 #include "ui/theme.h"
+#include "ui/typingguard.h"
 #include "ui/wheelguard.h"
 #include "ui/window/mainwindow.h"
 #include "ui/window/workplace.h"
@@ -24,6 +25,7 @@ inline void prepareApplication() {
     palmer::ui::loadFonts();
     palmer::ui::installTheme();
     palmer::ui::guardWheel(*qApp);
+    palmer::ui::guardTyping(*qApp);
 }
 
 /// A real window, shown; it deletes itself when it is closed.
