@@ -153,7 +153,7 @@ bool DriftModel::setData(const QModelIndex &index, const QVariant &value, int ro
         m_refused.put(m_id, {row, column}, typed, m_language.text(*entry.refusal));
         emit dataChanged(index, index);
         emit refusedText(m_language.text(*entry.refusal));
-        return true;
+        return false;
     }
     m_refused.remove(m_id, {row, column});
     emit dataChanged(index, index);
@@ -171,7 +171,7 @@ bool DriftModel::setData(const QModelIndex &index, const QVariant &value, int ro
     }
     if (!entry.value) {
         emit refusedText(tr("a reading has both numbers; remove the row instead"));
-        return true;
+        return false;
     }
     DriftReading reading{m_measurement->times[row], m_measurement->deviations[row]};
     (index.column() == time ? reading.time : reading.deviation) = *entry.value;

@@ -451,6 +451,8 @@ private slots:
         // Taken back, it is typed over as any other.
         typing.setCurrent(0, 0); // nothing else is selected
         typing.setCurrent(place.run, place.target);
+        typing.press(Qt::Key_Up); // selects it alone, also where Ctrl was the last thing pressed
+        typing.press(Qt::Key_Down);
         QCOMPARE(typing.view->currentIndex(), cell);
         typing.find<QAction>("bringBack")->trigger();
         QCOMPARE(readingAt(typing.measurement(), place), std::optional(aside.value));

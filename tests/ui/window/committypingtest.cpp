@@ -215,8 +215,13 @@ private slots:
         QTest::addColumn<std::size_t>("place");
         QTest::addColumn<std::size_t>("action");
         for (std::size_t i = 0; i < places().size(); ++i) {
-            for (std::size_t k = 0; k < actions().size(); ++k)
+            for (std::size_t k = 0; k < actions().size(); ++k) {
+                const QString action = actions()[k].name;
+                // The drift test is the last one, with one page and no edition.
+                if (places()[i].test == 2 && (action.startsWith("the next") || action.startsWith("another")))
+                    continue;
                 QTest::addRow("%s, %s", places()[i].name, actions()[k].name) << i << k;
+            }
         }
     }
 
