@@ -1,6 +1,7 @@
 #include "import/importmeasurement.h"
 
 #include "document/edits.h"
+#include "import/doubts.h"
 #include "import/readers.h"
 
 #include <QCryptographicHash>
@@ -14,7 +15,7 @@ namespace palmer {
 
 namespace {
 
-constexpr qsizetype sizeLimit = qsizetype(1) << 30;
+constexpr qsizetype sizeLimit = qsizetype(256) << 20;
 
 constexpr std::array formats{
     ImportFormat{"workbook", isWorkbook, readWorkbook},
@@ -154,10 +155,38 @@ bool isTestFile(QByteArrayView bytes) {
     return at < bytes.size() && bytes[at] == '{';
 }
 
-Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
+namespace {
+
+/// What the reader of the format makes of the bytes; what it finds before it has to give up stays.
+void readInto(Imported &imported, QByteArrayView bytes, const ImportFormat &format, Choices &choices) {
+    try {
+        format.read({bytes, choices.options()}, choices, imported);
+        if (imported.test)
+            demandSense(*imported.test);
+        settleCorrection(imported, choices);
+        if (imported.test)
+            questionNumbers(*imported.test, imported.remarks);
+    } catch (const Error &error) {
+        imported.refusal = error;
+        imported.test.reset();
+        imported.sensors.clear();
+    }
+    imported.choices = choices.take();
+    joinRemarks(imported.remarks);
+    imported.questions = takeQuestions(imported.remarks, choices.options(), imported.choices);
+    std::ranges::stable_sort(imported.remarks, {}, &Remark::grade);
+}
+
+bool showsAnything(const Imported &imported) {
+    return !imported.table.rows().empty() || !imported.text.empty() || !imported.sheets.empty();
+}
+
+} // namespace
+
+Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
     demandKnown(options);
     if (bytes.size() > sizeLimit)
-        throw Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "the file is larger than 1 GiB")});
+        throw Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "the file is larger than 256 MiB")});
     if (isTestFile(bytes))
         throw Error(
             Error::Kind::format,
@@ -169,12 +198,16 @@ Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const 
     imported.format = format.word;
     Choices choices(options);
     choices.settle("format", format.word, Origin::recognised);
-    format.read({bytes, options}, choices, imported);
-    if (imported.test)
-        demandSense(*imported.test);
-    settleCorrection(imported, choices);
-    imported.choices = choices.take();
-    std::ranges::stable_sort(imported.remarks, {}, &Remark::grade);
+    readInto(imported, bytes, format, choices);
+    if (imported.refusal && !showsAnything(imported))
+        throw *imported.refusal;
+    return imported;
+}
+
+Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
+    Imported imported = showMeasurement(bytes, fileName, options);
+    if (imported.refusal)
+        throw *imported.refusal;
     return imported;
 }
 

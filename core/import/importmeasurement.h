@@ -16,6 +16,11 @@ namespace palmer {
 [[nodiscard]] Imported importMeasurement(QByteArrayView bytes, const QString &fileName,
                                          const ImportOptions &options = {});
 
+/// The same for an assistant: what can be shown of a file that cannot be read (the table, its columns, the
+/// choices), with the `refusal` said in it. Throws Error where there is nothing to show.
+[[nodiscard]] Imported showMeasurement(QByteArrayView bytes, const QString &fileName,
+                                       const ImportOptions &options = {});
+
 /// Whether the bytes are a test file or a report, which are opened and not imported.
 [[nodiscard]] bool isTestFile(QByteArrayView bytes);
 

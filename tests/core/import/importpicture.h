@@ -78,6 +78,22 @@ inline QString picture(const Imported &imported) {
     return lines.join(u'\n');
 }
 
+/// The questions in English: `!!` red, `??` asked, with the choice that answers them and the proposal.
+inline QString questions(const Imported &imported) {
+    const Language english(Language::Id::english);
+    QStringList lines;
+    for (const Question &question : imported.questions)
+        lines << QStringLiteral("%1 %2=%3: %4%5%6")
+                     .arg(question.grade == QuestionGrade::red ? QStringLiteral("!!") : QStringLiteral("??"),
+                          QString::fromStdString(question.id), QString::fromStdString(question.proposal),
+                          question.line > 0 ? QString::number(question.line) + QStringLiteral(": ") : QString(),
+                          english.sentence(question.sentence),
+                          question.further.empty()
+                              ? QString()
+                              : QStringLiteral(" (and %1 more)").arg(question.further.size()));
+    return lines.join(u'\n');
+}
+
 /// The remarks in English: `!` problem, `?` assumption, `i` note, with line and column.
 inline QString remarks(const Imported &imported) {
     const Language english(Language::Id::english);
@@ -91,7 +107,8 @@ inline QString remarks(const Imported &imported) {
             place = QString::number(remark.line) +
                     (remark.column > 0 ? u':' + QString::number(remark.column) : QString()) +
                     QStringLiteral(": ");
-        lines << QChar(grade) + QStringLiteral(" ") + place + english.sentence(remark.message);
+        lines << QChar(grade) + QStringLiteral(" ") + place + english.sentence(remark.message) +
+                     (remark.times > 1 ? QStringLiteral(" (× %1)").arg(remark.times) : QString());
     }
     return lines.join(u'\n');
 }
