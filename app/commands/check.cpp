@@ -31,7 +31,7 @@ Command checkCommand() {
     return {"check",
             "FILE…",
             REPORT_TEXT("report", "findings only: what the edition asks for and the test lacks"),
-            {},
+            foreignOptions,
             run};
 }
 

@@ -32,6 +32,9 @@ constexpr std::array options{
                                  "corrections, added to the command")},
     Option{"encoder", "N",
            REPORT_TEXT("report", "siemens: index of the measuring system; without it 0, the first")},
+    foreignOptions[0],
+    foreignOptions[1],
+    foreignOptions[2],
 };
 
 std::optional<double> numberOption(const Invocation &invocation, QLatin1StringView name) {
@@ -123,8 +126,11 @@ int run(const Invocation &invocation) {
     const QString file = invocation.arguments.front();
     const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
     try {
+        std::optional<Document> document = documentFrom(file, invocation);
+        if (!document)
+            return cannotRead; // questions about it are open
         const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)));
+            evaluate(std::make_shared<const Document>(std::move(*document)));
         QByteArray bytes;
         std::size_t index = 0;
         if (form == QLatin1StringView("json")) {

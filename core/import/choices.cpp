@@ -20,6 +20,7 @@ constexpr std::array formatWords{
     ImportWord{"b5r", REPORT_TEXT("report", "Renishaw ballbar (.b5r)")},
     ImportWord{"rtx", REPORT_TEXT("report", "Renishaw dynamic capture (.rtx)")},
     ImportWord{"indexed", REPORT_TEXT("report", "values with indexes (TGT_DATA)")},
+    ImportWord{"pos", REPORT_TEXT("report", "API laser data (.pos)")},
     ImportWord{"ren", REPORT_TEXT("report", "compensation text (.REN)")},
 };
 constexpr std::array encodingWords{

@@ -24,6 +24,7 @@ constexpr std::array formats{
     ImportFormat{"b5r", isBallbarXml, readBallbarXml},
     ImportFormat{"indexed", isIndexedText, readIndexedText},
     ImportFormat{"ren", isRenText, readRenText},
+    ImportFormat{"pos", isPosText, readPosText},
     ImportFormat{"table", isAnything, readTextTable},
 };
 

@@ -477,7 +477,9 @@ public:
             i += take(i);
         if (m_up != m_down)
             m.direction = m_up ? Direction::positive : Direction::negative;
-        if (m_hintUp != m_hintDown)
+        if (m_dash)
+            m.hint = Direction::negative; // "Meas. pos. - 1" beside "Meas. pos. + 1"
+        else if (m_hintUp != m_hintDown)
             m.hint = m_hintUp ? Direction::positive : Direction::negative;
         for (const Meaning meaning : precedence) {
             if (has(meaning)) {
@@ -526,7 +528,8 @@ private:
         m_up |= phrase.sign == Sign::up;
         m_down |= phrase.sign == Sign::down && !token.isWeak;
         m_hintUp |= phrase.sign == Sign::hintUp;
-        m_hintDown |= phrase.sign == Sign::hintDown || (phrase.sign == Sign::down && token.isWeak);
+        m_hintDown |= phrase.sign == Sign::hintDown;
+        m_dash |= phrase.sign == Sign::down && token.isWeak;
         if (phrase.meaning != Meaning::unknown)
             m_meanings.push_back(phrase.meaning);
         m_isDirection = phrase.sign != Sign::none && phrase.sign != Sign::filler;
@@ -570,6 +573,7 @@ private:
     bool m_down = false;
     bool m_hintUp = false;
     bool m_hintDown = false;
+    bool m_dash = false;
     bool m_isDirection = false;
 };
 

@@ -119,7 +119,7 @@ private:
         case Meaning::run:
             return roleOfRun(c);
         case Meaning::direction:
-            return head.words.direction ? ColumnRole::run : ColumnRole::direction;
+            return head.words.direction || head.words.number ? ColumnRole::run : ColumnRole::direction;
         case Meaning::place:
             return head.words.direction ? ColumnRole::run : ColumnRole::ignored;
         case Meaning::unknown:

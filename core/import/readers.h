@@ -35,10 +35,15 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported);
 void readIndexedText(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isRenText(QByteArrayView bytes);
 void readRenText(const ImportSource &source, Choices &choices, Imported &imported);
+[[nodiscard]] bool isPosText(QByteArrayView bytes);
+void readPosText(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isWorkbook(QByteArrayView bytes);
 void readWorkbook(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isAnything(QByteArrayView bytes);
 void readTextTable(const ImportSource &source, Choices &choices, Imported &imported);
+
+/// The text of a file with its encoding settled, and a remark where that is a guess.
+[[nodiscard]] std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported);
 
 /// The table of a text or sheet → measurement; used by both.
 void readMeasurementTable(Choices &choices, Imported &imported);

@@ -1,6 +1,7 @@
 #include "import/tablebody.h"
 
 #include "document/documenterror.h"
+#include "import/dates.h"
 
 #include <algorithm>
 #include <map>
@@ -57,6 +58,7 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
         std::size_t directions = 0;
         std::size_t senses = 0;
         std::size_t clocks = 0;
+        std::size_t dates = 0;
         std::size_t words = 0;
     };
     std::vector<Count> counts(width);
@@ -72,6 +74,8 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
                 ++count.numbers;
             else if (isDirectionCell(table, cells[c]))
                 ++count.directions;
+            else if (isDate(table.text(cells[c])))
+                ++count.dates;
             else if (isNumeric(cells[c]))
                 ++count.numbers;
             else if (senseIn(table.text(cells[c])))
@@ -85,7 +89,7 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
     std::vector<TableColumn> columns(width);
     for (std::size_t c = 0; c < width; ++c) {
         const Count &count = counts[c];
-        const std::size_t others = count.directions + count.senses + count.clocks + count.words;
+        const std::size_t others = count.directions + count.senses + count.clocks + count.dates + count.words;
         if (count.numbers > 0 && count.numbers >= others)
             columns[c].kind = ColumnKind::numbers;
         else if (others == 0)
@@ -96,6 +100,8 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
             columns[c].kind = ColumnKind::senses;
         else if (2 * count.clocks >= others)
             columns[c].kind = ColumnKind::clock;
+        else if (2 * count.dates >= others)
+            columns[c].kind = ColumnKind::dates;
         else
             columns[c].kind = ColumnKind::words;
     }
@@ -301,7 +307,8 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
         return false;
     if (directions >= 2 && words >= 2)
         return true;
-    return 2 * filled >= width && (words > 0 || directions > 0) && (width <= 2 || filled > 1);
+    const bool isTitle = filled == 1 && width > 1 && cells.front().kind != CellKind::empty;
+    return !isTitle && 2 * filled >= width && (words > 0 || directions > 0) && (width <= 2 || filled > 1);
 }
 
 /// Whether a row above headings that name every column adds to them: groups, directions, axes, and no label
@@ -327,11 +334,15 @@ void takeFromComment(const CellTable &table, const TableRow &row, std::vector<Ta
     options.delimiter = table.delimiter.value;
     options.decimalMark = table.decimalMark.value;
     const CellTable line = readTable(std::string(text), options);
-    if (line.rows().empty() || line.rows().front().count != columns.size() || columns.size() < 2)
+    if (line.rows().empty() || columns.size() < 2)
         return;
     const auto cells = line.cells(line.rows().front());
+    // "#;Target;…": the mark itself is the heading of a counter.
+    const std::size_t first = cells.size() + 1 == columns.size() ? 1 : 0;
+    if (cells.size() + first != columns.size())
+        return;
     for (std::size_t c = 0; c < cells.size(); ++c)
-        columns[c].heading = line.text(cells[c]);
+        columns[c + first].heading = line.text(cells[c]);
 }
 
 /// The rows directly above a block that are the headings of its columns, from above.

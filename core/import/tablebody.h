@@ -11,7 +11,7 @@
 
 namespace palmer {
 
-enum class ColumnKind { empty, numbers, directions, senses, clock, words };
+enum class ColumnKind { empty, numbers, directions, senses, clock, dates, words };
 
 struct TableColumn {
     ColumnKind kind = ColumnKind::empty;

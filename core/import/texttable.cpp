@@ -103,6 +103,20 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
 
 } // namespace
 
+std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported) {
+    DecodedText decoded = decodeText(bytes, chosenOf<Encoding>(encodings, choices.chosen("encoding")));
+    choices.settle("encoding", encodings[static_cast<std::size_t>(decoded.encoding.value)],
+                   decoded.encoding.origin);
+    if (decoded.encoding.origin == Origin::guessed)
+        imported.remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
+             0,
+             0,
+             "encoding"});
+    return std::move(decoded.text);
+}
+
 bool isAnything(QByteArrayView) {
     return true;
 }
@@ -131,13 +145,15 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
     imported.machine.name = notes.machine;
     imported.machine.serialNumber = notes.serialNumber;
     imported.operatorName = notes.operatorName;
+    if (imported.test)
+        imported.sensors.insert(imported.sensors.end(), notes.sensors.begin(), notes.sensors.end());
     if (imported.test) {
         imported.test->date = notes.date;
-        if (!notes.dateText.empty()) {
+        if (!notes.dateText.empty() && !notes.date) {
             imported.test->remarks = notes.dateText;
             reading.remark(
                 RemarkGrade::note,
-                {REPORT_TEXT("report", "The date %1 is no ISO date; it stays as text in the remarks."),
+                {REPORT_TEXT("report", "The date %1 can be read in several ways; it stays as text in the remarks."),
                  {notes.dateText}});
         }
     }
@@ -147,20 +163,11 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
 }
 
 void readTextTable(const ImportSource &source, Choices &choices, Imported &imported) {
-    DecodedText decoded = decodeText(source.bytes, chosenOf<Encoding>(encodings, choices.chosen("encoding")));
-    choices.settle("encoding", encodings[static_cast<std::size_t>(decoded.encoding.value)],
-                   decoded.encoding.origin);
-    if (decoded.encoding.origin == Origin::guessed)
-        imported.remarks.push_back(
-            {RemarkGrade::assumption,
-             {REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
-             0,
-             0,
-             "encoding"});
+    std::string text = decodedText(source.bytes, choices, imported);
     TableOptions options;
     options.delimiter = chosenOf<Delimiter>(delimiters, choices.chosen("delimiter"));
     options.decimalMark = chosenOf<DecimalMark>(marks, choices.chosen("decimalMark"));
-    imported.table = readTable(std::move(decoded.text), options);
+    imported.table = readTable(std::move(text), options);
     const CellTable &table = imported.table;
     choices.settle("delimiter", delimiters[static_cast<std::size_t>(table.delimiter.value)],
                    table.delimiter.origin);

@@ -36,8 +36,8 @@ QStringList filesIn(const QString &folder) {
 QString outcome(const QByteArray &bytes, const QString &name) {
     try {
         const Imported imported = importMeasurement(bytes, name);
-        return testdata::picture(imported) + "\n\n" + testdata::remarks(imported) + "\n\n" +
-               testdata::choices(imported) + "\n";
+        return testdata::picture(imported) + "\n\n" + testdata::questions(imported) + "\n\n" +
+               testdata::remarks(imported) + "\n\n" + testdata::choices(imported) + "\n";
     } catch (const Error &error) {
         return "refused " + QString::fromStdString(error.place) + ": " +
                Language(Language::Id::english).sentence(error.message) + "\n";
@@ -179,8 +179,8 @@ void ImportedFilesTest::takesChoices() {
         const auto choice = std::ranges::find(imported.choices, key, &ImportChoice::key);
         QVERIFY2(choice != imported.choices.end(), key.c_str());
         QVERIFY2(choice->origin == Origin::chosen && choice->value == word, key.c_str());
-        QVERIFY(std::ranges::none_of(imported.remarks,
-                                     [&](const Remark &remark) { return remark.choice == key; }));
+        QVERIFY(std::ranges::none_of(imported.questions,
+                                     [&](const Question &question) { return question.id == key; }));
     }
 }
 
