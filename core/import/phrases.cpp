@@ -471,7 +471,7 @@ public:
     explicit HeadingReader(std::vector<Token> tokens)
         : m_tokens(std::move(tokens)) {}
 
-    Heading read() {
+    HeadingWords read() {
         m.words = m_tokens.size();
         for (std::size_t i = 0; i < m_tokens.size();)
             i += take(i);
@@ -568,7 +568,7 @@ private:
 
     std::vector<Token> m_tokens;
     std::vector<Meaning> m_meanings;
-    Heading m;
+    HeadingWords m;
     bool m_up = false;
     bool m_down = false;
     bool m_hintUp = false;
@@ -616,10 +616,10 @@ std::string folded(std::string_view text) {
     return result;
 }
 
-Heading readHeading(std::string_view text) {
+HeadingWords readHeading(std::string_view text) {
     const std::string low = folded(withoutUnit(text.substr(0, 500)));
     const std::vector<Token> tokens = tokensOf(low);
-    Heading heading = HeadingReader(tokens).read();
+    HeadingWords heading = HeadingReader(tokens).read();
     if (tokens.size() == 1 && !tokens[0].isNumber && tokens[0].text.size() == 1 &&
         heading.meaning == Meaning::unknown) {
         heading.meaning = meaningOfLetter(tokens[0].text);
@@ -634,7 +634,7 @@ std::optional<Direction> directionOf(std::string_view cell) {
         return low == "+1"   ? std::optional(Direction::positive)
                : low == "-1" ? std::optional(Direction::negative)
                              : std::nullopt;
-    const Heading heading = HeadingReader(tokensOf(low)).read();
+    const HeadingWords heading = HeadingReader(tokensOf(low)).read();
     if (heading.unknownWords > 0 || heading.number)
         return {};
     return heading.direction ? heading.direction : heading.hint;

@@ -36,7 +36,7 @@ enum class Meaning {
 
 /// What the whole words of a heading say, in English, French, German, Italian or Spanish. Words never count
 /// in part: "Pos." is a place and "rev" an abbreviation, neither is a direction.
-struct Heading {
+struct HeadingWords {
     Meaning meaning = Meaning::unknown;
     bool isTarget = false;              ///< says "target" or "nominal", whatever else it says
     std::optional<Direction> direction; ///< a whole phrase: "approche négative", "Hinfahrt", "↑", "+"
@@ -51,7 +51,7 @@ struct Heading {
     [[nodiscard]] bool isDirectionOnly() const { return direction && unknownWords == 0; }
 };
 
-[[nodiscard]] Heading readHeading(std::string_view text);
+[[nodiscard]] HeadingWords readHeading(std::string_view text);
 
 /// The direction a cell of a column of directions stands for: + − ↑ ↓ up down fwd rev aller retour …;
 /// nothing for any other.

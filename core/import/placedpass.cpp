@@ -118,23 +118,21 @@ std::vector<Pass> inOrder(std::vector<PlacedPass> placed) {
     return both && !ordered ? inCycles(std::move(passes)) : passes;
 }
 
-std::optional<Direction> directionOfBlock(const TableReading &reading, const TableBlock &block,
-                                          bool &isHint) {
-    std::optional<Direction> hint;
-    for (auto head = block.heads.rbegin(); head != block.heads.rend(); ++head) {
+BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &block) {
+    BlockDirection result;
+    for (auto head = block.heads.rbegin(); head != block.heads.rend() && !result.stated; ++head) {
         if (std::ranges::binary_search(reading.body.columnHeads, *head))
             continue;
         std::string line;
         for (const TableCell &cell : reading.table().cells(reading.row(*head)))
             line += ' ' + std::string(reading.table().text(cell));
-        const Heading heading = readHeading(line);
+        const HeadingWords heading = readHeading(line);
         if (heading.isDirectionOnly())
-            return heading.direction;
-        if (!hint)
-            hint = heading.direction;
+            result.stated = heading.direction;
+        else if (!result.hint)
+            result.hint = heading.direction ? heading.direction : heading.hint;
     }
-    isHint |= hint.has_value();
-    return hint;
+    return result;
 }
 
 } // namespace palmer

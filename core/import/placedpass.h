@@ -35,9 +35,12 @@ void settleDirections(FoundPasses &found, TableReading &reading);
 /// ↑1 ↓1 ↑2 ↓2 … where the table numbers the runs; else the order of the table, directions in turn.
 [[nodiscard]] std::vector<Pass> inOrder(std::vector<PlacedPass> placed);
 
-/// What a title above a block says of the direction; `isHint` is set where other words stand beside it.
-[[nodiscard]] std::optional<Direction> directionOfBlock(const TableReading &reading, const TableBlock &block,
-                                                        bool &isHint);
+/// What the titles above a block say of the direction.
+struct BlockDirection {
+    std::optional<Direction> stated; ///< a title that says nothing else
+    std::optional<Direction> hint;   ///< among other words: counts beside a block with the opposite only
+};
+[[nodiscard]] BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &block);
 
 /// Targets down and runs across, or one reading a line.
 [[nodiscard]] FoundPasses readTargetsDown(TableReading &reading);

@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    [[nodiscard]] const Heading &words(std::size_t c) const { return m_heads[c].words; }
+    [[nodiscard]] const HeadingWords &words(std::size_t c) const { return m_heads[c].words; }
     [[nodiscard]] bool isNumeric(std::size_t c) const { return m_heads[c].kind == ColumnKind::numbers; }
     [[nodiscard]] ColumnRole &role(std::size_t c) { return m_result.columns[c].role; }
 
@@ -138,13 +138,13 @@ private:
     }
 
     /// "↑ 3", "2", "X+": a direction or a number and no word that is not understood.
-    [[nodiscard]] static bool isRunHeading(const Heading &heading) {
+    [[nodiscard]] static bool isRunHeading(const HeadingWords &heading) {
         const bool known = heading.unknownWords == 0 || (heading.hint && heading.unknownWords <= 1);
         return known && (heading.direction || heading.number);
     }
 
     [[nodiscard]] ColumnRole roleOfRun(std::size_t c) const {
-        const Heading &heading = words(c);
+        const HeadingWords &heading = words(c);
         if (!heading.number && !heading.direction && !m_heads[c].unit && areRunNumbers(valuesOf(c)))
             return ColumnRole::number;
         return ColumnRole::run;
@@ -152,8 +152,48 @@ private:
 
     // ---- targets
 
+    /// A list without headings: the reading is the last number of a line, the target that with the largest
+    /// range, a column that stays the same from line to line the number of the run.
+    void placeBareList() {
+        std::vector<std::size_t> columns = m.body.numberColumns();
+        const bool isBare = std::ranges::all_of(
+            m_heads, [](const TableColumn &head) { return head.heading.empty(); });
+        if (!isBare || !m_result.direction || columns.size() < 3)
+            return;
+        role(columns.back()) = ColumnRole::run;
+        columns.pop_back();
+        const auto rangeOf = [&](std::size_t c) {
+            const std::vector<double> values = valuesOf(c);
+            const auto [low, high] = std::ranges::minmax(values);
+            return high - low;
+        };
+        std::size_t target = columns.front();
+        for (const std::size_t c : columns)
+            target = rangeOf(c) >= rangeOf(target) ? c : target;
+        m_targets = {target};
+        for (const std::size_t c : columns) {
+            const std::vector<double> values = valuesOf(c);
+            std::size_t same = 0;
+            for (std::size_t i = 1; i < values.size(); ++i)
+                same += values[i] == values[i - 1] ? 1 : 0;
+            if (c != target && 2 * same > values.size() && !isCounter(m, c))
+                role(c) = ColumnRole::number;
+        }
+    }
+
     void findTarget() {
-        const std::array<std::function<bool(std::size_t)>, 5> sorts{
+        placeBareList();
+        if (m_targets.empty())
+            findTargetByHeading();
+        if (m_targets.empty())
+            return;
+        m_result.target = m_targets.front();
+        role(m_targets.front()) = ColumnRole::target;
+        findPositions();
+    }
+
+    void findTargetByHeading() {
+        const std::array<std::function<bool(std::size_t)>, 6> sorts{
             [&](std::size_t c) { return m_heads[c].meaning == Meaning::target; },
             [&](std::size_t c) {
                 return m_heads[c].meaning == Meaning::place && !words(c).direction && !words(c).number;
@@ -162,6 +202,7 @@ private:
                 return m_heads[c].meaning == Meaning::angle || m_heads[c].meaning == Meaning::place;
             },
             [&](std::size_t c) { return isCalledByAxis(c); },
+            [&](std::size_t c) { return m_heads[c].meaning == Meaning::index && !isCounter(m, c); },
             [&](std::size_t c) { return isUnnamed(c); }};
         for (const auto &sort : sorts) {
             for (std::size_t c = 0; c < m_heads.size(); ++c) {
@@ -172,15 +213,16 @@ private:
                 break;
         }
         dropCounter();
-        if (m_targets.empty())
-            return;
-        m_result.target = m_targets.front();
-        role(m_targets.front()) = ColumnRole::target;
+    }
+
+    void findPositions() {
         // "Position" beside "Target": where it follows the target, the actual position.
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             if (c != m_targets.front() && isNumeric(c) && role(c) == ColumnRole::ignored &&
                 m_heads[c].meaning == Meaning::place)
-                role(c) = words(c).number || followsTarget(c) ? ColumnRole::actual : ColumnRole::ignored;
+                role(c) = followsTarget(c)    ? ColumnRole::actual
+                          : words(c).number ? ColumnRole::run
+                                            : ColumnRole::ignored;
         }
     }
 
@@ -203,7 +245,7 @@ private:
     }
 
     [[nodiscard]] bool isCalledByAxis(std::size_t c) const {
-        const Heading &heading = words(c);
+        const HeadingWords &heading = words(c);
         return heading.axis != 0 && heading.words == 1 && m_heads[c].meaning != Meaning::statistic;
     }
 
@@ -341,6 +383,8 @@ private:
     }
 
     void chooseAxis() {
+        if (m.choices.isChosen("columns"))
+            return;
         std::vector<std::string> axes;
         for (const std::size_t c : m_result.values) {
             const std::string axis(1, words(c).axis);
@@ -397,7 +441,13 @@ private:
             std::ranges::copy_if(m_result.values, std::back_inserter(m_positions),
                                  [&](std::size_t c) { return role(c) == ColumnRole::actual; });
         }
-        std::erase_if(m_result.values, [&](std::size_t c) { return sortOf(c) != kept; });
+        // Positions that belong to the deviations keep their role: they prove the sign.
+        std::erase_if(m_result.values, [&](std::size_t c) {
+            const bool goes = sortOf(c) != kept;
+            if (goes && !(kept == 0 && role(c) == ColumnRole::actual))
+                role(c) = ColumnRole::ignored;
+            return goes;
+        });
         m_kept = kept;
     }
 
@@ -423,7 +473,8 @@ private:
     /// Runs of one kind have the same words; a word that is not understood is a kind of its own.
     void keepOneStem() {
         const auto stemOf = [&](std::size_t c) {
-            return words(c).unknownWords > 0 ? words(c).stem : std::string();
+            const std::size_t letters = words(c).hint ? 1 : 0; // "1A" beside "1R"
+            return words(c).unknownWords > letters ? words(c).stem : std::string();
         };
         std::map<std::string, std::size_t> counts;
         for (const std::size_t c : m_result.values)
@@ -483,8 +534,7 @@ private:
                 m_result.hasHints = true;
             }
             // "Dev + 1" beside "Dev - 1": signs, and no dash between words.
-            allSigns = allSigns && (m_heads[c].heading.find('+') != std::string::npos ||
-                                    m_heads[c].heading.find('-') != std::string::npos);
+            allSigns = allSigns && folded(m_heads[c].heading).find_first_of("+-") != std::string::npos;
         }
         m_result.hasHints = m_result.hasHints && !allSigns;
     }
@@ -554,6 +604,7 @@ private:
                           Number{static_cast<double>(m_heads.size()), Quantity::count}}});
         chosen.resize(m_heads.size());
         m_result = {};
+        const bool hasDeviations = std::ranges::find(chosen, ColumnRole::deviation, &ImportColumn::role) != chosen.end();
         ColumnRole content = ColumnRole::run;
         for (std::size_t c = 0; c < chosen.size(); ++c) {
             chosen[c].heading = m_heads[c].heading;
@@ -565,7 +616,8 @@ private:
             take(ColumnRole::target, m_result.target);
             take(ColumnRole::direction, m_result.direction);
             take(ColumnRole::number, m_result.number);
-            if (!chosen[c].hasReadings())
+            const bool isProof = hasDeviations && chosen[c].role == ColumnRole::actual;
+            if (!chosen[c].hasReadings() || isProof)
                 continue;
             if (!m_result.values.empty() && chosen[c].role != content)
                 throw Error(Error::Kind::content,

@@ -37,6 +37,34 @@ std::vector<double> numbersOf(const TableReading &reading, std::uint32_t row) {
     return numbers;
 }
 
+/// The words of a line before its first number.
+HeadingWords labelOf(const TableReading &reading, std::uint32_t row) {
+    std::string label;
+    for (const TableCell &cell : reading.table().cells(reading.row(row))) {
+        if (cell.isNumber())
+            break;
+        label += ' ' + std::string(reading.table().text(cell));
+    }
+    return readHeading(label);
+}
+
+/// The first line is called targets or runs, the others name their run: "Run; 0; 100" over "1 ↑; 1.2; 0.7".
+bool hasLabelledRuns(const TableReading &reading) {
+    const auto &rows = reading.body.blocks.front().rows;
+    if (reading.body.blocks.size() != 1 || rows.size() < 2 || reading.body.numberColumns().front() == 0)
+        return false;
+    const HeadingWords first = labelOf(reading, rows.front());
+    const std::vector<double> numbers = numbersOf(reading, rows.front());
+    if (first.words == 0 || first.direction || first.number || numbers.size() < 2 || !isStrictlyMonotone(numbers))
+        return false;
+    std::size_t named = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const HeadingWords label = labelOf(reading, rows[i]);
+        named += label.direction || label.number || label.hint ? 1 : 0;
+    }
+    return 2 * named >= rows.size() - 1;
+}
+
 /// Without any heading: the first line rises as targets do and the first column does not.
 bool looksLikeRunsDown(const TableReading &reading) {
     const TableBody &body = reading.body;
@@ -61,6 +89,8 @@ std::string settleLayout(TableReading &reading) {
         const std::vector<double> numbers = numbersOf(reading, *head);
         if (!areRunNumbers(numbers) && isStrictlyMonotone(numbers))
             found = "runsDown";
+    } else if (hasLabelledRuns(reading)) {
+        found = "runsDown";
     } else if (!body.columnOf(ColumnKind::directions) && !reading.choices.isChosen("columns") &&
                looksLikeRunsDown(reading)) {
         found = "runsDown";

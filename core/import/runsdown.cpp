@@ -27,12 +27,11 @@ public:
                 first = 1;
             }
             readTargets(*head);
-            m_titled = directionOfBlock(m, block, m_isTitleHint);
+            m_titled = directionOfBlock(m, block).stated;
             for (std::size_t i = first; i < block.rows.size(); ++i)
                 readRun(block.rows[i]);
         }
         keepUnderstood();
-        m_found.hasHints |= m_isTitleHint;
         takeColumns();
         return std::move(m_found);
     }
@@ -70,7 +69,7 @@ private:
 
     void readRun(std::uint32_t row) {
         const std::string label = labelOf(row);
-        const Heading heading = readHeading(label);
+        const HeadingWords heading = readHeading(label);
         const Unit *unit = unitIn(label);
         if (heading.meaning == Meaning::statistic || heading.meaning == Meaning::other ||
             heading.meaning == Meaning::temperature ||
@@ -129,7 +128,7 @@ private:
     }
 
     struct Label {
-        Heading words;
+        HeadingWords words;
         const Unit *unit;
         std::string text;
         std::uint32_t line;
@@ -170,7 +169,6 @@ private:
     std::vector<std::pair<std::size_t, double>> m_targets;
     std::vector<Label> m_labels;
     std::optional<Direction> m_titled;
-    bool m_isTitleHint = false;
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "import/table.h"
 
 #include "document/documenterror.h"
+#include "import/dates.h"
 
 #include <algorithm>
 #include <array>
@@ -277,7 +278,8 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
                 result.hasMark |= text.find(mark == DecimalMark::point ? '.' : ',') != std::string_view::npos;
                 torn += isTorn(text) ? 1 : 0;
                 spaced |= i > 0 && cell.begin > 0 && sample[cell.begin - 1] == ' ';
-            } else if (cell.kind == CellKind::grouped || cell.kind == CellKind::broken || isUncut(text)) {
+            } else if ((cell.kind == CellKind::grouped || cell.kind == CellKind::broken || isUncut(text)) &&
+                       !isDate(text)) {
                 ++broken;
             }
         }

@@ -24,6 +24,12 @@ bool isDirectionCell(const CellTable &table, const TableCell &cell) {
            directionOf(table.text(cell)).has_value();
 }
 
+/// "X" stands for a missing reading among numbers, for an axis among axes.
+bool isAxisLetter(const CellTable &table, const TableCell &cell) {
+    const std::string_view text = table.text(cell);
+    return text == "X" || text == "x";
+}
+
 std::span<const TableCell> trimmed(std::span<const TableCell> cells) {
     while (!cells.empty() && cells.back().kind == CellKind::empty)
         cells = cells.first(cells.size() - 1);
@@ -76,7 +82,7 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
                 ++count.directions;
             else if (isDate(table.text(cells[c])))
                 ++count.dates;
-            else if (isNumeric(cells[c]))
+            else if (isNumeric(cells[c]) && !(cells[c].kind == CellKind::missing && isAxisLetter(table, cells[c])))
                 ++count.numbers;
             else if (senseIn(table.text(cells[c])))
                 ++count.senses;
@@ -319,7 +325,7 @@ bool addsToHeadings(const CellTable &table, const TableRow &row) {
         if (cell.kind == CellKind::empty || cell.kind == CellKind::number)
             continue;
         const std::string_view text = table.text(cell);
-        const Heading heading = readHeading(text);
+        const HeadingWords heading = readHeading(text);
         if (text.ends_with(':') || (heading.unknownWords > 0 && !senseIn(text)))
             return false;
         ++known;
@@ -338,7 +344,7 @@ void takeFromComment(const CellTable &table, const TableRow &row, std::vector<Ta
         return;
     const auto cells = line.cells(line.rows().front());
     // "#;Target;…": the mark itself is the heading of a counter.
-    const std::size_t first = cells.size() + 1 == columns.size() ? 1 : 0;
+    const std::size_t first = cells.size() > 1 && cells.size() + 1 == columns.size() ? 1 : 0;
     if (cells.size() + first != columns.size())
         return;
     for (std::size_t c = 0; c < cells.size(); ++c)
@@ -397,6 +403,10 @@ void readHeadings(std::vector<TableColumn> &columns) {
         column.words = readHeading(column.heading);
         column.meaning = column.words.meaning;
         column.unit = unitIn(column.heading);
+        // "Point (mm)" is no counter.
+        if (column.meaning == Meaning::index && column.unit &&
+            (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle))
+            column.meaning = Meaning::place;
     }
 }
 

@@ -16,6 +16,7 @@ struct Piece {
     std::size_t section = 0;
     std::vector<std::uint32_t> rows;
     std::optional<Direction> direction;
+    std::optional<Direction> hint; ///< of a title with other words in it
 };
 
 bool isStrictlyMonotone(std::span<const double> values) {
@@ -56,7 +57,7 @@ private:
         ImportColumn result = m_columns.columns[column];
         // Blocks with headings of their own: the second has those of the other direction.
         if (m.body.sections.size() > 1 && !m.choices.isChosen("columns")) {
-            const Heading &words = m.body.sections[section][column].words;
+            const HeadingWords &words = m.body.sections[section][column].words;
             result.direction = words.direction ? words.direction : result.direction;
             result.number = words.number.value_or(result.number);
         }
@@ -121,7 +122,7 @@ private:
             std::string line;
             for (const TableCell &cell : m.table().cells(m.row(*head)))
                 line += ' ' + std::string(m.table().text(cell));
-            const Heading heading = readHeading(line);
+            const HeadingWords heading = readHeading(line);
             const bool says = heading.meaning == Meaning::axis || heading.words == 1;
             if (says && heading.axis != 0)
                 return {1, heading.axis};
@@ -146,7 +147,7 @@ private:
         for (const TableBlock &block : m.body.blocks) {
             if (isOfOtherAxis(block))
                 continue;
-            m_titled = directionOfBlock(m, block, m_isTitleHint);
+            m_titled = directionOfBlock(m, block).stated;
             for (const std::uint32_t row : block.rows) {
                 if (!isOfOtherAxis(row))
                     readLine(block.section, row);
@@ -170,7 +171,6 @@ private:
         if (m_columns.number) {
             const auto value = m.number(row, *m_columns.number);
             number = value && *value >= 0 && *value < 1e6 ? static_cast<unsigned>(*value) : 0;
-            m_fromZero |= value == 0.0;
         }
         for (const std::size_t column : m_columns.values) {
             const ImportColumn what = columnIn(section, column);
@@ -261,30 +261,39 @@ private:
 
     void cut(const TableBlock &block, bool &shuffled) {
         auto pieces = piecesOf(block, shuffled);
-        const std::optional<Direction> titled = directionOfBlock(m, block, m_isTitleHint);
+        const BlockDirection titled = directionOfBlock(m, block);
         const auto falls = [&](const std::vector<std::uint32_t> &rows) {
             return rows.size() > 1 &&
                    m.cell(rows.back(), m_target)->value < m.cell(rows.front(), m_target)->value;
         };
         const bool turns = pieces.size() > 1 && std::ranges::any_of(pieces, falls);
         for (auto &rows : pieces) {
-            std::optional<Direction> direction = titled;
+            std::optional<Direction> direction = titled.stated;
             const bool down = falls(rows);
             if (turns)
                 direction = down ? Direction::negative : Direction::positive;
             else if (!direction && down && m.body.blocks.size() > 1 && !shuffled)
                 direction = Direction::negative;
-            m_pieces.push_back({block.section, std::move(rows), direction});
+            m_pieces.push_back({block.section, std::move(rows), direction, titled.hint});
         }
     }
 
-    /// Where some pieces say a direction the others have the other one: blocks come in pairs.
+    [[nodiscard]] bool anyPiece(std::optional<Direction> Piece::*says, Direction wanted) const {
+        return std::ranges::any_of(m_pieces, [&](const Piece &piece) { return piece.*says == wanted; });
+    }
+
+    /// Titles that say a direction among other words count where two say the opposite. Where some pieces say a
+    /// direction the others have the other one: blocks come in pairs.
     void completeDirections(bool shuffled) {
-        const auto says = [&](Direction wanted) {
-            return std::ranges::any_of(m_pieces, [&](const Piece &p) { return p.direction == wanted; });
-        };
-        const bool up = says(Direction::positive);
-        const bool down = says(Direction::negative);
+        bool up = anyPiece(&Piece::direction, Direction::positive);
+        bool down = anyPiece(&Piece::direction, Direction::negative);
+        if (!up && !down && anyPiece(&Piece::hint, Direction::positive) &&
+            anyPiece(&Piece::hint, Direction::negative)) {
+            for (Piece &piece : m_pieces)
+                piece.direction = piece.hint;
+            m_found.hasHints = true;
+            up = down = true;
+        }
         if (m_pieces.size() < 2 || !(up || down))
             return;
         for (Piece &piece : m_pieces) {
@@ -292,9 +301,8 @@ private:
                 continue;
             const bool rises = !shuffled && piece.rows.size() > 1;
             piece.direction = down && !up ? Direction::positive : Direction::negative;
-            m_isTitleHint |= !(rises && down && !up);
+            m_found.hasHints |= !(rises && down && !up);
         }
-        m_found.hasHints |= m_isTitleHint;
     }
 
     std::vector<std::vector<std::uint32_t>> piecesOf(const TableBlock &block, bool &shuffled) {
@@ -351,9 +359,7 @@ private:
     std::optional<std::size_t> m_axisColumn;
     std::string m_axis;
     std::string m_blockAxis;
-    bool m_isTitleHint = false;
     bool m_codesAreGuessed = false;
-    bool m_fromZero = false;
 };
 
 } // namespace

@@ -66,7 +66,9 @@ inline QString picture(const Imported &imported) {
     }
     for (const Sensor &sensor : imported.sensors) {
         QStringList values;
-        for (std::size_t i = 0; i < sensor.series->times.size(); ++i)
+        if (!sensor.series && sensor.start)
+            values << number(*sensor.start);
+        for (std::size_t i = 0; sensor.series && i < sensor.series->times.size(); ++i)
             values << number(sensor.series->times[i]) + u':' + number(sensor.series->temperatures[i]);
         const char *what = sensor.measures == SensorMeasures::air       ? "air"
                            : sensor.measures == SensorMeasures::machine ? "machine"

@@ -56,7 +56,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     };
     // Columns of different meaning.
     row("target, measured, deviation", "Target;Measured (mm);Deviation (µm)\n0;0.0012;1.2\n100;100.0021;2.1\n200;199.999;-1\n",
-        "target,ignored,deviation / 0 100 200 / ↑ 1.2 2.1 -1 / directions positionUnit");
+        "target,actual,deviation / 0 100 200 / ↑ 1.2 2.1 -1 / directions positionUnit");
     row("the same, all units", "Target (mm);Measured (mm);Deviation (µm)\n0;0.0012;1.2\n100;100.0021;2.1\n200;199.999;-1\n",
         "target,actual,deviation / 0 100 200 / ↑ 1.2 2.1 -1 / directions");
     row("measured and deviation disagree", "Target (mm);Measured (mm);Deviation (µm)\n0;0.0012;5\n100;100.0021;7\n200;199.999;9\n",
@@ -215,7 +215,7 @@ void LayoutsTest::answersAreTaken_data() {
     QTest::newRow("columns") << axes << "columns" << "target,ignored,ignored,ignored,run-"
                              << "target,ignored,ignored,ignored,run- / 0 100 / ↓ 40 60 / ";
     QTest::newRow("too many columns") << axes << "columns" << "target,run,run,run,run,run" << "refused";
-    QTest::newRow("columns of different roles") << axes << "columns" << "target,actual,deviation" << "refused";
+    QTest::newRow("columns of different roles") << axes << "columns" << "target,run,deviation" << "refused";
     QTest::newRow("data left out") << QByteArray("P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n") << "unread" << "leave"
                                    << "target,run+1,run-1 / 0 100 / ↑ 1 – / ↓ 2 4 / ";
     QTest::newRow("large deviations") << QByteArray("P (mm);Dev ↑ (mm);Dev ↓ (mm)\n0;1.5;2.5\n100;3.5;4.5\n")
