@@ -129,8 +129,7 @@ int run(const Invocation &invocation) {
         std::optional<Document> document = documentFrom(file, invocation);
         if (!document)
             return cannotRead; // questions about it are open
-        const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(std::move(*document)));
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(std::move(*document)));
         QByteArray bytes;
         std::size_t index = 0;
         if (form == QLatin1StringView("json")) {

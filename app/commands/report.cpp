@@ -75,9 +75,9 @@ int run(const Invocation &invocation) {
         std::optional<Document> document = documentFrom(file, invocation);
         if (!document)
             return cannotRead; // questions about it are open
-        const EvaluatedDocument evaluated = simulated(
-            evaluate(std::make_shared<const Document>(std::move(*document)), nullptr, {}),
-            SimulateWhich::allWithBudget, 0, invocation.language);
+        const EvaluatedDocument evaluated =
+            simulated(evaluate(std::make_shared<const Document>(std::move(*document)), nullptr, {}),
+                      SimulateWhich::allWithBudget, 0, invocation.language);
         const QStringList languages = languagesOf(invocation, *evaluated.document);
         const bool toStandardOutput = *output == QLatin1StringView("-");
         if (toStandardOutput && languages.size() > 1)

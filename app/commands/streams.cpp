@@ -95,8 +95,8 @@ void printQuestion(const QString &file, const Question &question, const Language
         text += u' ' + language.sentence({REPORT_TEXT("report", "Proposed: --set %1=%2."),
                                           {question.id, question.proposal}});
     if (!answers.empty())
-        text += u' ' + language.sentence({REPORT_TEXT("report", "Answers for --set %1=…: %2."),
-                                          {question.id, answers}});
+        text += u' ' + language.sentence(
+                           {REPORT_TEXT("report", "Answers for --set %1=…: %2."), {question.id, answers}});
     printError(text);
 }
 
@@ -150,14 +150,16 @@ std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, 
         open += isAccepted ? 0 : 1;
         if (isAccepted)
             printError(placeOf(file, question.line, question.column) +
-                       invocation.language.sentence(question.sentence) + timesOf(question.further.size() + 1));
+                       invocation.language.sentence(question.sentence) +
+                       timesOf(question.further.size() + 1));
         else
             printQuestion(file, question, invocation.language);
     }
     if (open == 0)
         return imported;
-    Message refusal{REPORT_TEXT("report", "%1 questions are open: nothing was imported; answer them with --set, or "
-                                          "take what is proposed with --accept"),
+    Message refusal{REPORT_TEXT("report",
+                                "%1 questions are open: nothing was imported; answer them with --set, or "
+                                "take what is proposed with --accept"),
                     {Number{static_cast<double>(open), Quantity::count}}};
     printError(file + QStringLiteral(": ") + invocation.language.sentence(refusal));
     return {};

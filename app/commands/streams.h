@@ -41,13 +41,14 @@ inline constexpr std::array foreignOptions{
 /// What --profile and --set choose. Throws UsageError, Error for a file of profiles that cannot be read.
 [[nodiscard]] ImportOptions chosenOptions(const Invocation &invocation);
 
-/// The measurement of a file with its remarks printed. Questions that --set does not answer, and --accept does
-/// not because nothing is proposed or it is not there, are printed and nothing is returned.
+/// The measurement of a file with its remarks printed. Questions that --set does not answer, and --accept
+/// does not because nothing is proposed or it is not there, are printed and nothing is returned.
 [[nodiscard]] std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file,
-                                                   const ImportOptions &options, const Invocation &invocation);
+                                                   const ImportOptions &options,
+                                                   const Invocation &invocation);
 
-/// The document of a file: a test file, or what an instrument's file or a table is imported as, as importedFrom
-/// has it; nothing for questions that were printed. Throws Error.
+/// The document of a file: a test file, or what an instrument's file or a table is imported as, as
+/// importedFrom has it; nothing for questions that were printed. Throws Error.
 [[nodiscard]] std::optional<Document> documentFrom(const QString &file, const Invocation &invocation);
 
 } // namespace palmer

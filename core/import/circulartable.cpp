@@ -158,14 +158,15 @@ private:
         }
         if (!sensed.empty() || columns.size() < 2)
             return sensed.empty() ? columns : sensed;
-        const bool named = std::ranges::any_of(
-            columns, [&](std::size_t c) { return !m.body.columns[c].heading.empty(); });
+        const bool named =
+            std::ranges::any_of(columns, [&](std::size_t c) { return !m.body.columns[c].heading.empty(); });
         const bool radii = areRadii(columns.front());
         const std::size_t all = columns.size();
         std::erase_if(columns, [&](std::size_t c) { return areRadii(c) != radii; });
         if (named || columns.size() < all)
-            m_question = {REPORT_TEXT("report", "Columns: the headings do not say which hold readings; column %1 "
-                                                "and those like it are read."),
+            m_question = {REPORT_TEXT("report",
+                                      "Columns: the headings do not say which hold readings; column %1 "
+                                      "and those like it are read."),
                           {Number{static_cast<double>(columns.front() + 1), Quantity::count}}};
         return columns;
     }

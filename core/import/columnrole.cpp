@@ -10,7 +10,8 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array<std::string_view, 15> words{ // in the order of ColumnRole
+constexpr std::array<std::string_view, 15> words{
+    // in the order of ColumnRole
     "ignored", "target", "actual", "deviation", "run",         "direction", "number",   "angle",
     "radius",  "x",      "y",      "time",      "temperature", "nominal",   "statistic"};
 

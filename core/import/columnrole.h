@@ -16,7 +16,7 @@ namespace palmer {
 enum class ColumnRole : std::uint8_t {
     ignored,
     target,
-    actual,    ///< actual positions, of one run or of all
+    actual, ///< actual positions, of one run or of all
     deviation,
     run,       ///< readings of one run: positions or deviations, after the choice "content"
     direction, ///< the direction of approach of each line, or the sense of contouring
@@ -47,8 +47,8 @@ struct ImportColumn {
     }
 };
 
-/// The roles as the choice "columns" has them: "target,ignored,run+1,run-1,run"; `+` and `-` are the direction,
-/// the number that of the run.
+/// The roles as the choice "columns" has them: "target,ignored,run+1,run-1,run"; `+` and `-` are the
+/// direction, the number that of the run.
 [[nodiscard]] std::string wordOf(const std::vector<ImportColumn> &columns);
 
 /// The roles that such a text names; nothing where a word is unknown, which is put into `unknown`.

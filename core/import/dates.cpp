@@ -10,7 +10,8 @@ namespace palmer {
 
 namespace {
 
-/// The first letters of the months, folded, in five languages; the longest that are needed to tell them apart.
+/// The first letters of the months, folded, in five languages; the longest that are needed to tell them
+/// apart.
 constexpr std::array<std::array<std::string_view, 5>, 12> months{{
     {"jan", "janv", "gen", "ene", "janner"},
     {"feb", "fev", "febr", "feb", "feb"},
@@ -47,8 +48,8 @@ std::optional<std::string> validDate(int year, int month, int day) {
 }
 
 const QRegularExpression &numericDate() {
-    static const QRegularExpression pattern(
-        QStringLiteral(R"((?<![\d.])(?:(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})|(\d{1,2})([-/.])(\d{1,2})\5(\d{4}))(?![\d.]))"));
+    static const QRegularExpression pattern(QStringLiteral(
+        R"((?<![\d.])(?:(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})|(\d{1,2})([-/.])(\d{1,2})\5(\d{4}))(?![\d.]))"));
     return pattern;
 }
 

@@ -71,7 +71,8 @@ void questionRuns(const PositioningMeasurement &measurement, std::vector<Remark>
         const bool zero = std::ranges::all_of(values, [](double value) { return value == 0; });
         if (values.size() > 1 && zero)
             doubt(remarks,
-                  {REPORT_TEXT("report", "All readings of run %1 are zero: was it measured at all?"), {count(j + 1)}},
+                  {REPORT_TEXT("report", "All readings of run %1 are zero: was it measured at all?"),
+                   {count(j + 1)}},
                   "zeros");
         else if (equalTargets(measurement, measurement.runs[j]))
             doubt(remarks,
@@ -98,7 +99,8 @@ void questionValues(const std::vector<double> &values, bool angular, std::vector
     for (const double value : values)
         largest = std::max(largest, std::abs(value));
     if (values.size() > 1 && largest == 0)
-        doubt(remarks, {REPORT_TEXT("report", "All readings are zero: was anything measured at all?")}, "zeros");
+        doubt(remarks, {REPORT_TEXT("report", "All readings are zero: was anything measured at all?")},
+              "zeros");
     questionSize(largest, angular, remarks);
 }
 

@@ -37,7 +37,8 @@ std::optional<double> positiveNumber(const std::optional<QString> &text) {
 bool readTemperature(const QString &line, FileNotes &notes) {
     constexpr std::size_t mostSensors = 20;
     const auto match =
-        pattern(R"(([\p{L} .]*temp[\p{L}]*[\p{L} .\d]*?)\s*(?:[\(\[]?°?\s*C[\)\]]?)?\s*[:=;]\s*(-?\d+(?:[.,]\d+)?)(?:\s*°\s*C)?\s*(?:;|$))")
+        pattern(
+            R"(([\p{L} .]*temp[\p{L}]*[\p{L} .\d]*?)\s*(?:[\(\[]?°?\s*C[\)\]]?)?\s*[:=;]\s*(-?\d+(?:[.,]\d+)?)(?:\s*°\s*C)?\s*(?:;|$))")
             .match(line);
     if (!match.hasMatch() || notes.sensors.size() >= mostSensors)
         return false;

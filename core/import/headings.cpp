@@ -37,11 +37,13 @@ std::optional<Sense> senseIn(std::string_view text) {
     const std::vector<std::string_view> words = wordsOf(low);
     const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
     if (has("ccw") || has("counterclockwise") || has("anticlockwise") || has("antihoraire") || has("acw") ||
-        has("trigo") || has("antiorario") || has("antihorario") || has("gegenuhrzeigersinn") || low.find("counter-clockwise") != std::string::npos ||
+        has("trigo") || has("antiorario") || has("antihorario") || has("gegenuhrzeigersinn") ||
+        low.find("counter-clockwise") != std::string::npos ||
         low.find("anti-clockwise") != std::string::npos || low.find("anti-horaire") != std::string::npos ||
         low == "g3" || low == "g03" || low == "⟲" || has("⟲"))
         return Sense::counterclockwise;
-    if (has("cw") || has("clockwise") || has("horaire") || has("orario") || has("horario") || has("uhrzeigersinn") || low == "g2" || low == "g02" || has("⟳"))
+    if (has("cw") || has("clockwise") || has("horaire") || has("orario") || has("horario") ||
+        has("uhrzeigersinn") || low == "g2" || low == "g02" || has("⟳"))
         return Sense::clockwise;
     return {};
 }

@@ -206,10 +206,9 @@ private:
     void settleMotion() {
         const Unit *position = m_stated.positionUnit;
         const Unit *unit = m_stated.unit;
-        m_angular = m_choices.isChosen("motion")
-                        ? m_choices.chosen("motion") == "rotary"
-                        : (position && position->kind == UnitKind::angle) ||
-                              (!position && unit && unit->kind == UnitKind::angle);
+        m_angular = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary"
+                                                 : (position && position->kind == UnitKind::angle) ||
+                                                       (!position && unit && unit->kind == UnitKind::angle);
         m_choices.settle("motion", m_angular ? "rotary" : "linear",
                          position || unit ? Origin::recognised : Origin::guessed);
     }
@@ -237,7 +236,10 @@ private:
     void settleUnits() {
         const Unit *base = unitOf(m_angular ? "deg" : "mm");
         m_form.positionUnit = settleUnit(
-            "positionUnit", m_stated.positionUnit ? m_stated.positionUnit : m_positions ? m_stated.unit : nullptr,
+            "positionUnit",
+            m_stated.positionUnit ? m_stated.positionUnit
+            : m_positions         ? m_stated.unit
+                                  : nullptr,
             base,
             REPORT_TEXT("report", "Unit of the target positions: nothing in the file says it; read as %1."));
         const double largest = m_low <= m_high ? std::max(std::abs(m_low), std::abs(m_high)) : 0;
@@ -246,10 +248,10 @@ private:
         const Unit *guess = m_positions ? m_form.positionUnit : largest < finestGuess ? base : small;
         m_form.unit = settleUnit(
             "unit", m_stated.unit, guess,
-            m_positions ? REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1.")
-                        : REPORT_TEXT("report",
-                                      "Unit of the deviations: nothing in the file says it; read as %1 "
-                                      "after their size."));
+            m_positions
+                ? REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1.")
+                : REPORT_TEXT("report", "Unit of the deviations: nothing in the file says it; read as %1 "
+                                        "after their size."));
     }
 
     void settleSign() {
@@ -261,7 +263,8 @@ private:
                                            proven ? Origin::recognised : Origin::guessed);
         m_form.sign = sign.value;
         if (sign.origin == Origin::guessed)
-            ask({REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target.")}, "sign");
+            ask({REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target.")},
+                "sign");
     }
 
     const StatedForm &m_stated;

@@ -13,23 +13,23 @@ namespace palmer {
 /// What the heading of a column says about its numbers.
 enum class Meaning {
     unknown,
-    statistic,   ///< mean, standard deviation …: computed here, not read
+    statistic, ///< mean, standard deviation …: computed here, not read
     temperature,
-    deviation,   ///< deviation from the target, radial deviation
-    actual,      ///< actual position
-    reading,     ///< a measured value: position or deviation
-    direction,   ///< of approach, or sense of contouring
+    deviation, ///< deviation from the target, radial deviation
+    actual,    ///< actual position
+    reading,   ///< a measured value: position or deviation
+    direction, ///< of approach, or sense of contouring
     time,
     angle,
     radius,
-    nominal,     ///< a nominal radius or length, not one of the targets
-    target,      ///< target position
-    place,       ///< a position without saying which: that of the targets, if nothing else is
+    nominal, ///< a nominal radius or length, not one of the targets
+    target,  ///< target position
+    place,   ///< a position without saying which: that of the targets, if nothing else is
     run,
-    index,       ///< number of the target or point
-    axis,        ///< name of an axis
-    process,     ///< name of a process variable
-    other,       ///< known to be no reading: a tolerance, a feed, a remark
+    index,   ///< number of the target or point
+    axis,    ///< name of an axis
+    process, ///< name of a process variable
+    other,   ///< known to be no reading: a tolerance, a feed, a remark
     x,
     y,
 };

@@ -70,7 +70,8 @@ Text questionFor(std::string_view word, const FoundPasses &found) {
                                      "runs is read as ↑, the second as ↓.");
     if (word == "positive")
         return REPORT_TEXT("report", "Directions: nothing in the file says them; all runs are read as ↑.");
-    return REPORT_TEXT("report", "Directions: letters, abbreviations or titles say them; look whether ↑ and ↓ are right.");
+    return REPORT_TEXT(
+        "report", "Directions: letters, abbreviations or titles say them; look whether ↑ and ↓ are right.");
 }
 
 } // namespace

@@ -24,9 +24,9 @@ struct FoundPasses {
     std::string sign;    ///< proven by the table, or empty
     const Unit *unit = nullptr;
     const Unit *positionUnit = nullptr;
-    bool hasHints = false;  ///< directions come from letters, abbreviations or titles
+    bool hasHints = false; ///< directions come from letters, abbreviations or titles
     bool isBlockwise = false;
-    bool isByLine = false;  ///< a pass a line
+    bool isByLine = false; ///< a pass a line
 };
 
 /// The directions of all passes: what the table says, else the user's choice or a guess with its question.

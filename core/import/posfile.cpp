@@ -81,7 +81,8 @@ std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choice
     if (choice.origin == Origin::guessed)
         remarks.push_back(
             {RemarkGrade::assumption,
-             {REPORT_TEXT("report", "Directions: the file has means of both directions only; they are read as ↑.")},
+             {REPORT_TEXT("report",
+                          "Directions: the file has means of both directions only; they are read as ↑.")},
              0,
              0,
              "directions"});
@@ -91,7 +92,8 @@ std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choice
 } // namespace
 
 bool isPosText(QByteArrayView bytes) {
-    const std::string_view text(bytes.data(), static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 1 << 20)));
+    const std::string_view text(bytes.data(),
+                                static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 1 << 20)));
     return text.find("Bidirectional Avg Error") != std::string_view::npos;
 }
 
@@ -104,14 +106,16 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
             {REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations")});
     const std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
     imported.remarks.push_back(
-        {RemarkGrade::note, {REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little.")}});
+        {RemarkGrade::note,
+         {REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little.")}});
     choices.settle("content", "deviations", Origin::recognised);
     PassForm form;
     form.sign = choices.settle("sign", "actualMinusTarget", Origin::guessed).value;
     if (!choices.isChosen("sign"))
         imported.remarks.push_back(
             {RemarkGrade::assumption,
-             {REPORT_TEXT("report", "Sign: it changed between the versions of the program; read as actual − target.")},
+             {REPORT_TEXT("report",
+                          "Sign: it changed between the versions of the program; read as actual − target.")},
              0,
              0,
              "sign"});

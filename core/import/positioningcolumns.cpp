@@ -156,8 +156,8 @@ private:
     /// range, a column that stays the same from line to line the number of the run.
     void placeBareList() {
         std::vector<std::size_t> columns = m.body.numberColumns();
-        const bool isBare = std::ranges::all_of(
-            m_heads, [](const TableColumn &head) { return head.heading.empty(); });
+        const bool isBare =
+            std::ranges::all_of(m_heads, [](const TableColumn &head) { return head.heading.empty(); });
         if (!isBare || !m_result.direction || columns.size() < 3)
             return;
         role(columns.back()) = ColumnRole::run;
@@ -220,7 +220,7 @@ private:
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             if (c != m_targets.front() && isNumeric(c) && role(c) == ColumnRole::ignored &&
                 m_heads[c].meaning == Meaning::place)
-                role(c) = followsTarget(c)    ? ColumnRole::actual
+                role(c) = followsTarget(c)  ? ColumnRole::actual
                           : words(c).number ? ColumnRole::run
                                             : ColumnRole::ignored;
         }
@@ -360,7 +360,8 @@ private:
             role(c) = ColumnRole::deviation;
         for (const std::size_t c : positions)
             role(c) = ColumnRole::actual;
-        ask({REPORT_TEXT("report", "Columns: some hold positions and some deviations; the deviations are read.")});
+        ask({REPORT_TEXT("report",
+                         "Columns: some hold positions and some deviations; the deviations are read.")});
     }
 
     /// A column of numbers without a heading among others that have one.
@@ -501,7 +502,8 @@ private:
         if (directed > 0 && static_cast<std::size_t>(directed) < m_result.values.size()) {
             for (const std::size_t c : m_result.values) {
                 if (!isDirected(c))
-                    ask({REPORT_TEXT("report", "Columns: “%1” names no direction as the others do; it is not read."),
+                    ask({REPORT_TEXT("report",
+                                     "Columns: “%1” names no direction as the others do; it is not read."),
                          {excerpt(m_heads[c].heading)}});
             }
             setAside(isDirected);
@@ -510,7 +512,8 @@ private:
         const auto isNumbered = [&](std::size_t c) { return words(c).number.has_value(); };
         const auto numbered = std::ranges::count_if(m_result.values, isNumbered);
         if (directed == 0 && numbered > 1 && static_cast<std::size_t>(numbered) < m_result.values.size()) {
-            ask({REPORT_TEXT("report", "Columns: some readings name no run as the others do; they are not read.")});
+            ask({REPORT_TEXT("report",
+                             "Columns: some readings name no run as the others do; they are not read.")});
             setAside(isNumbered);
         }
     }
@@ -571,9 +574,9 @@ private:
         else if (opposite < part * size)
             m_result.sign = "targetMinusActual";
         else
-            ask({REPORT_TEXT("report",
-                             "Columns: the deviations are not the differences of actual and target positions; "
-                             "the deviations are read.")});
+            ask({REPORT_TEXT(
+                "report", "Columns: the deviations are not the differences of actual and target positions; "
+                          "the deviations are read.")});
     }
 
     // ---- the result
@@ -588,9 +591,10 @@ private:
         else if (m_question)
             m.remark(RemarkGrade::assumption, *m_question, 0, "columns");
         if (!m_result.target || m_result.values.empty())
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "the columns of the targets and of the readings are not known; "
-                                               "name them with the choice “columns”")});
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "the columns of the targets and of the readings are not known; "
+                                       "name them with the choice “columns”")});
         remarkIgnored();
     }
 
@@ -604,7 +608,8 @@ private:
                           Number{static_cast<double>(m_heads.size()), Quantity::count}}});
         chosen.resize(m_heads.size());
         m_result = {};
-        const bool hasDeviations = std::ranges::find(chosen, ColumnRole::deviation, &ImportColumn::role) != chosen.end();
+        const bool hasDeviations =
+            std::ranges::find(chosen, ColumnRole::deviation, &ImportColumn::role) != chosen.end();
         ColumnRole content = ColumnRole::run;
         for (std::size_t c = 0; c < chosen.size(); ++c) {
             chosen[c].heading = m_heads[c].heading;
@@ -639,14 +644,15 @@ private:
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             const ColumnRole what = m_result.columns[c].role;
             const bool isRead = what == ColumnRole::target || what == ColumnRole::direction ||
-                                what == ColumnRole::number || std::ranges::find(m_result.values, c) != m_result.values.end();
+                                what == ColumnRole::number ||
+                                std::ranges::find(m_result.values, c) != m_result.values.end();
             const bool isCounted = m_heads[c].meaning == Meaning::index;
             if (!isRead && !isCounted && m_heads[c].kind != ColumnKind::empty && !m_heads[c].heading.empty())
                 names += (names.empty() ? "" : ", ") + std::string(m_heads[c].heading);
         }
         if (!names.empty())
-            m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Columns that are not read: %1."),
-                                         {excerpt(names)}});
+            m.remark(RemarkGrade::note,
+                     {REPORT_TEXT("report", "Columns that are not read: %1."), {excerpt(names)}});
     }
 
     TableReading &m;
@@ -668,13 +674,14 @@ Remark askForAxis(const std::vector<std::string> &axes, const std::string &axis)
     std::string names;
     for (const std::string &each : axes)
         names += (names.empty() ? "" : ", ") + each;
-    Remark remark{RemarkGrade::assumption,
-                  {REPORT_TEXT("report", "Axis: the table has several (%1); %2 is read, the others are a test of "
-                                         "their own."),
-                   {names, axis}},
-                  0,
-                  0,
-                  "axis"};
+    Remark remark{
+        RemarkGrade::assumption,
+        {REPORT_TEXT("report", "Axis: the table has several (%1); %2 is read, the others are a test of "
+                               "their own."),
+         {names, axis}},
+        0,
+        0,
+        "axis"};
     remark.answers = axes;
     return remark;
 }

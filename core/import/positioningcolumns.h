@@ -22,9 +22,9 @@ struct PositioningColumns {
     bool hasHints = false;                ///< directions were taken from letters or abbreviations
 };
 
-/// Settles the role of every column: what the user chose ("columns"), else what the whole words of the headings
-/// and the units say. What is not understood is ignored, with a remark; what can be understood in two ways is
-/// asked. Throws Error where there are no targets or no readings.
+/// Settles the role of every column: what the user chose ("columns"), else what the whole words of the
+/// headings and the units say. What is not understood is ignored, with a remark; what can be understood in
+/// two ways is asked. Throws Error where there are no targets or no readings.
 [[nodiscard]] PositioningColumns positioningColumns(TableReading &reading);
 
 /// The question which of several axes in one table is read.

@@ -55,7 +55,8 @@ bool hasLabelledRuns(const TableReading &reading) {
         return false;
     const HeadingWords first = labelOf(reading, rows.front());
     const std::vector<double> numbers = numbersOf(reading, rows.front());
-    if (first.words == 0 || first.direction || first.number || numbers.size() < 2 || !isStrictlyMonotone(numbers))
+    if (first.words == 0 || first.direction || first.number || numbers.size() < 2 ||
+        !isStrictlyMonotone(numbers))
         return false;
     std::size_t named = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -151,8 +152,7 @@ void readPositioning(TableReading &reading) {
     const PassForm form = settleForm(passes, {found.content, found.sign, unit, found.positionUnit},
                                      reading.choices, reading.result.remarks);
     PositioningMeasurement measurement = measurementOf(passes, form, reading.result.remarks);
-    measurement.axis.name =
-        reading.choices.settle("axis", axisName(reading), Origin::recognised).value;
+    measurement.axis.name = reading.choices.settle("axis", axisName(reading), Origin::recognised).value;
     Test test;
     test.edition = reading.choices.settle("edition", defaultEdition, Origin::recognised).value;
     const Edition *edition = findEdition(test.edition);

@@ -11,9 +11,10 @@ namespace {
 
 /// The choices a wrong guess of which would be a wrong number or direction.
 constexpr std::array<std::string_view, 22> asked{
-    "kind",  "layout",       "columns",  "directions", "content", "unit",           "positionUnit", "timeUnit",
-    "sign",  "decimalMark",  "axis",     "series",     "sheet",   "correctionTo20", "startAngle",   "arc",
-    "motion", "unread",      "large",    "spread",     "equalsTargets", "zeros"};
+    "kind",         "layout",         "columns",       "directions",  "content", "unit",
+    "positionUnit", "timeUnit",       "sign",          "decimalMark", "axis",    "series",
+    "sheet",        "correctionTo20", "startAngle",    "arc",         "motion",  "unread",
+    "large",        "spread",         "equalsTargets", "zeros"};
 
 /// Doubts about the numbers: their answer is that they are right.
 constexpr std::array<std::string_view, 4> doubts{"large", "spread", "equalsTargets", "zeros"};
@@ -37,8 +38,8 @@ void joinRemarks(std::vector<Remark> &remarks) {
     std::map<std::tuple<RemarkGrade, std::string, std::string>, std::size_t> first;
     std::vector<Remark> joined;
     for (Remark &remark : remarks) {
-        const auto [place, isNew] = first.try_emplace(
-            {remark.grade, remark.message.text.source, remark.choice}, joined.size());
+        const auto [place, isNew] =
+            first.try_emplace({remark.grade, remark.message.text.source, remark.choice}, joined.size());
         if (isNew) {
             joined.push_back(std::move(remark));
         } else {

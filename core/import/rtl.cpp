@@ -220,9 +220,10 @@ private:
         const bool ofRotaryAxis = contains(type, "rta") || contains(type, "rot") || contains(owner, "rot");
         // Pitch and yaw: angles at positions in millimetres.
         if (contains(owner, "ang") && !ofRotaryAxis && !m_choices.isChosen("motion"))
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "this is an angular measurement of a linear axis (pitch, yaw), no "
-                                               "positioning test; measure the axis with linear optics")});
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "this is an angular measurement of a linear axis (pitch, yaw), no "
+                                       "positioning test; measure the axis with linear optics")});
         const bool angular = contains(type, "ang") || ofRotaryAxis;
         const bool rotary = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary" : angular;
         PassForm form;
@@ -273,7 +274,8 @@ private:
             return;
         test.remarks = date;
         remark(RemarkGrade::note,
-               {REPORT_TEXT("report", "The date %1 can be read in several ways; it stays as text in the remarks."),
+               {REPORT_TEXT("report",
+                            "The date %1 can be read in several ways; it stays as text in the remarks."),
                 {date}});
     }
 

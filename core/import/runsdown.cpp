@@ -74,9 +74,10 @@ private:
         if (heading.meaning == Meaning::statistic || heading.meaning == Meaning::other ||
             heading.meaning == Meaning::temperature ||
             (unit && unit->kind != UnitKind::length && unit->kind != UnitKind::angle)) {
-            m.remark(RemarkGrade::note, {REPORT_TEXT("report", "The line “%1” is not read: it holds no readings."),
-                                         {excerpt(label)}},
-                     m.row(row).line);
+            m.remark(
+                RemarkGrade::note,
+                {REPORT_TEXT("report", "The line “%1” is not read: it holds no readings."), {excerpt(label)}},
+                m.row(row).line);
             return;
         }
         PlacedPass placed;
@@ -94,8 +95,8 @@ private:
         m_labels.push_back({heading, unit, label, m.row(row).line});
     }
 
-    /// Lines whose words are not understood beside lines that name their run or direction are no runs; a short
-    /// word means a direction beside its opposite.
+    /// Lines whose words are not understood beside lines that name their run or direction are no runs; a
+    /// short word means a direction beside its opposite.
     void keepUnderstood() {
         const auto isKnown = [](const Label &label) {
             return label.words.unknownWords == 0 && label.words.words > 0;
@@ -113,7 +114,8 @@ private:
             const Label &label = m_labels[i];
             if (anyKnown && !isKnown(label) && !label.words.direction && !(label.words.hint && up && down)) {
                 m.remark(RemarkGrade::problem,
-                         {REPORT_TEXT("report", "“%1” names no run; the line was not read."), {excerpt(label.text)}},
+                         {REPORT_TEXT("report", "“%1” names no run; the line was not read."),
+                          {excerpt(label.text)}},
                          label.line, "unread");
                 continue;
             }
@@ -153,11 +155,11 @@ private:
         m.result.columns.clear();
         for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
             ImportColumn column{ColumnRole::ignored, {}, 0, nullptr, m.body.columns[c].heading};
-            const bool isTarget = std::ranges::any_of(
-                m_targets, [&](const auto &target) { return target.first == c; });
-            column.role = isTarget             ? ColumnRole::run
+            const bool isTarget =
+                std::ranges::any_of(m_targets, [&](const auto &target) { return target.first == c; });
+            column.role = isTarget            ? ColumnRole::run
                           : m_directions == c ? ColumnRole::direction
-                                               : ColumnRole::ignored;
+                                              : ColumnRole::ignored;
             m.result.columns.push_back(column);
         }
         m.choices.settle("columns", wordOf(m.result.columns), Origin::recognised);

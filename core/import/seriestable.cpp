@@ -106,8 +106,9 @@ private:
         } else {
             m_values = !deviations.empty() ? deviations : others;
             if (m_values.size() > 1) {
-                m_question = {REPORT_TEXT("report", "Columns: several hold deviations; “%1” is read, the others are "
-                                                    "a test of their own."),
+                m_question = {REPORT_TEXT("report",
+                                          "Columns: several hold deviations; “%1” is read, the others are "
+                                          "a test of their own."),
                               {excerpt(m.body.columns[m_values.front()].heading)}};
                 m_values.resize(1);
             }

@@ -355,7 +355,8 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
                 options.decimalMark.value_or(mark) != mark)
                 continue;
             readings.push_back(readSample(sample, delimiter, mark, options.comments));
-            // Blanks stand between words, too: another delimiter that parts nearly as many numbers is the one.
+            // Blanks stand between words, too: another delimiter that parts nearly as many numbers is the
+            // one.
             constexpr double nearly = 0.6;
             if (delimiter == Delimiter::blanks && best.columns > 1 &&
                 best.score > nearly * readings.back().score)

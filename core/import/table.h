@@ -72,7 +72,8 @@ private:
 /// The table a text says: UTF-8, lines ended by CR, LF or both. Cells may be quoted ("…", doubled inside).
 /// What the options leave open is taken from the text: the delimiter and decimal mark under which most cells
 /// are numbers and the rows are alike; `guessed` where another reading of the numbers is as likely.
-/// Throws Error(tooLarge) for more than 10⁷ cells and for a line of more than 1 MiB, with the line. Linear in the text.
+/// Throws Error(tooLarge) for more than 10⁷ cells and for a line of more than 1 MiB, with the line. Linear in
+/// the text.
 [[nodiscard]] CellTable readTable(std::string text, const TableOptions &options = {});
 
 /// A table from cells that are taken apart already, as those of a workbook; numbers with a point.

@@ -82,7 +82,8 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
                 ++count.directions;
             else if (isDate(table.text(cells[c])))
                 ++count.dates;
-            else if (isNumeric(cells[c]) && !(cells[c].kind == CellKind::missing && isAxisLetter(table, cells[c])))
+            else if (isNumeric(cells[c]) &&
+                     !(cells[c].kind == CellKind::missing && isAxisLetter(table, cells[c])))
                 ++count.numbers;
             else if (senseIn(table.text(cells[c])))
                 ++count.senses;
@@ -157,7 +158,8 @@ public:
                         continue;
                     }
                     numericHead = i;
-                } else if (!row.comment && looksLikeData(row, !m_body.blocks.empty() || !block.rows.empty())) {
+                } else if (!row.comment &&
+                           looksLikeData(row, !m_body.blocks.empty() || !block.rows.empty())) {
                     remarkUnread(row);
                     continue;
                 }
@@ -227,8 +229,8 @@ private:
         if (2 * numbers < m_numberColumns || (m_numberColumns <= 2 && numbers < m_numberColumns))
             return false;
         const auto isComputed = [&](const TableCell &cell) {
-            const Meaning meaning = cell.kind == CellKind::text ? readHeading(m_table.text(cell)).meaning
-                                                                : Meaning::unknown;
+            const Meaning meaning =
+                cell.kind == CellKind::text ? readHeading(m_table.text(cell)).meaning : Meaning::unknown;
             return meaning == Meaning::statistic || meaning == Meaning::other ||
                    meaning == Meaning::temperature;
         };
@@ -367,9 +369,8 @@ std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBloc
             break;
         const auto cells = table.cells(row);
         complete |= *at != block.numericHead && cells.size() >= columns.size() &&
-                    std::ranges::all_of(cells.first(columns.size()), [](const TableCell &cell) {
-                        return cell.kind != CellKind::empty;
-                    });
+                    std::ranges::all_of(cells.first(columns.size()),
+                                        [](const TableCell &cell) { return cell.kind != CellKind::empty; });
         rows.push_back(*at);
     }
     std::ranges::reverse(rows);
@@ -431,8 +432,8 @@ void findSections(const CellTable &table, TableBody &body) {
         if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment)
             takeFromComment(table, table.rows()[block.heads.back()], columns); // the headings themselves
         composeHeadings(table, rows, columns);
-        const bool named = std::ranges::any_of(
-            columns, [](const TableColumn &column) { return !column.heading.empty(); });
+        const bool named =
+            std::ranges::any_of(columns, [](const TableColumn &column) { return !column.heading.empty(); });
         if (named || body.sections.empty()) {
             readHeadings(columns);
             body.sections.push_back(std::move(columns));
@@ -462,8 +463,8 @@ void keepLargestTable(const CellTable &table, TableBody &body) {
         if (kindOf[block.section] < kinds.size())
             kinds[kindOf[block.section]].rows += block.rows.size();
     }
-    const auto best = static_cast<std::size_t>(
-        std::ranges::max_element(kinds, {}, &Kind::rows) - kinds.begin());
+    const auto best =
+        static_cast<std::size_t>(std::ranges::max_element(kinds, {}, &Kind::rows) - kinds.begin());
     std::erase_if(body.blocks, [&](const TableBlock &block) {
         const bool other = kindOf[block.section] != best;
         if (other)
@@ -529,9 +530,8 @@ TableBody bodyOf(const CellTable &table) {
     findSections(table, body);
     for (const TableBlock &block : body.blocks)
         body.notes.insert(body.notes.end(), block.heads.begin(), block.heads.end());
-    std::erase_if(body.notes, [&](std::uint32_t index) {
-        return std::ranges::binary_search(body.columnHeads, index);
-    });
+    std::erase_if(body.notes,
+                  [&](std::uint32_t index) { return std::ranges::binary_search(body.columnHeads, index); });
     std::ranges::sort(body.notes);
     keepLargestTable(table, body);
     return body;

@@ -16,7 +16,7 @@ enum class ColumnKind { empty, numbers, directions, senses, clock, dates, words 
 struct TableColumn {
     ColumnKind kind = ColumnKind::empty;
     std::string heading; ///< all rows of the heading joined
-    HeadingWords words;       ///< what it says
+    HeadingWords words;  ///< what it says
     Meaning meaning = Meaning::unknown;
     const Unit *unit = nullptr; ///< of the heading, or null
 };

@@ -178,8 +178,7 @@ private:
             const int side = direction ? static_cast<int>(*direction) : 2;
             // The same target again in one run: the next pass.
             const std::size_t time = m_times[{column, number, side, *target}]++;
-            const auto [place, isNew] =
-                m_passes.try_emplace({column, number, side, time}, m_lines.size());
+            const auto [place, isNew] = m_passes.try_emplace({column, number, side, time}, m_lines.size());
             if (isNew)
                 m_lines.push_back({{direction, what.number > 0 ? what.number : number, {}, {}}});
             add(m_lines[place->second].placed, row, *target, column);
@@ -198,7 +197,7 @@ private:
         if (m_codes.empty())
             m_codes = codesOfDirection();
         m_codesAreGuessed |= !m_codes.contains(-1);
-        return m_codes.rbegin()->first == cell->value && m_codes.contains(-1) ? Direction::positive
+        return m_codes.rbegin()->first == cell->value && m_codes.contains(-1)  ? Direction::positive
                : m_codes.contains(-1) || m_codes.begin()->first != cell->value ? Direction::negative
                                                                                : Direction::positive;
     }
@@ -282,8 +281,8 @@ private:
         return std::ranges::any_of(m_pieces, [&](const Piece &piece) { return piece.*says == wanted; });
     }
 
-    /// Titles that say a direction among other words count where two say the opposite. Where some pieces say a
-    /// direction the others have the other one: blocks come in pairs.
+    /// Titles that say a direction among other words count where two say the opposite. Where some pieces say
+    /// a direction the others have the other one: blocks come in pairs.
     void completeDirections(bool shuffled) {
         bool up = anyPiece(&Piece::direction, Direction::positive);
         bool down = anyPiece(&Piece::direction, Direction::negative);

@@ -33,8 +33,7 @@ std::string seriesKindOf(const TableBody &body, Origin &origin) {
                (column.unit && column.unit->kind == UnitKind::temperature);
     });
     const bool length = std::ranges::any_of(body.columns, [](const TableColumn &column) {
-        return column.unit &&
-               (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle);
+        return column.unit && (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle);
     });
     const bool readings = length || has(Meaning::deviation) || has(Meaning::actual) ||
                           has(Meaning::reading) || has(Meaning::place);
@@ -52,8 +51,8 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
     // Arrows and words for the directions of an axis: angles are those of its targets. So they are where the
     // deviations are angles, too.
     const bool approached = std::ranges::any_of(body.columns, [](const TableColumn &column) {
-        const bool turns = column.meaning == Meaning::deviation && column.unit &&
-                           column.unit->kind == UnitKind::angle;
+        const bool turns =
+            column.meaning == Meaning::deviation && column.unit && column.unit->kind == UnitKind::angle;
         return turns || (column.words.isTarget && column.meaning != Meaning::nominal) ||
                (column.words.direction.has_value() && !senseIn(column.heading));
     });
@@ -153,7 +152,8 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
             imported.test->remarks = notes.dateText;
             reading.remark(
                 RemarkGrade::note,
-                {REPORT_TEXT("report", "The date %1 can be read in several ways; it stays as text in the remarks."),
+                {REPORT_TEXT("report",
+                             "The date %1 can be read in several ways; it stays as text in the remarks."),
                  {notes.dateText}});
         }
     }

@@ -51,7 +51,8 @@ bool isBinary(QByteArrayView bytes) {
 
 [[noreturn]] void refuseOldWorkbook() {
     throw Error(Error::Kind::format,
-                {REPORT_TEXT("report", "workbooks of Excel 97 (.xls) cannot be read; save it as .xlsx, .ods or CSV")});
+                {REPORT_TEXT("report",
+                             "workbooks of Excel 97 (.xls) cannot be read; save it as .xlsx, .ods or CSV")});
 }
 
 } // namespace

@@ -17,7 +17,8 @@ struct Unit {
     double multiplier = 1;
     double divisor = 1;
 
-    /// Powers of ten move the decimal mark of the number as it is written: 2.1 µm is 0.0021 mm, to the last bit.
+    /// Powers of ten move the decimal mark of the number as it is written: 2.1 µm is 0.0021 mm, to the last
+    /// bit.
     [[nodiscard]] double toBase(double value) const;
 };
 

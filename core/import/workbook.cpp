@@ -98,7 +98,7 @@ public:
     [[nodiscard]] int column() const { return m_column; }
     CellTable take(const Choices &choices) {
         const std::string_view mark = choices.chosen("decimalMark");
-        return m_builder.take(mark.empty()        ? std::nullopt
+        return m_builder.take(mark.empty()      ? std::nullopt
                               : mark == "comma" ? std::optional(DecimalMark::comma)
                                                 : std::optional(DecimalMark::point));
     }
@@ -162,8 +162,9 @@ std::vector<SheetName> sheetsOfXlsx(ZipFile &zip) {
             else
                 target.prepend(QLatin1StringView("xl/"));
             const QString state = attribute(xml, "state");
-            sheets.push_back({attribute(xml, "name"), target,
-                              state == QLatin1StringView("hidden") || state == QLatin1StringView("veryHidden")});
+            sheets.push_back(
+                {attribute(xml, "name"), target,
+                 state == QLatin1StringView("hidden") || state == QLatin1StringView("veryHidden")});
         },
         [](const QXmlStreamReader &) {}, [](QStringView) {});
     return sheets;
@@ -390,8 +391,8 @@ std::size_t readingsIn(const CellTable &table, const ImportOptions &options) {
     return readingsOf(trial);
 }
 
-/// The sheet chosen, else that with most readings: the visible ones first, hidden ones only where no other has
-/// any. All are listed, also where none can be read.
+/// The sheet chosen, else that with most readings: the visible ones first, hidden ones only where no other
+/// has any. All are listed, also where none can be read.
 class SheetChooser {
 public:
     SheetChooser(const std::vector<SheetName> &sheets, Choices &choices, Imported &imported)
@@ -447,17 +448,19 @@ private:
                                              doubtful ? Origin::guessed : Origin::recognised);
         if (m_sheets.size() < 2 && !doubtful)
             return;
-        Remark remark{choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
-                      {sheet.isHidden
-                           ? REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read, which is hidden.")
-                       : choice.origin == Origin::guessed
-                           ? REPORT_TEXT("report", "The workbook has %1 sheets, several with a measurement; “%2” is read.")
-                           : REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read."),
-                       {Number{static_cast<double>(m_sheets.size()), Quantity::count},
-                        excerpt(sheet.name.toStdString())}},
-                      0,
-                      0,
-                      "sheet"};
+        Remark remark{
+            choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
+            {sheet.isHidden
+                 ? REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read, which is hidden.")
+             : choice.origin == Origin::guessed
+                 ? REPORT_TEXT("report",
+                               "The workbook has %1 sheets, several with a measurement; “%2” is read.")
+                 : REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read."),
+             {Number{static_cast<double>(m_sheets.size()), Quantity::count},
+              excerpt(sheet.name.toStdString())}},
+            0,
+            0,
+            "sheet"};
         for (const ImportSheet &each : m.sheets)
             remark.answers.push_back(each.name);
         m.remarks.push_back(std::move(remark));
@@ -508,12 +511,14 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
             {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and "
                                    "readings, points of a circle, or values over time")});
     if (imported.table.decimalMark.origin != Origin::recognised) {
-        choices.settle("decimalMark", imported.table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
+        choices.settle("decimalMark",
+                       imported.table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
                        imported.table.decimalMark.origin);
         if (imported.table.decimalMark.origin == Origin::guessed)
             imported.remarks.push_back(
                 {RemarkGrade::assumption,
-                 {REPORT_TEXT("report", "Decimal mark: numbers that stand there as text can be read in several ways.")},
+                 {REPORT_TEXT("report",
+                              "Decimal mark: numbers that stand there as text can be read in several ways.")},
                  0,
                  0,
                  "decimalMark"});

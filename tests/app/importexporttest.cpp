@@ -67,9 +67,9 @@ private:
 
 void ImportExportTest::importsFilesIntoOneDocument() {
     // The temperatures come first and still find their test.
-    const Result result =
-        run({"import", DATA "tables/temperatures.csv", DATA "rtl/typical.rtl", DATA "rtx/typical.rtx", "-o",
-             at("a.palmer"), "--keep-original", "--accept", "--set", "correctionTo20=applied by the instrument"});
+    const Result result = run({"import", DATA "tables/temperatures.csv", DATA "rtl/typical.rtl",
+                               DATA "rtx/typical.rtx", "-o", at("a.palmer"), "--keep-original", "--accept",
+                               "--set", "correctionTo20=applied by the instrument"});
     QVERIFY2(result.code == 0, qPrintable(result.err));
     QVERIFY(result.err.contains("typical.rtl: Understood: targets: 3; runs ↑: 2; runs ↓: 2."));
     QVERIFY(result.out.isEmpty());
@@ -102,8 +102,8 @@ void ImportExportTest::takesChoicesAndProfiles() {
     QVERIFY(QDir(configuration).mkpath("palmer"));
     write(configuration + "/palmer/import-profiles.json", R"({"laser 2": {"unit": "um", "axis": "Y"}})");
     const Result profile =
-        run({"import", "-", "-o", at("c.palmer"), "--profile", "laser 2", "--set", "axis=W", "--accept"}, table,
-            configuration);
+        run({"import", "-", "-o", at("c.palmer"), "--profile", "laser 2", "--set", "axis=W", "--accept"},
+            table, configuration);
     QVERIFY2(profile.code == 0, qPrintable(profile.err));
     QCOMPARE(document(at("c.palmer"))["tests"][0]["axis"]["name"].toString(), "W");
     QCOMPARE(document(at("c.palmer"))["tests"][0]["runs"][0]["deviations"][1].toDouble(), 0.002);
@@ -136,8 +136,9 @@ void ImportExportTest::refusesUntilQuestionsAreAnswered() {
     QCOMPARE(run(import + QStringList{"--accept", "--set", "unread=leave"}, broken).code, 0);
     // Every command that reads foreign files asks.
     for (const QStringList &command :
-         {QStringList{"evaluate", "-"}, QStringList{"check", "-"}, QStringList{"report", "-", "-o", at("q.pdf")},
-          QStringList{"figure", "-", "-o", at("q.svg")}, QStringList{"export", "-", "--as", "csv", "-o", "-"}}) {
+         {QStringList{"evaluate", "-"}, QStringList{"check", "-"},
+          QStringList{"report", "-", "-o", at("q.pdf")}, QStringList{"figure", "-", "-o", at("q.svg")},
+          QStringList{"export", "-", "--as", "csv", "-o", "-"}}) {
         QCOMPARE(run(command, table).code, 3);
         QVERIFY(run(command + QStringList{"--accept"}, table).code < 2);
     }
@@ -159,9 +160,11 @@ void ImportExportTest::refusesInOneLineAndWritesNothing() {
 }
 
 void ImportExportTest::readsMeasurementFilesWhereverFilesStand() {
-    const Result file = run({"evaluate", "--json", DATA "tables/typical.csv", "--accept", "--set", "unread=leave"});
+    const Result file =
+        run({"evaluate", "--json", DATA "tables/typical.csv", "--accept", "--set", "unread=leave"});
     QVERIFY2(file.code == 0, qPrintable(file.err));
-    const Result piped = run({"evaluate", "--json", "-", "--accept", "--set", "unread=leave"}, contents(DATA "tables/typical.csv"));
+    const Result piped = run({"evaluate", "--json", "-", "--accept", "--set", "unread=leave"},
+                             contents(DATA "tables/typical.csv"));
     const QJsonValue a = QJsonDocument::fromJson(file.out.toUtf8())["tests"];
     QCOMPARE(a, QJsonDocument::fromJson(piped.out.toUtf8())["tests"]);
     QVERIFY(a[0]["parameters"].toArray().size() > 5);
@@ -194,7 +197,8 @@ void ImportExportTest::exportsEveryForm() {
     const bool predicts = !options.contains("csv") && !options.contains("json");
     QCOMPARE(result.err.contains("predicted with the compensation applied:"), predicts);
     QVERIFY(!predicts || result.err.contains("palmer-cli: E: "));
-    const Result saved = run(QStringList{"export", DATA "rtl/typical.rtl", "--accept", "-o", at("out")} + options);
+    const Result saved =
+        run(QStringList{"export", DATA "rtl/typical.rtl", "--accept", "-o", at("out")} + options);
     QCOMPARE(QString::fromUtf8(contents(at("out"))), result.out);
     QVERIFY(saved.out.isEmpty());
 }

@@ -86,7 +86,9 @@ private slots:
 
         QVERIFY(clipboard.measurement == file.measurement);
         QVERIFY(commandLine.measurement == file.measurement);
-        const QJsonObject results = QJsonDocument::fromJson(run({"evaluate", "--json", path, "--accept", "--set", "unread=leave"})).object();
+        const QJsonObject results =
+            QJsonDocument::fromJson(run({"evaluate", "--json", path, "--accept", "--set", "unread=leave"}))
+                .object();
         const auto shown = values(*opened.window->evaluator().current().tests.at(0));
         QCOMPARE(values(results["tests"][0]), shown);
         QVERIFY(!shown.isEmpty() || std::holds_alternative<DriftMeasurement>(file.measurement));

@@ -555,8 +555,9 @@ QHBoxLayout *ImportAssistant::addRow(RemarkGrade grade, QString sentence, std::s
 
 void ImportAssistant::addQuestion(const Question &question) {
     const QString sentence = windowLanguage().sentence(question.sentence);
-    QHBoxLayout *row = addRow(question.grade == QuestionGrade::red ? RemarkGrade::problem : RemarkGrade::assumption,
-                              sentence, question.line, question.column, question.further.size() + 1);
+    QHBoxLayout *row =
+        addRow(question.grade == QuestionGrade::red ? RemarkGrade::problem : RemarkGrade::assumption,
+               sentence, question.line, question.column, question.further.size() + 1);
     const auto choice = std::ranges::find(m_imported.choices, question.id, &ImportChoice::key);
     if (choice == m_imported.choices.end() || choice->origin != Origin::guessed)
         return;

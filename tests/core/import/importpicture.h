@@ -88,7 +88,8 @@ inline QString questions(const Imported &imported) {
         lines << QStringLiteral("%1 %2=%3: %4%5%6")
                      .arg(question.grade == QuestionGrade::red ? QStringLiteral("!!") : QStringLiteral("??"),
                           QString::fromStdString(question.id), QString::fromStdString(question.proposal),
-                          question.line > 0 ? QString::number(question.line) + QStringLiteral(": ") : QString(),
+                          question.line > 0 ? QString::number(question.line) + QStringLiteral(": ")
+                                            : QString(),
                           english.sentence(question.sentence),
                           question.further.empty()
                               ? QString()

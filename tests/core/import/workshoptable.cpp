@@ -43,28 +43,30 @@ const std::array vocabularies{
                 {"Positive approach", "Negative approach"}},
                {"Direction", "Dir", "Approach"},
                {"i", "No.", "Index", "#"},
-               {"Mean", "Std dev", "B", "s", "Min", "Max", "R", "Remark", "Reversal", "Temp (°C)", "Feed", "Tolerance",
-                "Batch"},
-               {"Linear positioning of X axis", "X axis rev 2", "Report 12 Dec 2023", "Laser test, pos. accuracy",
-                "Positioning test 3; 5 runs", "Acceptance test - back side spindle"}},
-    Vocabulary{"fr",
-               {"Cible", "Position cible", "Position visée", "Position nominale", "Pos. cible", "P", "Consigne"},
-               {"Écart", "Ecart", "Erreur", "écart de position"},
-               {"Mesure", "Position mesurée", "Position réelle"},
-               {"Passe", "Cycle", "Série"},
-               {{"aller", "retour"},
-                {"Aller", "Retour"},
-                {"approche positive", "approche négative"},
-                {"sens +", "sens -"},
-                {"↑", "↓"},
-                {"montée", "descente"},
-                {"positif", "négatif"}},
-               {"Sens", "Direction", "Approche"},
-               {"N°", "i", "Point n°"},
-               {"Moyenne", "Écart type", "B", "s", "Min", "Max", "Remarque", "Réversibilité", "Température (°C)",
-                "Tolérance", "Lot"},
-               {"Essai de positionnement axe X", "Rapport du 12/03/2024, rév. 2", "Contrôle laser - pos. initiale",
-                "Réception machine ; 5 passes"}},
+               {"Mean", "Std dev", "B", "s", "Min", "Max", "R", "Remark", "Reversal", "Temp (°C)", "Feed",
+                "Tolerance", "Batch"},
+               {"Linear positioning of X axis", "X axis rev 2", "Report 12 Dec 2023",
+                "Laser test, pos. accuracy", "Positioning test 3; 5 runs",
+                "Acceptance test - back side spindle"}},
+    Vocabulary{
+        "fr",
+        {"Cible", "Position cible", "Position visée", "Position nominale", "Pos. cible", "P", "Consigne"},
+        {"Écart", "Ecart", "Erreur", "écart de position"},
+        {"Mesure", "Position mesurée", "Position réelle"},
+        {"Passe", "Cycle", "Série"},
+        {{"aller", "retour"},
+         {"Aller", "Retour"},
+         {"approche positive", "approche négative"},
+         {"sens +", "sens -"},
+         {"↑", "↓"},
+         {"montée", "descente"},
+         {"positif", "négatif"}},
+        {"Sens", "Direction", "Approche"},
+        {"N°", "i", "Point n°"},
+        {"Moyenne", "Écart type", "B", "s", "Min", "Max", "Remarque", "Réversibilité", "Température (°C)",
+         "Tolérance", "Lot"},
+        {"Essai de positionnement axe X", "Rapport du 12/03/2024, rév. 2", "Contrôle laser - pos. initiale",
+         "Réception machine ; 5 passes"}},
     Vocabulary{"de",
                {"Sollposition", "Soll-Pos.", "Soll", "Zielposition", "Position", "P", "Sollwert"},
                {"Abweichung", "Abw.", "Fehler", "Positionsabweichung"},
@@ -79,8 +81,8 @@ const std::array vocabularies{
                 {"positiv", "negativ"}},
                {"Richtung", "Anfahrrichtung"},
                {"Nr.", "i", "Lfd. Nr."},
-               {"Mittelwert", "Std.abw.", "B", "s", "Min", "Max", "Bemerkung", "Umkehrspanne", "Temperatur (°C)",
-                "Toleranz", "Charge"},
+               {"Mittelwert", "Std.abw.", "B", "s", "Min", "Max", "Bemerkung", "Umkehrspanne",
+                "Temperatur (°C)", "Toleranz", "Charge"},
                {"Positioniergenauigkeit X-Achse", "Prüfbericht Rev. 2 vom 12.03.2024", "Lasermessung Pos. 3",
                 "Abnahme, 5 Läufe"}},
     Vocabulary{"it",
@@ -96,26 +98,27 @@ const std::array vocabularies{
                 {"positivo", "negativo"}},
                {"Direzione", "Senso", "Verso"},
                {"N.", "i", "Numero"},
-               {"Media", "Dev. std.", "B", "s", "Min", "Max", "Nota", "Inversione", "Temperatura (°C)", "Tolleranza",
-                "Lotto"},
+               {"Media", "Dev. std.", "B", "s", "Min", "Max", "Nota", "Inversione", "Temperatura (°C)",
+                "Tolleranza", "Lotto"},
                {"Prova di posizionamento asse X", "Rapporto rev. 2 del 12/03/2024", "Collaudo, pos. 3"}},
-    Vocabulary{"es",
-               {"Posición objetivo", "Posición nominal", "Objetivo", "Posición", "Cota nominal"},
-               {"Desviación", "Error", "Desv."},
-               {"Posición medida", "Posición real", "Medida"},
-               {"Pasada", "Ciclo", "Serie"},
-               {{"ida", "vuelta"},
-                {"Ida", "Vuelta"},
-                {"adelante", "atrás"},
-                {"↑", "↓"},
-                {"+", "-"},
-                {"positivo", "negativo"},
-                {"avance", "retroceso"}},
-               {"Dirección", "Sentido"},
-               {"N.º", "i", "Número"},
-               {"Media", "Desv. típica", "B", "s", "Mín", "Máx", "Observación", "Inversión", "Temperatura (°C)",
-                "Tolerancia", "Lote"},
-               {"Ensayo de posicionamiento eje X", "Informe rev. 2 del 12/03/2024", "Verificación láser, pos. 3"}},
+    Vocabulary{
+        "es",
+        {"Posición objetivo", "Posición nominal", "Objetivo", "Posición", "Cota nominal"},
+        {"Desviación", "Error", "Desv."},
+        {"Posición medida", "Posición real", "Medida"},
+        {"Pasada", "Ciclo", "Serie"},
+        {{"ida", "vuelta"},
+         {"Ida", "Vuelta"},
+         {"adelante", "atrás"},
+         {"↑", "↓"},
+         {"+", "-"},
+         {"positivo", "negativo"},
+         {"avance", "retroceso"}},
+        {"Dirección", "Sentido"},
+        {"N.º", "i", "Número"},
+        {"Media", "Desv. típica", "B", "s", "Mín", "Máx", "Observación", "Inversión", "Temperatura (°C)",
+         "Tolerancia", "Lote"},
+        {"Ensayo de posicionamiento eje X", "Informe rev. 2 del 12/03/2024", "Verificación láser, pos. 3"}},
 };
 
 class Maker {
@@ -201,7 +204,7 @@ private:
     [[nodiscard]] QString withUnit(const QString &heading, const QString &unit) const {
         if (!m_statesUnits)
             return heading;
-        return m_brackets == 0 ? heading + " (" + unit + ')'
+        return m_brackets == 0   ? heading + " (" + unit + ')'
                : m_brackets == 1 ? heading + " [" + unit + ']'
                                  : heading + " " + unit;
     }
@@ -421,6 +424,41 @@ private:
 
 WorkshopTable workshopTable(std::mt19937 &random) {
     return Maker(random).make();
+}
+
+PlainTable plainTable(std::mt19937 &random) {
+    PlainTable table;
+    const std::size_t runs = 1 + random() % 4;
+    QStringList head{"Target (mm)"};
+    for (std::size_t j = 0; j < 2 * runs; ++j)
+        head << QString("Run %1 %2 (µm)").arg(j / 2 + 1).arg(j % 2 == 0 ? "forward" : "backward");
+    table.rows.push_back(head);
+    for (std::size_t i = 0; i < 4 + random() % 8; ++i) {
+        QStringList row{
+            QString::number(static_cast<double>(i) * 50 + static_cast<double>(random() % 99) / 100, 'f', 2)};
+        for (std::size_t j = 0; j < 2 * runs; ++j)
+            row << QString::number(static_cast<double>(random() % 200) / 10 - 10, 'f', 1);
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+QByteArray randomText(std::mt19937 &random) {
+    static const QStringList words{"the",  "machine", "run",  "up",  "12.03.2024", "4,5", "7", "-3.25",
+                                   "Soll", "écart",   "Pos.", "100", "0",          "1e3", "X", "rev",
+                                   "µm",   "(mm)",    "--",   "#",   "12:30",      "°C"};
+    static const std::array delimiters{" ", ";", "\t", ",", " | "};
+    QString text;
+    const std::size_t lines = 1 + random() % 12;
+    for (std::size_t i = 0; i < lines; ++i) {
+        const QString delimiter =
+            delimiters[random() % 4 == 0 ? random() % delimiters.size() : lines % delimiters.size()];
+        QStringList cells;
+        for (std::size_t c = 0; c < 1 + random() % 5; ++c)
+            cells << words[static_cast<qsizetype>(random() % static_cast<std::size_t>(words.size()))];
+        text += cells.join(delimiter) + '\n';
+    }
+    return text.toUtf8();
 }
 
 } // namespace palmer::testdata

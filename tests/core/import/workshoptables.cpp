@@ -6,7 +6,9 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace palmer;
 
@@ -77,7 +79,74 @@ private slots:
         QVERIFY(wrong <= mostWrong);
     }
 
+    /// Columns in another order, one more that says nothing, another delimiter, the other mark: the same
+    /// numbers.
+    void theFormChangesNoNumber() {
+        std::mt19937 random(7);
+        static const QStringList further{"Wxyz",   "B",         "s",         "Mean",
+                                         "Remark", "Tolerance", "Temp (°C)", "Batch 7"};
+        for (int trial = 0; trial < 200; ++trial) {
+            const testdata::PlainTable table = testdata::plainTable(random);
+            const QString expected = numbersOf(written(table.rows, u';', false));
+            QVERIFY(!expected.isEmpty());
+            for (const QChar delimiter : {u'\t', u'|', u',', u';'})
+                QCOMPARE(numbersOf(written(table.rows, delimiter, false)), expected);
+            for (const QChar delimiter : {u'\t', u'|', u';'})
+                QCOMPARE(numbersOf(written(table.rows, delimiter, true)), expected);
+            std::vector<qsizetype> order(static_cast<std::size_t>(table.rows.front().size()));
+            std::iota(order.begin(), order.end(), 0);
+            std::shuffle(order.begin(), order.end(), random);
+            std::vector<QStringList> permuted;
+            for (const QStringList &row : table.rows) {
+                permuted.emplace_back();
+                for (const qsizetype c : order)
+                    permuted.back() << row[c];
+            }
+            QCOMPARE(numbersOf(written(permuted, u';', false)), expected);
+            const auto at = static_cast<qsizetype>(random() % order.size());
+            for (std::size_t i = 0; i < permuted.size(); ++i)
+                permuted[i].insert(at, i == 0
+                                           ? further[static_cast<qsizetype>(random() % 8)]
+                                           : QString::number(static_cast<double>(random() % 70) / 10 + 18));
+            QCOMPARE(numbersOf(written(permuted, u';', false)), expected);
+        }
+    }
+
+    void textThatIsNoTableIsAskedAbout() {
+        std::mt19937 random(11);
+        int read = 0;
+        for (int trial = 0; trial < 3000; ++trial) {
+            const QByteArray text = testdata::randomText(random);
+            try {
+                const Imported imported = importMeasurement(text, "x.txt");
+                ++read;
+                QVERIFY2(std::ranges::any_of(imported.questions, isAboutThisFile), text.constData());
+            } catch (const Error &error) {
+                QVERIFY(!error.message.text.empty());
+            }
+        }
+        QVERIFY(read > 50); // else nothing was tried
+    }
+
 private:
+    static QByteArray written(const std::vector<QStringList> &rows, QChar delimiter, bool comma) {
+        QString text;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            QString line = rows[i].join(delimiter);
+            text += (comma && i > 0 ? line.replace('.', ',') : line) + '\n';
+        }
+        return text.toUtf8();
+    }
+
+    /// Targets and runs; empty for what cannot be read.
+    static QString numbersOf(const QByteArray &text) {
+        try {
+            return testdata::picture(importMeasurement(text, "x.csv"));
+        } catch (const Error &) {
+            return {};
+        }
+    }
+
     /// Sign and correction to 20 °C are asked of every file: they say nothing about a doubt.
     static bool isAboutThisFile(const Question &question) {
         return question.id != "sign" && question.id != "correctionTo20";
