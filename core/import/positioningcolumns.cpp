@@ -164,6 +164,8 @@ private:
         columns.pop_back();
         const auto rangeOf = [&](std::size_t c) {
             const std::vector<double> values = valuesOf(c);
+            if (values.empty())
+                return -1.0;
             const auto [low, high] = std::ranges::minmax(values);
             return high - low;
         };
