@@ -64,6 +64,8 @@ private slots:
     void keepsTheOriginal();
     void putsTemperaturesIntoTheTests();
     void coloursTheCells();
+    void readsWhatStandsBesideTheTable();
+    void showsWhatCannotBeRead();
 };
 
 void ImportedFilesTest::saysWhatIsExpected_data() {
@@ -83,7 +85,7 @@ void ImportedFilesTest::saysWhatIsExpected() {
 
 void ImportedFilesTest::lineEndsChangeNothing_data() {
     QTest::addColumn<QString>("file");
-    for (const QString folder : {"tables", "rtl", "indexed", "ren"}) {
+    for (const QString folder : {"tables", "rtl", "indexed", "ren", "pos"}) {
         for (const QString &file : filesIn(folder)) {
             if (!file.contains("utf-16"))
                 QTest::newRow(qPrintable(file)) << file;
@@ -264,6 +266,34 @@ void ImportedFilesTest::coloursTheCells() {
             "-hp+n"[static_cast<std::size_t>(imported.roles[row.first + c])]; // in the order of CellRole
     QCOMPARE(colours, QString("p+n+n+n"));
     QVERIFY(imported.roles[imported.table.rows()[2].first] == CellRole::head);
+}
+
+void ImportedFilesTest::readsWhatStandsBesideTheTable() {
+    const Imported imported = importMeasurement(contents(DATA "workbooks/cover-and-hidden.xlsx"), "x.xlsx");
+    QCOMPARE(imported.machine.name, std::string("HAAS"));
+    QCOMPARE(imported.operatorName, std::string("M. Weber"));
+    QCOMPARE(imported.test->date, std::optional<std::string>("2024-03-05"));
+    QCOMPARE(imported.sheets.size(), std::size_t(3));
+    QVERIFY(imported.sheets.at(1) == (ImportSheet{"Data", false, true}));
+    QVERIFY(imported.sheets.at(2).isHidden && imported.sheets.at(2).name == "Old");
+    // A label with its colon in one cell, values in other languages, a date that can be read in two ways.
+    const Imported text = importMeasurement("Maschine: Mill 5\nSeriennummer: 4711\nOpérateur : J. "
+                                            "Martin\n03/04/2024\nP (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3;4\n",
+                                            "x.csv");
+    QCOMPARE(text.machine.name, std::string("Mill 5"));
+    QCOMPARE(text.machine.serialNumber, std::string("4711"));
+    QCOMPARE(text.operatorName, std::string("J. Martin"));
+    QVERIFY(!text.test->date);
+    QCOMPARE(text.test->remarks, std::string("03/04/2024"));
+}
+
+void ImportedFilesTest::showsWhatCannotBeRead() {
+    const QByteArray text = "Target (mm);Note\n0;a\n100;b\n";
+    const Imported shown = showMeasurement(text, "x.csv");
+    QVERIFY(shown.refusal && !shown.test);
+    QCOMPARE(shown.table.rows().size(), std::size_t(3));
+    QVERIFY_EXCEPTION_THROWN((void)importMeasurement(text, "x.csv"), Error);
+    QVERIFY_EXCEPTION_THROWN((void)showMeasurement("", "x.csv"), Error);
 }
 
 QTEST_GUILESS_MAIN(ImportedFilesTest)
