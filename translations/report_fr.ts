@@ -5442,8 +5442,8 @@
         <translation>Séparateur décimal&#xa0;: des nombres écrits comme du texte se lisent de plusieurs façons.</translation>
     </message>
     <message>
-        <source>Proposed: --set %1=%2.</source>
-        <translation>Proposé&#xa0;: --set %1=%2.</translation>
+        <source>Proposed: --set %1.</source>
+        <translation>Proposé&#xa0;: --set %1.</translation>
     </message>
     <message>
         <source>Answers for --set %1=…: %2.</source>

@@ -81,7 +81,6 @@ QString timesOf(std::size_t times) {
 }
 
 void printQuestion(const QString &file, const Question &question, const Language &language) {
-    const QString key = QString::fromStdString(question.id);
     QString text = placeOf(file, question.line, question.column) + language.sentence(question.sentence) +
                    timesOf(question.further.size() + 1);
     std::string answers;
@@ -91,9 +90,12 @@ void printQuestion(const QString &file, const Question &question, const Language
         for (const ImportWord &word : known->words)
             answers += (answers.empty() ? "" : ", ") + std::string(word.word);
     }
-    if (!question.proposal.empty())
-        text += u' ' + language.sentence({REPORT_TEXT("report", "Proposed: --set %1=%2."),
-                                          {question.id, question.proposal}});
+    if (!question.proposal.empty()) {
+        const std::string setting = question.id + '=' + question.proposal;
+        const bool hasBlank = setting.find(' ') != std::string::npos; // for the shell
+        text += u' ' + language.sentence({REPORT_TEXT("report", "Proposed: --set %1."),
+                                          {hasBlank ? '"' + setting + '"' : setting}});
+    }
     if (!answers.empty())
         text += u' ' + language.sentence(
                            {REPORT_TEXT("report", "Answers for --set %1=…: %2."), {question.id, answers}});
