@@ -3352,10 +3352,6 @@
         <translation>Disposition&#xa0;: la première ligne est lue comme les points visés, chaque suivante comme une passe.</translation>
     </message>
     <message>
-        <source>The column “%1” is not read: it holds no readings.</source>
-        <translation>La colonne «&#xa0;%1&#xa0;» n’est pas lue&#xa0;: elle ne contient pas de relevés.</translation>
-    </message>
-    <message>
         <source>there is one column of numbers only; expected target positions and readings</source>
         <translation>il n’y a qu’une colonne de nombres ; des points visés et des relevés sont attendus</translation>
     </message>
@@ -3370,10 +3366,6 @@
     <message>
         <source>the file does not say which runs are ↑ and which ↓; choose another word for “directions”</source>
         <translation>le fichier ne dit pas quelles passes sont ↑ et lesquelles ↓ ; choisir un autre mot pour «&#xa0;directions&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Directions: the letters in the headings are read as ↑ (A, F) and ↓ (R, B).</source>
-        <translation>Sens&#xa0;: les lettres des en-têtes sont lues comme ↑ (A, F) et ↓ (R, B).</translation>
     </message>
     <message>
         <source>Directions: nothing in the file says them; the lines are read as ↑ and ↓ in turn.</source>
@@ -3548,10 +3540,6 @@
         <translation>«&#xa0;%1&#xa0;» a une autre marque décimale ou des séparateurs de milliers. Le relevé reste manquant.</translation>
     </message>
     <message>
-        <source>Further readings are not numbers, too.</source>
-        <translation>D’autres relevés ne sont pas des nombres non plus.</translation>
-    </message>
-    <message>
         <source>Kind: nothing in the file says it; read as a circular test.</source>
         <translation>Nature&#xa0;: rien ne le dit dans le fichier ; lu comme un essai de circularité.</translation>
     </message>
@@ -3598,10 +3586,6 @@
     <message>
         <source>export the measured values as text (ASCII)</source>
         <translation>exporter les valeurs mesurées en texte (ASCII)</translation>
-    </message>
-    <message>
-        <source>save the workbook as .xlsx, .ods or CSV</source>
-        <translation>enregistrer le classeur en .xlsx, .ods ou CSV</translation>
     </message>
     <message>
         <source>export the test as text or CSV</source>
@@ -5256,6 +5240,222 @@
     <message>
         <source>A new test, an import, a file, an example. A file holds one report: a machine, its instruments and any number of tests. A further test takes over what is stated of the one in view, but nothing that was measured and no limits.</source>
         <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
+    </message>
+    <message>
+        <source>API laser data (.pos)</source>
+        <translation>données laser API (.pos)</translation>
+    </message>
+    <message>
+        <source>the numbers are right</source>
+        <translation>les nombres sont justes</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translation>laisser de côté</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Process variable</source>
+        <translation>Variable de procédé</translation>
+    </message>
+    <message>
+        <source>Data not read</source>
+        <translation>Données non lues</translation>
+    </message>
+    <message>
+        <source>Large deviations</source>
+        <translation>Grands écarts</translation>
+    </message>
+    <message>
+        <source>Spread between runs</source>
+        <translation>Étendue entre passes</translation>
+    </message>
+    <message>
+        <source>Deviations equal to targets</source>
+        <translation>Écarts égaux aux points visés</translation>
+    </message>
+    <message>
+        <source>Readings that are all equal</source>
+        <translation>Relevés tous égaux</translation>
+    </message>
+    <message>
+        <source>Columns: the headings do not say which hold readings; column %1 and those like it are read.</source>
+        <translation>Colonnes&#xa0;: les en-têtes ne disent pas lesquelles contiennent des relevés&#x202f;; la colonne %1 et ses semblables sont lues.</translation>
+    </message>
+    <message>
+        <source>Deviations up to %1: are unit, content and decimal mark right?</source>
+        <translation>Écarts jusqu’à %1&#xa0;: l’unité, le contenu et le séparateur décimal sont-ils justes&#x202f;?</translation>
+    </message>
+    <message>
+        <source>The deviations of run %1 equal the targets: is it a run at all?</source>
+        <translation>Les écarts de la passe %1 égalent les positions visées&#xa0;: est-ce bien une passe&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Run %1 spreads a hundred times as far as the others: is it one of them?</source>
+        <translation>La passe %1 s’étend cent fois plus que les autres&#xa0;: est-elle des leurs&#x202f;?</translation>
+    </message>
+    <message>
+        <source>All readings are zero: was anything measured at all?</source>
+        <translation>Tous les relevés sont nuls&#xa0;: a-t-on mesuré quelque chose&#x202f;?</translation>
+    </message>
+    <message>
+        <source>the file is larger than 256 MiB</source>
+        <translation>le fichier dépasse 256 Mio</translation>
+    </message>
+    <message>
+        <source>%1 targets and %2 runs are no positioning test; look at the kind and the columns</source>
+        <translation>%1 points visés et %2 passes ne font pas un essai de positionnement&#x202f;; vérifiez la nature et les colonnes</translation>
+    </message>
+    <message>
+        <source>Directions: letters, abbreviations or titles say them; look whether ↑ and ↓ are right.</source>
+        <translation>Sens&#xa0;: des lettres, des abréviations ou des titres les disent&#x202f;; vérifiez que ↑ et ↓ sont justes.</translation>
+    </message>
+    <message>
+        <source>Directions: the file has means of both directions only; they are read as ↑.</source>
+        <translation>Sens&#xa0;: le fichier n’a que des moyennes des deux sens&#x202f;; elles sont lues comme ↑.</translation>
+    </message>
+    <message>
+        <source>The file holds means of runs, not the runs: R and A say little.</source>
+        <translation>Le fichier contient des moyennes de passes et non les passes&#xa0;: R et A disent peu.</translation>
+    </message>
+    <message>
+        <source>Sign: it changed between the versions of the program; read as actual − target.</source>
+        <translation>Signe&#xa0;: il a changé d’une version du programme à l’autre&#x202f;; lu comme réelle − visée.</translation>
+    </message>
+    <message>
+        <source>Columns: the headings do not say which hold readings; “%1” and those like it are read as runs.</source>
+        <translation>Colonnes&#xa0;: les en-têtes ne disent pas lesquelles contiennent des relevés&#x202f;; «&#xa0;%1&#xa0;» et ses semblables sont lues comme des passes.</translation>
+    </message>
+    <message>
+        <source>Columns: some hold positions and some deviations; the deviations are read.</source>
+        <translation>Colonnes&#xa0;: certaines contiennent des positions, d’autres des écarts&#x202f;; les écarts sont lus.</translation>
+    </message>
+    <message>
+        <source>Columns: column %1 has numbers and no heading; it is not read.</source>
+        <translation>Colonnes&#xa0;: la colonne %1 a des nombres et pas d’en-tête&#x202f;; elle n’est pas lue.</translation>
+    </message>
+    <message>
+        <source>Columns: the headings name readings of different kinds; those like “%1” are read, the others are not.</source>
+        <translation>Colonnes&#xa0;: les en-têtes nomment des relevés de natures différentes&#x202f;; ceux comme «&#xa0;%1&#xa0;» sont lus, les autres non.</translation>
+    </message>
+    <message>
+        <source>Columns: the readings have different units; those in %1 are read.</source>
+        <translation>Colonnes&#xa0;: les relevés ont des unités différentes&#x202f;; ceux en %1 sont lus.</translation>
+    </message>
+    <message>
+        <source>Columns: “%1” names no direction as the others do; it is not read.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» ne nomme pas de sens comme les autres&#x202f;; elle n’est pas lue.</translation>
+    </message>
+    <message>
+        <source>Columns: some readings name no run as the others do; they are not read.</source>
+        <translation>Colonnes&#xa0;: certains relevés ne nomment pas de passe comme les autres&#x202f;; ils ne sont pas lus.</translation>
+    </message>
+    <message>
+        <source>Columns: the deviations are not the differences of actual and target positions; the deviations are read.</source>
+        <translation>Colonnes&#xa0;: les écarts ne sont pas les différences entre positions réelles et positions visées&#x202f;; les écarts sont lus.</translation>
+    </message>
+    <message>
+        <source>the columns of the targets and of the readings are not known; name them with the choice “columns”</source>
+        <translation>les colonnes des points visés et des relevés ne sont pas connues&#x202f;; nommez-les par le choix «&#xa0;columns&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 names %2 columns, the table has %3</source>
+        <translation>%1 nomme %2 colonnes, le tableau en a %3</translation>
+    </message>
+    <message>
+        <source>columns of different roles cannot be read as runs of one test; ignore one of them</source>
+        <translation>des colonnes de rôles différents ne peuvent être lues comme des passes d’un même essai&#x202f;; ignorez l’une d’elles</translation>
+    </message>
+    <message>
+        <source>Columns that are not read: %1.</source>
+        <translation>Colonnes qui ne sont pas lues&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Axis: the table has several (%1); %2 is read, the others are a test of their own.</source>
+        <translation>Axe&#xa0;: le tableau en a plusieurs (%1)&#x202f;; %2 est lu, les autres font chacun un essai.</translation>
+    </message>
+    <message>
+        <source>this is an angular measurement of a linear axis (pitch, yaw), no positioning test; measure the axis with linear optics</source>
+        <translation>c’est une mesure angulaire d’un axe linéaire (tangage, lacet), pas un essai de positionnement&#x202f;; mesurez l’axe avec une optique linéaire</translation>
+    </message>
+    <message>
+        <source>The date %1 can be read in several ways; it stays as text in the remarks.</source>
+        <translation>La date %1 se lit de plusieurs façons&#x202f;; elle reste comme texte dans les remarques.</translation>
+    </message>
+    <message>
+        <source>The line “%1” is not read: it holds no readings.</source>
+        <translation>La ligne «&#xa0;%1&#xa0;» n’est pas lue&#xa0;: elle ne contient pas de relevés.</translation>
+    </message>
+    <message>
+        <source>“%1” names no run; the line was not read.</source>
+        <translation>«&#xa0;%1&#xa0;» ne nomme pas de passe&#x202f;; la ligne n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>The unit of this line is not that of the others: %1.</source>
+        <translation>L’unité de cette ligne n’est pas celle des autres&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Columns: several hold deviations; “%1” is read, the others are a test of their own.</source>
+        <translation>Colonnes&#xa0;: plusieurs contiennent des écarts&#x202f;; «&#xa0;%1&#xa0;» est lue, les autres font chacune un essai.</translation>
+    </message>
+    <message>
+        <source>Process variable: the file has %1; “%2” is read.</source>
+        <translation>Variable de procédé&#xa0;: le fichier en a %1&#x202f;; «&#xa0;%2&#xa0;» est lue.</translation>
+    </message>
+    <message>
+        <source>a line is longer than 1 MiB; expected a table of readings</source>
+        <translation>une ligne dépasse 1 Mio&#x202f;; un tableau de relevés est attendu</translation>
+    </message>
+    <message>
+        <source>Here a table with other columns begins, which was not read.</source>
+        <translation>Ici commence un tableau à d’autres colonnes, qui n’a pas été lu.</translation>
+    </message>
+    <message>
+        <source>Kind: nothing in the file says it; read as a drift test.</source>
+        <translation>Nature&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme un essai de dérive.</translation>
+    </message>
+    <message>
+        <source>workbooks of Excel 97 (.xls) cannot be read; save it as .xlsx, .ods or CSV</source>
+        <translation>les classeurs Excel 97 (.xls) ne peuvent être lus&#x202f;; enregistrez-le en .xlsx, .ods ou CSV</translation>
+    </message>
+    <message>
+        <source>the workbook is locked with a password; save it without one</source>
+        <translation>le classeur est protégé par un mot de passe&#x202f;; enregistrez-le sans</translation>
+    </message>
+    <message>
+        <source>The workbook has %1 sheets; “%2” is read, which is hidden.</source>
+        <translation>Le classeur a %1 feuilles&#x202f;; «&#xa0;%2&#xa0;» est lue, qui est masquée.</translation>
+    </message>
+    <message>
+        <source>The workbook has %1 sheets, several with a measurement; “%2” is read.</source>
+        <translation>Le classeur a %1 feuilles, dont plusieurs avec une mesure&#x202f;; «&#xa0;%2&#xa0;» est lue.</translation>
+    </message>
+    <message>
+        <source>Decimal mark: numbers that stand there as text can be read in several ways.</source>
+        <translation>Séparateur décimal&#xa0;: des nombres écrits comme du texte se lisent de plusieurs façons.</translation>
+    </message>
+    <message>
+        <source>Proposed: --set %1.</source>
+        <translation>Proposé&#xa0;: --set %1.</translation>
+    </message>
+    <message>
+        <source>Answers for --set %1=…: %2.</source>
+        <translation>Réponses pour --set %1=…&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>%1 questions are open: nothing was imported; answer them with --set, or take what is proposed with --accept</source>
+        <translation>%1 questions sont ouvertes&#xa0;: rien n’a été importé&#x202f;; répondez-y par --set, ou acceptez ce qui est proposé par --accept</translation>
+    </message>
+    <message>
+        <source>a choice of the import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …); may stand several times</source>
+        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …)&#x202f;; peut être répété</translation>
+    </message>
+    <message>
+        <source>take what is proposed for every question about the file</source>
+        <translation>accepter ce qui est proposé pour chaque question sur le fichier</translation>
     </message>
     <message>
         <source>readings set aside keep value and reason, not taken: %1</source>

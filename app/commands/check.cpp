@@ -28,11 +28,9 @@ int run(const Invocation &invocation) {
 } // namespace
 
 Command checkCommand() {
-    return {"check",
-            "FILE…",
+    return {"check", "FILE…",
             REPORT_TEXT("report", "findings only: what the edition asks for and the test lacks"),
-            {},
-            run};
+            foreignOptions, run};
 }
 
 } // namespace palmer

@@ -13,9 +13,13 @@ int eachFile(const Invocation &invocation, Work work) {
     for (const QString &file : invocation.arguments) {
         std::optional<Document> document;
         try {
-            document = documentFrom(file, invocation.language);
+            document = documentFrom(file, invocation);
         } catch (const Error &error) {
             printError(file, error, invocation.language);
+            code = worse(code, cannotRead);
+            continue;
+        }
+        if (!document) { // questions about it are open
             code = worse(code, cannotRead);
             continue;
         }

@@ -23,6 +23,9 @@ constexpr std::array options{
     simulationCommandOptions[1],
     simulationCommandOptions[2],
     simulationCommandOptions[3],
+    foreignOptions[0],
+    foreignOptions[1],
+    foreignOptions[2],
 };
 
 /// Throws UsageError for a word that is no edition.

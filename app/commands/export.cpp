@@ -38,6 +38,9 @@ constexpr std::array options{
            REPORT_TEXT("report", "siemens: index of the measuring system; without it 0, the first")},
     Option{"compare", "TABLE",
            REPORT_TEXT("report", "a compensation table of a control, to compare with the one written")},
+    foreignOptions[0],
+    foreignOptions[1],
+    foreignOptions[2],
     forceOption,
 };
 
@@ -214,8 +217,10 @@ int run(const Invocation &invocation) {
     const QString file = invocation.arguments.front();
     const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
     try {
-        const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)));
+        std::optional<Document> document = documentFrom(file, invocation);
+        if (!document)
+            return cannotRead; // questions about it are open
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(std::move(*document)));
         const std::optional<FoundTable> compared =
             compensation ? comparedTable(invocation) : std::optional<FoundTable>();
         QByteArray bytes;

@@ -26,6 +26,9 @@ constexpr std::array options{
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
     Option{"figure", "deviation|circle|counterclockwise|clockwise|budget",
            REPORT_TEXT("report", "which figure; without it that of the test")},
+    foreignOptions[0],
+    foreignOptions[1],
+    foreignOptions[2],
 };
 
 constexpr const char *deviationWord = "deviation";
@@ -134,8 +137,11 @@ int run(const Invocation &invocation) {
     checkWord(wanted);
     const QString file = invocation.arguments.front();
     try {
+        std::optional<Document> document = documentFrom(file, invocation);
+        if (!document)
+            return cannotRead; // questions about it are open
         const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)), nullptr, {});
+            evaluate(std::make_shared<const Document>(std::move(*document)), nullptr, {});
         const std::size_t index = testIndex(invocation, evaluated.tests.size());
         const Test &test = *evaluated.document->tests[index];
         const NamedFigure named = figureOf(test, *evaluated.tests[index], index, wanted, invocation.language);

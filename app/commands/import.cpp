@@ -4,7 +4,6 @@
 #include "commands/streams.h"
 #include "document/savedocument.h"
 #include "import/importmeasurement.h"
-#include "import/profiles.h"
 
 #include <algorithm>
 #include <array>
@@ -15,46 +14,12 @@ namespace {
 
 constexpr std::array options{
     Option{"o", "OUT.palmer", REPORT_TEXT("report", "the test file to write")},
-    Option{"profile", "NAME", REPORT_TEXT("report", "the choices kept under this name")},
-    Option{"set", "key=value",
-           REPORT_TEXT(
-               "report",
-               "a choice of the import (unit=um, decimalMark=comma, axis=X, …); may stand several times"),
-           true},
+    foreignOptions[0],
+    foreignOptions[1],
+    foreignOptions[2],
     Option{"keep-original", "", REPORT_TEXT("report", "keep the bytes of the files in the test file")},
     forceOption,
 };
-
-ImportOptions chosenOptions(const Invocation &invocation) {
-    ImportOptions chosen;
-    if (const auto profile = invocation.value(QLatin1StringView("profile"))) {
-        const ImportProfiles profiles = readImportProfiles(importProfilesPath());
-        const auto found = profiles.find(profile->toStdString());
-        if (found == profiles.end()) {
-            std::string known;
-            for (const auto &[name, words] : profiles)
-                known += (known.empty() ? "" : ", ") + name;
-            throw UsageError(
-                {REPORT_TEXT("report", "unknown profile %1; known: %2"), {profile->toStdString(), known}});
-        }
-        chosen = found->second;
-    }
-    const QStringList settings =
-        invocation.value(QLatin1StringView("set")).value_or(QString()).split(u'\n', Qt::SkipEmptyParts);
-    for (const QString &setting : settings) {
-        const qsizetype mark = setting.indexOf(u'=');
-        if (mark < 1)
-            throw UsageError(
-                {REPORT_TEXT("report", "“%1” is no choice; expected key=value"), {setting.toStdString()}});
-        chosen[setting.left(mark).toStdString()] = setting.mid(mark + 1).toStdString();
-    }
-    try {
-        demandKnown(chosen);
-    } catch (const Error &error) {
-        throw UsageError(error.message);
-    }
-    return chosen;
-}
 
 /// Temperatures belong to the tests of the other files, whatever their order.
 bool needsTest(const Imported &imported) {
@@ -79,8 +44,10 @@ int run(const Invocation &invocation) {
     for (const QString &file : invocation.arguments) {
         try {
             const QByteArray bytes = bytesFrom(file);
-            files.push_back({file, bytes, importMeasurement(bytes, file, chosen)});
-            printRemarks(file, files.back().imported.remarks, invocation.language);
+            if (auto imported = importedFrom(bytes, file, chosen, invocation))
+                files.push_back({file, bytes, std::move(*imported)});
+            else
+                code = worse(code, cannotRead);
         } catch (const Error &error) {
             printError(file, error, invocation.language);
             code = worse(code, cannotRead);

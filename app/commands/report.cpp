@@ -22,6 +22,9 @@ constexpr std::array options{
            REPORT_TEXT("report", "the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf")},
     Option{"language", "fr|en|fr,en",
            REPORT_TEXT("report", "language of the report; without it those the file asks for")},
+    foreignOptions[0],
+    foreignOptions[1],
+    foreignOptions[2],
     forceOption,
 };
 
@@ -71,9 +74,12 @@ int run(const Invocation &invocation) {
     demandOutput(invocation, *output, {"pdf"});
     const QString file = invocation.arguments.front();
     try {
-        const EvaluatedDocument evaluated = simulated(
-            evaluate(std::make_shared<const Document>(documentFrom(file, invocation.language)), nullptr, {}),
-            SimulateWhich::allWithBudget, 0, invocation.language);
+        std::optional<Document> document = documentFrom(file, invocation);
+        if (!document)
+            return cannotRead; // questions about it are open
+        const EvaluatedDocument evaluated =
+            simulated(evaluate(std::make_shared<const Document>(std::move(*document)), nullptr, {}),
+                      SimulateWhich::allWithBudget, 0, invocation.language);
         const QStringList languages = languagesOf(invocation, *evaluated.document);
         const bool toStandardOutput = *output == QLatin1StringView("-");
         if (toStandardOutput && languages.size() > 1)

@@ -4,6 +4,7 @@
 #include "document/savedocument.h"
 #include "document/testfile.h"
 #include "import/importmeasurement.h"
+#include "import/profiles.h"
 
 #include <QFile>
 #include <algorithm>
@@ -63,32 +64,124 @@ void printError(const QString &file, const Error &error, const Language &languag
     printError(text + language.sentence(error.message));
 }
 
-void printRemarks(const QString &file, const std::vector<Remark> &remarks, const Language &language) {
-    for (const Remark &remark : remarks) {
-        QString text = file + QStringLiteral(": ");
-        if (remark.line > 0) {
-            text += QString::number(remark.line);
-            if (remark.column > 0)
-                text += u':' + QString::number(remark.column);
-            text += QStringLiteral(": ");
-        }
-        printError(text + language.sentence(remark.message));
+namespace {
+
+/// `FILE: line:column: `.
+QString placeOf(const QString &file, std::size_t line, std::size_t column) {
+    QString text = file + QStringLiteral(": ");
+    if (line > 0) {
+        text += QString::number(line);
+        if (column > 0)
+            text += u':' + QString::number(column);
+        text += QStringLiteral(": ");
     }
+    return text;
+}
+
+QString timesOf(std::size_t times) {
+    return times > 1 ? QStringLiteral(" (× %1)").arg(times) : QString();
+}
+
+void printQuestion(const QString &file, const Question &question, const Language &language) {
+    QString text = placeOf(file, question.line, question.column) + language.sentence(question.sentence) +
+                   timesOf(question.further.size() + 1);
+    std::string answers;
+    for (const std::string &answer : question.answers)
+        answers += (answers.empty() ? "" : ", ") + answer;
+    if (const ImportKey *known = findImportKey(question.id); known && answers.empty()) {
+        for (const ImportWord &word : known->words)
+            answers += (answers.empty() ? "" : ", ") + std::string(word.word);
+    }
+    if (!question.proposal.empty()) {
+        const std::string setting = question.id + '=' + question.proposal;
+        const bool hasBlank = setting.find(' ') != std::string::npos; // for the shell
+        text += u' ' + language.sentence({REPORT_TEXT("report", "Proposed: --set %1."),
+                                          {hasBlank ? '"' + setting + '"' : setting}});
+    }
+    if (!answers.empty())
+        text += u' ' + language.sentence(
+                           {REPORT_TEXT("report", "Answers for --set %1=…: %2."), {question.id, answers}});
+    printError(text);
+}
+
+} // namespace
+
+void printRemarks(const QString &file, const std::vector<Remark> &remarks, const Language &language) {
+    for (const Remark &remark : remarks)
+        printError(placeOf(file, remark.line, remark.column) + language.sentence(remark.message) +
+                   timesOf(remark.times));
+}
+
+ImportOptions chosenOptions(const Invocation &invocation) {
+    ImportOptions chosen;
+    if (const auto profile = invocation.value(QLatin1StringView("profile"))) {
+        const ImportProfiles profiles = readImportProfiles(importProfilesPath());
+        const auto found = profiles.find(profile->toStdString());
+        if (found == profiles.end()) {
+            std::string known;
+            for (const auto &[name, words] : profiles)
+                known += (known.empty() ? "" : ", ") + name;
+            throw UsageError(
+                {REPORT_TEXT("report", "unknown profile %1; known: %2"), {profile->toStdString(), known}});
+        }
+        chosen = found->second;
+    }
+    const QStringList settings =
+        invocation.value(QLatin1StringView("set")).value_or(QString()).split(u'\n', Qt::SkipEmptyParts);
+    for (const QString &setting : settings) {
+        const qsizetype mark = setting.indexOf(u'=');
+        if (mark < 1)
+            throw UsageError(
+                {REPORT_TEXT("report", "“%1” is no choice; expected key=value"), {setting.toStdString()}});
+        chosen[setting.left(mark).toStdString()] = setting.mid(mark + 1).toStdString();
+    }
+    try {
+        demandKnown(chosen);
+    } catch (const Error &error) {
+        throw UsageError(error.message);
+    }
+    return chosen;
+}
+
+std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, const ImportOptions &options,
+                                     const Invocation &invocation) {
+    Imported imported = importMeasurement(bytes, file, options);
+    printRemarks(file, imported.remarks, invocation.language);
+    const bool accepts = invocation.has(QLatin1StringView("accept"));
+    std::size_t open = 0;
+    for (const Question &question : imported.questions) {
+        const bool isAccepted = accepts && !question.proposal.empty();
+        open += isAccepted ? 0 : 1;
+        if (isAccepted)
+            printError(placeOf(file, question.line, question.column) +
+                       invocation.language.sentence(question.sentence) +
+                       timesOf(question.further.size() + 1));
+        else
+            printQuestion(file, question, invocation.language);
+    }
+    if (open == 0)
+        return imported;
+    Message refusal{REPORT_TEXT("report",
+                                "%1 questions are open: nothing was imported; answer them with --set, or "
+                                "take what is proposed with --accept"),
+                    {Number{static_cast<double>(open), Quantity::count}}};
+    printError(file + QStringLiteral(": ") + invocation.language.sentence(refusal));
+    return {};
 }
 
 QByteArray bytesFrom(const QString &file) {
     return file == QLatin1StringView("-") ? standardInput() : readBytes(file);
 }
 
-Document documentFrom(const QString &file, const Language &language) {
+std::optional<Document> documentFrom(const QString &file, const Invocation &invocation) {
     const QByteArray bytes = bytesFrom(file);
     if (isTestFile(bytes, file))
         return readDocument(bytes);
-    Imported imported = importMeasurement(bytes, file);
-    const std::vector<Remark> remarks = imported.remarks;
+    auto imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);
+    if (!imported)
+        return {};
     Document document;
-    addImported(document, std::move(imported), bytes, file, false);
-    printRemarks(file, remarks, language);
+    addImported(document, std::move(*imported), bytes, file, false);
     return document;
 }
 

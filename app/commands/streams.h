@@ -1,11 +1,14 @@
 #pragma once
 
+#include "commands/command.h"
 #include "document/document.h"
 #include "document/documenterror.h"
-#include "import/remark.h"
+#include "import/imported.h"
 #include "language/language.h"
 
 #include <QString>
+#include <array>
+#include <optional>
 
 namespace palmer {
 
@@ -25,8 +28,27 @@ void printRemarks(const QString &file, const std::vector<Remark> &remarks, const
 /// The bytes of a file, "-" is standard input. Throws Error.
 [[nodiscard]] QByteArray bytesFrom(const QString &file);
 
-/// The document of a file: a test file, or what an instrument's file or a table is imported as, whose remarks
-/// are printed. Throws Error.
-[[nodiscard]] Document documentFrom(const QString &file, const Language &language);
+/// The options of commands that read measurement files: the answers to questions about them.
+inline constexpr std::array foreignOptions{
+    Option{"profile", "NAME", REPORT_TEXT("report", "the choices kept under this name")},
+    Option{"set", "key=value",
+           REPORT_TEXT("report", "a choice of the import (unit=um, decimalMark=comma, axis=X, "
+                                 "columns=target,run+,run-, …); may stand several times"),
+           true},
+    Option{"accept", "", REPORT_TEXT("report", "take what is proposed for every question about the file")},
+};
+
+/// What --profile and --set choose. Throws UsageError, Error for a file of profiles that cannot be read.
+[[nodiscard]] ImportOptions chosenOptions(const Invocation &invocation);
+
+/// The measurement of a file with its remarks printed. Questions that --set does not answer, and --accept
+/// does not because nothing is proposed or it is not there, are printed and nothing is returned.
+[[nodiscard]] std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file,
+                                                   const ImportOptions &options,
+                                                   const Invocation &invocation);
+
+/// The document of a file: a test file, or what an instrument's file or a table is imported as, as
+/// importedFrom has it; nothing for questions that were printed. Throws Error.
+[[nodiscard]] std::optional<Document> documentFrom(const QString &file, const Invocation &invocation);
 
 } // namespace palmer

@@ -1,6 +1,7 @@
 #include "import/choices.h"
 
 #include "document/documenterror.h"
+#include "import/columnrole.h"
 #include "import/numbercell.h"
 #include "kernel/evaluation/edition.h"
 
@@ -19,6 +20,7 @@ constexpr std::array formatWords{
     ImportWord{"b5r", REPORT_TEXT("report", "Renishaw ballbar (.b5r)")},
     ImportWord{"rtx", REPORT_TEXT("report", "Renishaw dynamic capture (.rtx)")},
     ImportWord{"indexed", REPORT_TEXT("report", "values with indexes (TGT_DATA)")},
+    ImportWord{"pos", REPORT_TEXT("report", "API laser data (.pos)")},
     ImportWord{"ren", REPORT_TEXT("report", "compensation text (.REN)")},
 };
 constexpr std::array encodingWords{
@@ -100,6 +102,12 @@ constexpr std::array calibratedWords{
     ImportWord{"yes", REPORT_TEXT("report", "yes")},
     ImportWord{"no", REPORT_TEXT("report", "no")},
 };
+constexpr std::array keepWords{
+    ImportWord{"keep", REPORT_TEXT("report", "the numbers are right")},
+};
+constexpr std::array leaveWords{
+    ImportWord{"leave", REPORT_TEXT("report", "leave out")},
+};
 
 constexpr std::array keys{
     ImportKey{"format", REPORT_TEXT("report", "Format"), ImportValue::word, formatWords},
@@ -108,6 +116,8 @@ constexpr std::array keys{
     ImportKey{"decimalMark", REPORT_TEXT("report", "Decimal mark"), ImportValue::word, markWords},
     ImportKey{"sheet", REPORT_TEXT("report", "Sheet"), ImportValue::text},
     ImportKey{"kind", REPORT_TEXT("report", "Kind"), ImportValue::word, kindWords},
+    ImportKey{"columns", REPORT_TEXT("report", "Columns"), ImportValue::text},
+    ImportKey{"series", REPORT_TEXT("report", "Process variable"), ImportValue::text},
     ImportKey{"layout", REPORT_TEXT("report", "Layout"), ImportValue::word, layoutWords},
     ImportKey{"directions", REPORT_TEXT("report", "Directions"), ImportValue::word, directionWords},
     ImportKey{"content", REPORT_TEXT("report", "Content"), ImportValue::word, contentWords},
@@ -130,6 +140,12 @@ constexpr std::array keys{
     ImportKey{"correctionTo20", REPORT_TEXT("report", "Correction to 20 °C"), ImportValue::word,
               correctionWords},
     ImportKey{"edition", REPORT_TEXT("report", "Edition"), ImportValue::text},
+    ImportKey{"unread", REPORT_TEXT("report", "Data not read"), ImportValue::word, leaveWords},
+    ImportKey{"large", REPORT_TEXT("report", "Large deviations"), ImportValue::word, keepWords},
+    ImportKey{"spread", REPORT_TEXT("report", "Spread between runs"), ImportValue::word, keepWords},
+    ImportKey{"equalsTargets", REPORT_TEXT("report", "Deviations equal to targets"), ImportValue::word,
+              keepWords},
+    ImportKey{"zeros", REPORT_TEXT("report", "Readings that are all equal"), ImportValue::word, keepWords},
 };
 
 std::string listOf(std::span<const ImportWord> words) {
@@ -181,6 +197,9 @@ void demandKnown(const ImportOptions &options) {
         if (known->value == ImportValue::number && !numberOf(value))
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "%1 cannot be %2; expected a number"), {key, value}});
+        if (std::string unknownRole; key == "columns" && !columnsOf(value, unknownRole))
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                                               {key, unknownRole, roleWords()}});
         if (key == "edition" && !findEdition(value))
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "unknown edition %1"), {value}});
     }

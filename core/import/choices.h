@@ -53,6 +53,7 @@ public:
     explicit Choices(const ImportOptions &options)
         : m_options(options) {}
 
+    [[nodiscard]] const ImportOptions &options() const { return m_options; }
     [[nodiscard]] bool isChosen(std::string_view key) const;
     /// What the user chose for it, empty if nothing.
     [[nodiscard]] std::string_view chosen(std::string_view key) const;

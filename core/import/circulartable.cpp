@@ -80,59 +80,172 @@ public:
 
 private:
     void chooseColumns() {
-        const TableBody &body = m.body;
-        std::vector<std::size_t> columns = body.numberColumns();
-        std::erase_if(columns, [&](std::size_t c) {
-            const Meaning meaning = body.columns[c].meaning;
-            return meaning == Meaning::time || meaning == Meaning::index || meaning == Meaning::statistic;
-        });
-        if (columns.size() > 2 && isCounter(m, columns.front()) &&
-            body.columns[columns.front()].meaning != Meaning::angle)
-            columns.erase(columns.begin());
-        if (columns.size() < 2)
+        takeRoles();
+        const auto choice = m.choices.settle("columns", wordOf(m.result.columns),
+                                             m_question ? Origin::guessed : Origin::recognised);
+        if (choice.origin == Origin::chosen)
+            takeChosen(choice.value);
+        else if (m_question)
+            m.remark(RemarkGrade::assumption, *m_question, 0, "columns");
+        if (m_seconds.empty())
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "one column of numbers does not make a circle; expected "
                                                "x and y, angle and radius, or angle and deviation")});
-        const auto x = body.columnOf(Meaning::x);
-        const auto y = body.columnOf(Meaning::y);
-        const auto angle = body.columnOf(Meaning::angle);
-        m_named = (x && y) || angle;
-        m_first = angle ? *angle : x && y ? *x : columns.front();
-        if (!angle && x && y) {
-            m_seconds = {*y};
-        } else {
-            for (const std::size_t c : columns) {
-                if (c != m_first)
-                    m_seconds.push_back(c);
+        takeNominal();
+    }
+
+    void setRole(std::size_t column, ColumnRole role) { m.result.columns[column].role = role; }
+
+    /// The columns of a role by their headings; those of several roles are never paths of one test.
+    void takeRoles() {
+        const TableBody &body = m.body;
+        m.result.columns.clear();
+        for (const TableColumn &column : body.columns)
+            m.result.columns.push_back({ColumnRole::ignored, {}, 0, column.unit, column.heading});
+        const auto of = [&](Meaning meaning) {
+            std::vector<std::size_t> found;
+            for (const std::size_t c : body.numberColumns()) {
+                if (body.columns[c].meaning == meaning)
+                    found.push_back(c);
             }
+            return found;
+        };
+        const auto x = of(Meaning::x);
+        const auto y = of(Meaning::y);
+        const auto angle = of(Meaning::angle);
+        m_named = (!x.empty() && !y.empty()) || !angle.empty();
+        if (angle.empty() && m_named) {
+            m_first = x.front();
+            m_seconds = {y.front()};
+        } else {
+            m_first = angle.empty() ? firstUnnamed() : angle.front();
+            m_seconds = of(Meaning::radius);
+            if (m_seconds.empty())
+                m_seconds = of(Meaning::deviation);
+            if (m_seconds.empty())
+                m_seconds = unnamed();
+        }
+        const bool isXy = m_named && angle.empty();
+        setRole(m_first, isXy ? ColumnRole::x : ColumnRole::angle);
+        for (const std::size_t c : m_seconds)
+            setRole(c, isXy ? ColumnRole::y : roleOf(c));
+        for (const std::size_t c : of(Meaning::nominal))
+            setRole(c, ColumnRole::nominal);
+    }
+
+    [[nodiscard]] ColumnRole roleOf(std::size_t c) const {
+        return m.body.columns[c].meaning == Meaning::radius ? ColumnRole::radius : ColumnRole::deviation;
+    }
+
+    [[nodiscard]] std::size_t firstUnnamed() const {
+        const std::vector<std::size_t> columns = m.body.numberColumns();
+        const bool counts = columns.size() > 2 && isCounter(m, columns.front());
+        return columns[counts ? 1 : 0];
+    }
+
+    /// Columns whose headings do not say what they are: those that name a sense, else all of one size.
+    [[nodiscard]] std::vector<std::size_t> unnamed() {
+        std::vector<std::size_t> columns;
+        std::vector<std::size_t> sensed;
+        for (const std::size_t c : m.body.numberColumns()) {
+            const Meaning meaning = m.body.columns[c].meaning;
+            if (c <= m_first || !(meaning == Meaning::unknown || meaning == Meaning::run ||
+                                  meaning == Meaning::reading || meaning == Meaning::actual))
+                continue;
+            columns.push_back(c);
+            if (senseIn(m.body.columns[c].heading))
+                sensed.push_back(c);
+        }
+        if (!sensed.empty() || columns.size() < 2)
+            return sensed.empty() ? columns : sensed;
+        const bool named =
+            std::ranges::any_of(columns, [&](std::size_t c) { return !m.body.columns[c].heading.empty(); });
+        const bool radii = areRadii(columns.front());
+        const std::size_t all = columns.size();
+        std::erase_if(columns, [&](std::size_t c) { return areRadii(c) != radii; });
+        if (named || columns.size() < all)
+            m_question = {REPORT_TEXT("report",
+                                      "Columns: the headings do not say which hold readings; column %1 "
+                                      "and those like it are read."),
+                          {Number{static_cast<double>(columns.front() + 1), Quantity::count}}};
+        return columns;
+    }
+
+    [[nodiscard]] std::pair<double, double> rangeOf(std::size_t column) const {
+        double low = INFINITY;
+        double high = -INFINITY;
+        for (const TableBlock &block : m.body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                const TableCell *cell = m.cell(row, column);
+                if (cell && cell->isNumber()) {
+                    low = std::min(low, cell->value);
+                    high = std::max(high, cell->value);
+                }
+            }
+        }
+        return {low, high};
+    }
+
+    [[nodiscard]] bool areRadii(std::size_t column) const {
+        const auto [low, high] = rangeOf(column);
+        return low > 0 && high - low < 0.1 * high;
+    }
+
+    void takeChosen(const std::string &text) {
+        std::string unknown;
+        std::vector<ImportColumn> chosen = columnsOf(text, unknown).value_or(std::vector<ImportColumn>());
+        chosen.resize(m.body.columns.size());
+        m_seconds.clear();
+        m_named = true;
+        std::optional<std::size_t> first;
+        for (std::size_t c = 0; c < chosen.size(); ++c) {
+            chosen[c].heading = m.body.columns[c].heading;
+            chosen[c].unit = m.body.columns[c].unit;
+            const ColumnRole role = chosen[c].role;
+            if (!first && (role == ColumnRole::angle || role == ColumnRole::x))
+                first = c;
+            if (role == ColumnRole::radius || role == ColumnRole::y || role == ColumnRole::deviation)
+                m_seconds.push_back(c);
+        }
+        const bool pooled = std::ranges::any_of(
+            m_seconds, [&](std::size_t c) { return chosen[c].role != chosen[m_seconds.front()].role; });
+        if (!first || m_seconds.empty() || pooled)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "one column of numbers does not make a circle; expected "
+                                               "x and y, angle and radius, or angle and deviation")});
+        m_first = *first;
+        m.result.columns = std::move(chosen);
+    }
+
+    /// A column that holds the nominal radius in every line.
+    void takeNominal() {
+        for (std::size_t c = 0; c < m.result.columns.size(); ++c) {
+            if (m.result.columns[c].role != ColumnRole::nominal || m.notes.radius)
+                continue;
+            const auto [low, high] = rangeOf(c);
+            const Unit *unit = m.result.columns[c].unit;
+            if (low == high && low > 0)
+                m.notes.radius = unit && unit->kind == UnitKind::length ? unit->toBase(low) : low;
         }
     }
 
     std::string settleLayout() {
         const TableBody &body = m.body;
-        const bool xy = m_named && body.columns[m_first].meaning != Meaning::angle;
+        const ColumnRole first = m.result.columns[m_first].role;
+        const ColumnRole role = m.result.columns[m_seconds.front()].role;
+        const bool xy = first == ColumnRole::x;
+        const bool isSaid = m.choices.isChosen("columns") ||
+                            body.columns[m_seconds.front()].meaning == Meaning::radius ||
+                            body.columns[m_seconds.front()].meaning == Meaning::deviation;
         std::string found = "angleDeviation";
         Origin origin = Origin::recognised;
-        const Meaning second = body.columns[m_seconds.front()].meaning;
         if (xy || (!m_named && areOnCircle(m, m_first, m_seconds.front()))) {
             found = "xy";
             origin = m_named ? Origin::recognised : Origin::guessed;
-        } else if (second == Meaning::radius || second == Meaning::deviation) {
-            // "radial deviation" has both words; the deviation comes first.
-            found = second == Meaning::radius ? "angleRadius" : "angleDeviation";
+        } else if (isSaid) {
+            found = role == ColumnRole::radius ? "angleRadius" : "angleDeviation";
         } else {
-            double low = INFINITY;
-            double high = -INFINITY;
-            for (const TableBlock &block : body.blocks) {
-                for (const std::uint32_t row : block.rows) {
-                    const TableCell *cell = m.cell(row, m_seconds.front());
-                    if (cell && cell->isNumber()) {
-                        low = std::min(low, cell->value);
-                        high = std::max(high, cell->value);
-                    }
-                }
-            }
-            found = low > 0 && high - low < 0.1 * high ? "angleRadius" : "angleDeviation";
+            found = areRadii(m_seconds.front()) ? "angleRadius" : "angleDeviation";
             origin = Origin::guessed;
         }
         const auto choice = m.choices.settle("layout", found, origin);
@@ -387,6 +500,7 @@ private:
     std::vector<std::size_t> m_seconds;
     std::vector<RawPath> m_paths;
     std::size_t m_missing = 0;
+    std::optional<Message> m_question;
     bool m_named = false;
     bool m_turned = false;
 };

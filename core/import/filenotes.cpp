@@ -1,6 +1,7 @@
 #include "import/filenotes.h"
 
-#include <QDate>
+#include "import/dates.h"
+
 #include <QRegularExpression>
 
 namespace palmer {
@@ -32,6 +33,51 @@ std::optional<double> positiveNumber(const std::optional<QString> &text) {
     return value.kind == CellKind::number && value.value > 0 ? std::optional(value.value) : std::nullopt;
 }
 
+/// "Air temperature: 20.5 °C": a sensor with the value at the start.
+bool readTemperature(const QString &line, FileNotes &notes) {
+    constexpr std::size_t mostSensors = 20;
+    const auto match =
+        pattern(
+            R"(([\p{L} .]*temp[\p{L}]*[\p{L} .\d]*?)\s*(?:[\(\[]?°?\s*C[\)\]]?)?\s*[:=;]\s*(-?\d+(?:[.,]\d+)?)(?:\s*°\s*C)?\s*(?:;|$))")
+            .match(line);
+    if (!match.hasMatch() || notes.sensors.size() >= mostSensors)
+        return false;
+    bool isNumber = false;
+    const double value = match.captured(2).replace(u',', u'.').toDouble(&isNumber);
+    if (!isNumber || value < -20 || value > 60)
+        return false;
+    Sensor sensor;
+    sensor.position = match.captured(1).trimmed().toStdString();
+    const std::string name = folded(sensor.position);
+    const auto names = [&](std::string_view word) { return name.find(word) != std::string::npos; };
+    sensor.measures = names("air") || names("luft") || names("aria") || names("aire") || names("ambi")
+                          ? SensorMeasures::air
+                          : SensorMeasures::machine;
+    sensor.start = value;
+    notes.sensors.push_back(std::move(sensor));
+    return true;
+}
+
+/// The cells of a row as labels with their values: "Machine:" beside "HAAS", several pairs in a row.
+std::string lineOf(const CellTable &table, const TableRow &row) {
+    std::string line;
+    std::size_t filled = 0;
+    for (const TableCell &cell : table.cells(row))
+        filled += cell.size > 0 ? 1 : 0;
+    std::size_t place = 0;
+    for (const TableCell &cell : table.cells(row)) {
+        if (cell.size == 0 || line.size() > longestLine)
+            continue;
+        std::string_view text = table.text(cell).substr(0, longestLine);
+        const bool isLabel = text.ends_with(':') || text.ends_with('=') || (filled == 2 && place == 0);
+        while (isLabel && (text.ends_with(':') || text.ends_with('=') || text.ends_with(' ')))
+            text.remove_suffix(1);
+        line += std::string(text) + (isLabel ? " : " : " ; ");
+        ++place;
+    }
+    return line;
+}
+
 bool read(const QString &line, FileNotes &notes) {
     bool understood = false;
     const auto take = [&](std::string &field, const char *text) {
@@ -40,26 +86,31 @@ bool read(const QString &line, FileNotes &notes) {
             understood = true;
         }
     };
-    take(notes.axis, R"(\b(?:axis|axe|achse)\b[\s:=;,|]*([A-Z][0-9]?)\b)");
-    take(notes.plane, R"(\b(?:plane|plan|ebene)\b[\s:=;,|]*([XYZ]{2})\b)");
-    take(notes.operatorName,
-         R"(\b(?:operator|opérateur|operateur|bediener|by|par)\s*[:=;]\s*([^;|,]{2,60}))");
-    take(notes.machine, R"(\b(?:machine|maschine)\s*[:=;]\s*([^;|,]{2,80}))");
-    take(notes.serialNumber,
-         R"(\b(?:serial(?: no| number)?|n° de série|numéro de série|s/n)\.?\s*[:=;]\s*([^;|,]{1,60}))");
+    take(notes.axis, R"(\b(?:axis|axe|achse|asse|eje)\b[\s:=;,|]*([A-Z][0-9]?)\b)");
+    take(notes.axis, R"(\b([XYZUVWABC])[ -](?:axis|achse)\b)");
+    take(notes.plane, R"(\b(?:plane|plan|ebene|piano|plano)\b[\s:=;,|]*([XYZ]{2})\b)");
+    take(
+        notes.operatorName,
+        R"(\b(?:operator|opérateur|operateur|bediener|prüfer|pruefer|operatore|operador|inspector|by|par)\s*[:=;]\s*([^:=;|,][^;|,]{1,60}))");
+    take(notes.machine,
+         R"(\b(?:machine|maschine|macchina|máquina|maquina)\s*[:=;]\s*([^:=;|,][^;|,]{1,80}))");
+    take(
+        notes.serialNumber,
+        R"((?:\bserial(?: no| number)?|n° de série|numéro de série|\bs/n|\bseriennummer|\bserien-nr|\bmatricola|\bnúmero de serie|\bnº de serie)\.?\s*[:=;]\s*([^:=;|,][^;|,]{0,60}))");
     if (notes.operatorName == "–" || notes.operatorName == "—")
         notes.operatorName.clear();
-    if (pattern(R"(\b(?:unit|units|unité|unités|unite|einheit)\b)").match(line).hasMatch() && !notes.unit) {
+    understood |= readTemperature(line, notes);
+    if (pattern(R"(\b(?:unit|units|unité|unités|unite|einheit|unità|unidad)\b)").match(line).hasMatch() &&
+        !notes.unit) {
         notes.unit = unitIn(line.toStdString());
         understood |= notes.unit != nullptr;
     }
-    if (const auto iso = captured(R"(\b(\d{4}-\d{2}-\d{2})(?:\b|T))", line);
-        iso && !notes.date && QDate::fromString(*iso, Qt::ISODate).isValid()) {
-        notes.date = iso->toStdString();
+    if (const auto date = isoDate(line.toStdString()); date && !notes.date) {
+        notes.date = date;
         understood = true;
-    } else if (const auto date = captured(R"(\b(\d{1,2}[./-]\d{1,2}[./-]\d{2,4})\b)", line);
-               date && notes.dateText.empty()) {
-        notes.dateText = date->toStdString();
+    } else if (const auto text = captured(R"(\b(\d{1,2}[./-]\d{1,2}[./-]\d{2,4})\b)", line);
+               text && !date && notes.dateText.empty()) {
+        notes.dateText = text->toStdString();
         understood = true;
     }
     if (const auto radius =
@@ -86,14 +137,7 @@ FileNotes notesOf(const CellTable &table, const TableBody &body) {
         if (++lines > mostLines)
             break;
         const TableRow &row = table.rows()[index];
-        std::string line;
-        for (const TableCell &cell : table.cells(row)) {
-            if (line.size() < longestLine && cell.size > 0)
-                line += (line.empty()     ? ""
-                         : row.count == 2 ? " : "
-                                          : " ; ") +
-                        std::string(table.text(cell).substr(0, longestLine));
-        }
+        const std::string line = lineOf(table, row);
         if (read(QString::fromStdString(line), notes))
             ++notes.understood;
         else

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "import/tablebody.h"
+#include "kernel/measurement/conditions.h"
 
 #include <optional>
 #include <string>
@@ -19,8 +20,8 @@ struct FileNotes {
     std::string serialNumber;
     std::optional<double> radius; ///< mm
     std::optional<double> feed;   ///< mm/min
-    std::optional<Direction> direction;
-    std::size_t understood = 0; ///< lines with any of it
+    std::vector<Sensor> sensors;  ///< temperatures that are named
+    std::size_t understood = 0;   ///< lines with any of it
     std::size_t ignored = 0;
 };
 

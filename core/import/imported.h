@@ -1,6 +1,9 @@
 #pragma once
 
+#include "document/documenterror.h"
 #include "import/choices.h"
+#include "import/columnrole.h"
+#include "import/question.h"
 #include "import/remark.h"
 #include "import/table.h"
 #include "kernel/measurement/machine.h"
@@ -16,11 +19,23 @@ namespace palmer {
 /// What a cell of the raw table was read as: how the assistant colours it.
 enum class CellRole : std::uint8_t { ignored, head, position, positive, negative };
 
+/// A sheet of a workbook.
+struct ImportSheet {
+    std::string name;
+    bool isHidden = false;
+    bool hasMeasurement = false; ///< a table that can be read
+
+    bool operator==(const ImportSheet &) const = default;
+};
+
 /// What a measurement file says, before anything is accepted.
 struct Imported {
     std::string format;                ///< word of the choice "format"
     std::vector<ImportChoice> choices; ///< all that matter for this file, each with how it came about
-    std::vector<Remark> remarks;       ///< problems, assumptions, then notes
+    std::vector<Question> questions;   ///< to be answered before it is accepted; red ones first
+    std::vector<Remark> remarks;       ///< problems, assumptions, then notes; none of them is a question
+    std::vector<ImportSheet> sheets;   ///< of a workbook, the visible ones first
+    std::vector<ImportColumn> columns; ///< of the table, each with its role; none for other files
     CellTable table;                   ///< as read, of text files and workbooks
     std::vector<CellRole> roles;       ///< of its cells
     std::string text;                  ///< of text files that are no tables: what was read
@@ -31,6 +46,7 @@ struct Imported {
     Machine machine;                       ///< what the file says of it; empty = not stated
     std::optional<Instrument> instrument;  ///< likewise; its id is not set
     std::string operatorName;
+    std::optional<Error> refusal; ///< why there is no measurement, though something can be shown
 };
 
 } // namespace palmer

@@ -3,6 +3,7 @@
 #include "document/edits.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
+#include "import/doubts.h"
 #include "import/readers.h"
 
 #include <QCryptographicHash>
@@ -24,6 +25,7 @@ constexpr std::array formats{
     ImportFormat{"indexed", isIndexedText, readIndexedText},
     ImportFormat{"ren", isRenText, readRenText},
     ImportFormat{"compensation", isCompensationTable, readCompensationTable},
+    ImportFormat{"pos", isPosText, readPosText},
     ImportFormat{"table", isAnything, readTextTable},
 };
 
@@ -145,7 +147,35 @@ std::string sha256(QByteArrayView bytes) {
     return hash.result().toHex().toStdString();
 }
 
-Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
+namespace {
+
+/// What the reader of the format makes of the bytes; what it finds before it has to give up stays.
+void readInto(Imported &imported, QByteArrayView bytes, const ImportFormat &format, Choices &choices) {
+    try {
+        format.read({bytes, choices.options()}, choices, imported);
+        if (imported.test)
+            demandSense(*imported.test);
+        settleCorrection(imported, choices);
+        if (imported.test)
+            questionNumbers(*imported.test, imported.remarks);
+    } catch (const Error &error) {
+        imported.refusal = error;
+        imported.test.reset();
+        imported.sensors.clear();
+    }
+    imported.choices = choices.take();
+    joinRemarks(imported.remarks);
+    imported.questions = takeQuestions(imported.remarks, choices.options(), imported.choices);
+    std::ranges::stable_sort(imported.remarks, {}, &Remark::grade);
+}
+
+bool showsAnything(const Imported &imported) {
+    return !imported.table.rows().empty() || !imported.text.empty() || !imported.sheets.empty();
+}
+
+} // namespace
+
+Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
     demandKnown(options);
     demandReadable(bytes.size());
     if (isTestFile(bytes, fileName))
@@ -161,12 +191,16 @@ Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const 
     imported.format = format.word;
     Choices choices(options);
     choices.settle("format", format.word, Origin::recognised);
-    format.read({bytes, options}, choices, imported);
-    if (imported.test)
-        demandSense(*imported.test);
-    settleCorrection(imported, choices);
-    imported.choices = choices.take();
-    std::ranges::stable_sort(imported.remarks, {}, &Remark::grade);
+    readInto(imported, bytes, format, choices);
+    if (imported.refusal && !showsAnything(imported))
+        throw *imported.refusal;
+    return imported;
+}
+
+Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
+    Imported imported = showMeasurement(bytes, fileName, options);
+    if (imported.refusal)
+        throw *imported.refusal;
     return imported;
 }
 

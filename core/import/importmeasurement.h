@@ -17,6 +17,11 @@ namespace palmer {
 [[nodiscard]] Imported importMeasurement(QByteArrayView bytes, const QString &fileName,
                                          const ImportOptions &options = {});
 
+/// The same for an assistant: what can be shown of a file that cannot be read (the table, its columns, the
+/// choices), with the `refusal` said in it. Throws Error where there is nothing to show.
+[[nodiscard]] Imported showMeasurement(QByteArrayView bytes, const QString &fileName,
+                                       const ImportOptions &options = {});
+
 /// Puts what was imported into a document: the test with the name of the file, its SHA-256 and, if wanted,
 /// its bytes; machine, instrument and operator where the document states none; temperatures into the tests
 /// of the file, or of all tests if `test` is null there. Throws Error for temperatures without a test.

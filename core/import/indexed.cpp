@@ -2,7 +2,6 @@
 
 #include "document/documenterror.h"
 #include "document/place.h"
-#include "import/decodetext.h"
 #include "import/passes.h"
 #include "import/sections.h"
 
@@ -260,7 +259,7 @@ bool isIndexedText(QByteArrayView bytes) {
 }
 
 void readIndexedText(const ImportSource &source, Choices &choices, Imported &imported) {
-    imported.text = decodeText(source.bytes).text;
+    imported.text = decodedText(source.bytes, choices, imported);
     IndexedReader(choices, imported).read();
     choices.settle("kind", "positioning", Origin::recognised);
 }

@@ -31,22 +31,6 @@ double deviation(double position, double value, const PassForm &form) {
     return form.sign == "targetMinusActual" ? 0 - result : result;
 }
 
-void remarkZeros(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
-    for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
-        std::size_t zeros = 0;
-        std::size_t readings = 0;
-        for (const auto &value : measurement.runs[j].deviations) {
-            readings += value ? 1 : 0;
-            zeros += value && *value == 0 ? 1 : 0;
-        }
-        if (readings > 1 && zeros == readings)
-            remarks.push_back(
-                {RemarkGrade::problem,
-                 {REPORT_TEXT("report", "All readings of run %1 are zero: was it measured at all?"),
-                  {count(j + 1)}}});
-    }
-}
-
 void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
     std::size_t missing = 0;
     for (const Run &run : measurement.runs)
@@ -87,7 +71,9 @@ PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const Pass
     constexpr std::size_t readingLimit = 10'000'000;
     if (positions.size() > readingLimit / passes.size())
         throw Error(Error::Kind::tooLarge,
-                    {REPORT_TEXT("report", "more than 10 000 000 readings or points")});
+                    {REPORT_TEXT("report", "%1 targets and %2 runs are no positioning test; look at the kind "
+                                           "and the columns"),
+                     {count(positions.size()), count(passes.size())}});
     std::size_t repeated = 0;
     std::size_t firstRepeated = 0;
     for (const Pass &pass : passes) {
@@ -117,7 +103,6 @@ PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const Pass
                           "Readings that stand at a target twice in one run: %1; the first is kept."),
               {count(repeated)}},
              firstRepeated});
-    remarkZeros(result, remarks);
     remarkGaps(result, remarks);
     return result;
 }
@@ -158,100 +143,146 @@ bool arePositions(const std::vector<Pass> &passes) {
     return n > 1 && high > low && difference < 0.1 * size && largest > 0.5 * size;
 }
 
-PassForm settleForm(const std::vector<Pass> &passes, std::string_view content, const Unit *unit,
-                    const Unit *positionUnit, Choices &choices, std::vector<Remark> &remarks) {
-    PassForm form;
-    double low = INFINITY;
-    double high = -INFINITY;
-    for (const Pass &pass : passes) {
-        for (const PassReading &reading : pass.readings) {
-            if (reading.value) {
-                low = std::min(low, *reading.value);
-                high = std::max(high, *reading.value);
+namespace {
+
+/// The choices of the form, one after the other: each may hang on those before.
+class FormSettler {
+public:
+    FormSettler(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
+                std::vector<Remark> &remarks)
+        : m_stated(stated)
+        , m_choices(choices)
+        , m_remarks(remarks)
+        , m_followTargets(arePositions(passes)) {
+        for (const Pass &pass : passes) {
+            for (const PassReading &reading : pass.readings) {
+                if (!reading.value)
+                    continue;
+                m_low = std::min(m_low, *reading.value);
+                m_high = std::max(m_high, *reading.value);
             }
         }
     }
-    const bool anyValue = low <= high;
-    const bool looksLikePositions = arePositions(passes);
-    const Choice<std::string> settled =
-        choices.settle("content",
-                       !content.empty()     ? content
-                       : looksLikePositions ? "positions"
-                                            : "deviations",
-                       content.empty() && anyValue ? Origin::guessed : Origin::recognised);
-    form.content = settled.value;
-    const bool positions = form.content == "positions";
-    if (settled.origin == Origin::guessed)
-        remarks.push_back(
-            {RemarkGrade::assumption,
-             {positions
-                  ? REPORT_TEXT("report", "Content: the values run from %1 to %2 as the targets do; they are "
-                                          "read as positions, not as deviations.")
-                  : REPORT_TEXT("report",
-                                "Content: the values run from %1 to %2; they are read as deviations, not "
-                                "as positions."),
-              {Number{low, Quantity::number}, Number{high, Quantity::number}}},
-             0,
-             0,
-             "content"});
-    // The motion: what is chosen, else what the units say.
-    const bool angular = choices.isChosen("motion")
-                             ? choices.chosen("motion") == "rotary"
-                             : (positionUnit && positionUnit->kind == UnitKind::angle) ||
-                                   (!positionUnit && unit && unit->kind == UnitKind::angle);
-    const bool knowsMotion = positionUnit || unit;
-    choices.settle("motion", angular ? "rotary" : "linear",
-                   knowsMotion ? Origin::recognised : Origin::guessed);
-    const UnitKind kind = angular ? UnitKind::angle : UnitKind::length;
-    const auto fits = [&](const Unit *candidate) {
+
+    PassForm settle() {
+        settleContent();
+        settleMotion();
+        settleUnits();
+        settleSign();
+        return m_form;
+    }
+
+private:
+    void ask(Message message, std::string_view choice) {
+        m_remarks.push_back({RemarkGrade::assumption, std::move(message), 0, 0, std::string(choice)});
+    }
+
+    void settleContent() {
+        const bool anyValue = m_low <= m_high;
+        // Readings in a smaller unit than the targets are no positions.
+        const bool isSmall = m_stated.unit && m_stated.positionUnit && !m_followTargets &&
+                             m_stated.unit->toBase(1) < m_stated.positionUnit->toBase(1);
+        const bool known = !m_stated.content.empty() || isSmall || !anyValue;
+        const auto settled = m_choices.settle("content",
+                                              !m_stated.content.empty() ? m_stated.content
+                                              : m_followTargets         ? "positions"
+                                                                        : "deviations",
+                                              known ? Origin::recognised : Origin::guessed);
+        m_form.content = settled.value;
+        m_positions = m_form.content == "positions";
+        if (settled.origin == Origin::guessed)
+            ask({m_positions
+                     ? REPORT_TEXT("report",
+                                   "Content: the values run from %1 to %2 as the targets do; they are "
+                                   "read as positions, not as deviations.")
+                     : REPORT_TEXT("report",
+                                   "Content: the values run from %1 to %2; they are read as deviations, not "
+                                   "as positions."),
+                 {Number{m_low, Quantity::number}, Number{m_high, Quantity::number}}},
+                "content");
+    }
+
+    /// The motion: what is chosen, else what the units say.
+    void settleMotion() {
+        const Unit *position = m_stated.positionUnit;
+        const Unit *unit = m_stated.unit;
+        m_angular = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary"
+                                                 : (position && position->kind == UnitKind::angle) ||
+                                                       (!position && unit && unit->kind == UnitKind::angle);
+        m_choices.settle("motion", m_angular ? "rotary" : "linear",
+                         position || unit ? Origin::recognised : Origin::guessed);
+    }
+
+    [[nodiscard]] const Unit *fitting(const Unit *candidate) const {
+        const UnitKind kind = m_angular ? UnitKind::angle : UnitKind::length;
         return candidate && candidate->kind == kind ? candidate : nullptr;
-    };
-    const auto settleUnit = [&](std::string_view key, const Unit *stated, const Unit *guess, Text remark) {
-        const Unit *chosen = fits(unitOf(choices.chosen(key)));
-        if (choices.isChosen(key) && !chosen)
+    }
+
+    const Unit *settleUnit(std::string_view key, const Unit *stated, const Unit *guess, Text question) {
+        const Unit *chosen = fitting(unitOf(m_choices.chosen(key)));
+        if (m_choices.isChosen(key) && !chosen)
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                         {std::string(key), std::string(choices.chosen(key))}});
-        const Unit *found = fits(stated) ? stated : guess;
+                         {std::string(key), std::string(m_choices.chosen(key))}});
+        const Unit *found = fitting(stated) ? stated : guess;
         const auto choice =
-            choices.settle(key, found->word, fits(stated) ? Origin::recognised : Origin::guessed);
+            m_choices.settle(key, found->word, fitting(stated) ? Origin::recognised : Origin::guessed);
         const Unit *result = chosen ? chosen : found;
         if (choice.origin == Origin::guessed)
-            remarks.push_back(
-                {RemarkGrade::assumption, {remark, {std::string(result->sign)}}, 0, 0, std::string(key)});
+            ask({question, {std::string(result->sign)}}, key);
         return result;
-    };
-    const Unit *base = unitOf(angular ? "deg" : "mm");
-    form.positionUnit = settleUnit(
-        "positionUnit",
-        positionUnit ? positionUnit
-        : positions  ? unit
-                     : nullptr,
-        base,
-        REPORT_TEXT("report", "Unit of the target positions: nothing in the file says it; read as %1."));
-    const double largest = anyValue ? std::max(std::abs(low), std::abs(high)) : 0;
-    constexpr double finestGuess = 0.5; // a deviation of half a millimetre or degree is none
-    const Unit *small = unitOf(angular ? "arcsec" : "um");
-    const Unit *guess = positions ? form.positionUnit : largest < finestGuess ? base : small;
-    form.unit = settleUnit(
-        "unit", unit, guess,
-        positions ? REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1.")
-                  : REPORT_TEXT("report", "Unit of the deviations: nothing in the file says it; read as %1 "
-                                          "after their size."));
-    if (positions) {
-        form.sign = "actualMinusTarget";
-    } else {
-        const auto sign = choices.settle("sign", "actualMinusTarget", Origin::guessed);
-        form.sign = sign.value;
-        if (sign.origin == Origin::guessed)
-            remarks.push_back(
-                {RemarkGrade::assumption,
-                 {REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target.")},
-                 0,
-                 0,
-                 "sign"});
     }
-    return form;
+
+    void settleUnits() {
+        const Unit *base = unitOf(m_angular ? "deg" : "mm");
+        m_form.positionUnit = settleUnit(
+            "positionUnit",
+            m_stated.positionUnit ? m_stated.positionUnit
+            : m_positions         ? m_stated.unit
+                                  : nullptr,
+            base,
+            REPORT_TEXT("report", "Unit of the target positions: nothing in the file says it; read as %1."));
+        const double largest = m_low <= m_high ? std::max(std::abs(m_low), std::abs(m_high)) : 0;
+        constexpr double finestGuess = 0.5; // a deviation of half a millimetre or degree is none
+        const Unit *small = unitOf(m_angular ? "arcsec" : "um");
+        const Unit *guess = m_positions ? m_form.positionUnit : largest < finestGuess ? base : small;
+        m_form.unit = settleUnit(
+            "unit", m_stated.unit, guess,
+            m_positions
+                ? REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1.")
+                : REPORT_TEXT("report", "Unit of the deviations: nothing in the file says it; read as %1 "
+                                        "after their size."));
+    }
+
+    void settleSign() {
+        m_form.sign = "actualMinusTarget";
+        if (m_positions)
+            return;
+        const bool proven = !m_stated.sign.empty();
+        const auto sign = m_choices.settle("sign", proven ? m_stated.sign : m_form.sign,
+                                           proven ? Origin::recognised : Origin::guessed);
+        m_form.sign = sign.value;
+        if (sign.origin == Origin::guessed)
+            ask({REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target.")},
+                "sign");
+    }
+
+    const StatedForm &m_stated;
+    Choices &m_choices;
+    std::vector<Remark> &m_remarks;
+    PassForm m_form;
+    double m_low = INFINITY;
+    double m_high = -INFINITY;
+    bool m_followTargets = false;
+    bool m_positions = false;
+    bool m_angular = false;
+};
+
+} // namespace
+
+PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
+                    std::vector<Remark> &remarks) {
+    return FormSettler(passes, stated, choices, remarks).settle();
 }
 
 } // namespace palmer

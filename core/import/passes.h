@@ -46,9 +46,17 @@ struct PassForm {
 /// small against the range of the positions, and the values are not.
 [[nodiscard]] bool arePositions(const std::vector<Pass> &passes);
 
-/// Settles content, unit, positionUnit, sign and motion for passes: what headings and comments said, else a
-/// guess with its remark. `unit`, `positionUnit`: as stated, or null; `content`: as stated, or empty.
-[[nodiscard]] PassForm settleForm(const std::vector<Pass> &passes, std::string_view content, const Unit *unit,
-                                  const Unit *positionUnit, Choices &choices, std::vector<Remark> &remarks);
+/// What a file says of its values; empty or null: nothing.
+struct StatedForm {
+    std::string content; ///< "deviations" or "positions"
+    std::string sign;    ///< as of the choice, where the file proves it
+    const Unit *unit = nullptr;
+    const Unit *positionUnit = nullptr;
+};
+
+/// Settles content, unit, positionUnit, sign and motion for passes: what the file says, else a guess with its
+/// question.
+[[nodiscard]] PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
+                                  std::vector<Remark> &remarks);
 
 } // namespace palmer

@@ -38,10 +38,15 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
 [[nodiscard]] bool isCompensationTable(QByteArrayView bytes);
 /// Always throws: a compensation table is no measurement; the sentence says how it is compared with one.
 void readCompensationTable(const ImportSource &source, Choices &choices, Imported &imported);
+[[nodiscard]] bool isPosText(QByteArrayView bytes);
+void readPosText(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isWorkbook(QByteArrayView bytes);
 void readWorkbook(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isAnything(QByteArrayView bytes);
 void readTextTable(const ImportSource &source, Choices &choices, Imported &imported);
+
+/// The text of a file with its encoding settled, and a remark where that is a guess.
+[[nodiscard]] std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported);
 
 /// The table of a text or sheet → measurement; used by both.
 void readMeasurementTable(Choices &choices, Imported &imported);

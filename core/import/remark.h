@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace palmer {
 
@@ -17,9 +18,12 @@ enum class RemarkGrade {
 struct Remark {
     RemarkGrade grade = RemarkGrade::note;
     Message message;
-    std::size_t line = 0;    ///< of the file or sheet, from 1; 0: the whole
-    std::size_t column = 0;  ///< cell of the line, from 1; 0: the whole line
-    std::string choice = {}; ///< key of the choice it is about, or empty
+    std::size_t line = 0;                  ///< of the file or sheet, from 1; 0: the whole
+    std::size_t column = 0;                ///< cell of the line, from 1; 0: the whole line
+    std::string choice = {};               ///< key of the choice it is about, or empty
+    std::size_t times = 1;                 ///< how often it holds; it is said once
+    std::vector<std::size_t> further = {}; ///< lines of the further times
+    std::vector<std::string> answers = {}; ///< of a question: the words there are, where the choice has none
 
     bool operator==(const Remark &) const = default;
 };

@@ -1,7 +1,6 @@
 #include "import/readers.h"
 
 #include "document/documenterror.h"
-#include "import/decodetext.h"
 #include "import/passes.h"
 #include "import/sections.h"
 
@@ -53,7 +52,7 @@ bool isRenText(QByteArrayView bytes) {
 }
 
 void readRenText(const ImportSource &source, Choices &choices, Imported &imported) {
-    imported.text = decodeText(source.bytes).text;
+    imported.text = decodedText(source.bytes, choices, imported);
     const std::string_view text = imported.text;
     Header header;
     Pass pass;
@@ -90,7 +89,7 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
                  {REPORT_TEXT("report", "This line is not like the others and was not read.")},
                  number,
                  0,
-                 {}});
+                 "unread"});
             continue;
         }
         pass.readings.push_back({(*numbers)[1], (*numbers)[2], number});

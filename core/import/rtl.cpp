@@ -2,7 +2,7 @@
 
 #include "document/documenterror.h"
 #include "document/place.h"
-#include "import/decodetext.h"
+#include "import/dates.h"
 #include "import/passes.h"
 #include "import/sections.h"
 
@@ -133,7 +133,7 @@ private:
                     RemarkGrade::problem,
                     {REPORT_TEXT("report", "“%1” is not run, target and deviation; the line was not read."),
                      {excerpt(line.value)}},
-                    line.line);
+                    line.line, "unread");
                 continue;
             }
             m_rows.push_back({(*numbers)[0], (*numbers)[1], (*numbers)[2], line.line});
@@ -215,7 +215,16 @@ private:
         const std::string type =
             std::string(m_type) + ' ' +
             std::string(header ? header->value("File type").value_or("") : std::string_view());
-        const bool angular = contains(type, "ang") || contains(type, "rot");
+        const std::string_view owner =
+            header ? header->value("Owner").value_or(std::string_view()) : std::string_view();
+        const bool ofRotaryAxis = contains(type, "rta") || contains(type, "rot") || contains(owner, "rot");
+        // Pitch and yaw: angles at positions in millimetres.
+        if (contains(owner, "ang") && !ofRotaryAxis && !m_choices.isChosen("motion"))
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "this is an angular measurement of a linear axis (pitch, yaw), no "
+                                       "positioning test; measure the axis with linear optics")});
+        const bool angular = contains(type, "ang") || ofRotaryAxis;
         const bool rotary = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary" : angular;
         PassForm form;
         m_choices.settle("content", "deviations", Origin::recognised);
@@ -257,12 +266,17 @@ private:
         m.operatorName = text("By");
         test.title = text("TITLE");
         measurement.axis.name = m_choices.settle("axis", text("Axis"), Origin::recognised).value;
-        if (const std::string date = text("Date"); !date.empty()) {
-            test.remarks = date;
-            remark(RemarkGrade::note,
-                   {REPORT_TEXT("report", "The date %1 is no ISO date; it stays as text in the remarks."),
-                    {date}});
-        }
+        const std::string date = text("Date");
+        if (date.empty())
+            return;
+        test.date = isoDate(date);
+        if (test.date)
+            return;
+        test.remarks = date;
+        remark(RemarkGrade::note,
+               {REPORT_TEXT("report",
+                            "The date %1 can be read in several ways; it stays as text in the remarks."),
+                {date}});
     }
 
     void readEnvironment(PositioningMeasurement &measurement) {
@@ -347,7 +361,7 @@ bool isRtl(QByteArrayView bytes) {
 }
 
 void readRtl(const ImportSource &source, Choices &choices, Imported &imported) {
-    imported.text = decodeText(source.bytes).text;
+    imported.text = decodedText(source.bytes, choices, imported);
     RtlReader(choices, imported).read();
     choices.settle("kind", "positioning", Origin::recognised);
 }

@@ -2,6 +2,7 @@
 
 #include "document/documenterror.h"
 #include "document/place.h"
+#include "import/dates.h"
 
 #include <algorithm>
 #include <array>
@@ -49,25 +50,151 @@ private:
     void chooseColumns() {
         const TableBody &body = m.body;
         m_clock = body.columnOf(ColumnKind::clock);
-        std::vector<std::size_t> columns = body.numberColumns();
-        if (!m_clock) {
-            const auto named = body.columnOf(Meaning::time);
-            const bool first = named && std::ranges::find(columns, *named) != columns.end();
-            if (!first && columns.size() > 2 && isCounter(m, columns.front()))
-                columns.erase(columns.begin());
-            m_time = first ? *named : columns.front();
-            std::erase(columns, m_time);
-        } else {
-            m_time = *m_clock;
-            if (columns.size() > 1 && isCounter(m, columns.front()))
-                columns.erase(columns.begin());
-        }
-        std::erase_if(columns, [&](std::size_t c) { return body.columns[c].meaning == Meaning::index; });
-        if (columns.empty())
+        m_date = body.columnOf(ColumnKind::dates);
+        m.result.columns.clear();
+        for (const TableColumn &column : body.columns)
+            m.result.columns.push_back({ColumnRole::ignored, {}, 0, column.unit, column.heading});
+        m_time = m_clock ? *m_clock : timeColumn();
+        m.result.columns[m_time].role = ColumnRole::time;
+        chooseValues();
+        const auto choice = m.choices.settle("columns", wordOf(m.result.columns),
+                                             m_question ? Origin::guessed : Origin::recognised);
+        if (choice.origin == Origin::chosen)
+            takeChosen(choice.value);
+        else if (m_question)
+            m.remark(RemarkGrade::assumption, *m_question, 0, "columns");
+        if (m_values.empty())
             throw Error(
                 Error::Kind::content,
                 {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
-        m_values = std::move(columns);
+        chooseSeries();
+    }
+
+    [[nodiscard]] std::size_t timeColumn() const {
+        const std::vector<std::size_t> columns = m.body.numberColumns();
+        for (const std::size_t c : columns) {
+            const TableColumn &column = m.body.columns[c];
+            if (column.meaning == Meaning::time || (column.unit && column.unit->kind == UnitKind::time))
+                return c;
+        }
+        const bool counts = columns.size() > 2 && isCounter(m, columns.front());
+        return columns[counts ? 1 : 0];
+    }
+
+    /// The readings of the kind that is wanted; others are not read as if they were of it.
+    void chooseValues() {
+        std::vector<std::size_t> temperatures;
+        std::vector<std::size_t> deviations;
+        std::vector<std::size_t> others;
+        for (const std::size_t c : m.body.numberColumns()) {
+            const TableColumn &column = m.body.columns[c];
+            if (c == m_time || column.meaning == Meaning::index || column.meaning == Meaning::time)
+                continue;
+            if (column.meaning == Meaning::temperature ||
+                (column.unit && column.unit->kind == UnitKind::temperature))
+                temperatures.push_back(c);
+            else if (column.meaning == Meaning::deviation)
+                deviations.push_back(c);
+            else if (column.meaning != Meaning::statistic && column.meaning != Meaning::other &&
+                     !(c < m_time && isCounter(m, c)))
+                others.push_back(c);
+        }
+        for (const std::size_t c : temperatures)
+            m.result.columns[c].role = ColumnRole::temperature;
+        if (m_temperatures) {
+            m_values = temperatures.empty() ? others : temperatures;
+        } else {
+            m_values = !deviations.empty() ? deviations : others;
+            if (m_values.size() > 1) {
+                m_question = {REPORT_TEXT("report",
+                                          "Columns: several hold deviations; “%1” is read, the others are "
+                                          "a test of their own."),
+                              {excerpt(m.body.columns[m_values.front()].heading)}};
+                m_values.resize(1);
+            }
+        }
+        for (const std::size_t c : m_values)
+            m.result.columns[c].role = m_temperatures ? ColumnRole::temperature : ColumnRole::deviation;
+        remarkUnread(temperatures);
+    }
+
+    void remarkUnread(const std::vector<std::size_t> &temperatures) {
+        if (m_temperatures || temperatures.empty())
+            return;
+        std::string names;
+        for (const std::size_t c : temperatures)
+            names += (names.empty() ? "" : ", ") + m.body.columns[c].heading;
+        m.remark(RemarkGrade::note,
+                 {REPORT_TEXT("report", "Columns that are not read: %1."), {excerpt(names)}});
+    }
+
+    void takeChosen(const std::string &text) {
+        std::string unknown;
+        std::vector<ImportColumn> chosen = columnsOf(text, unknown).value_or(std::vector<ImportColumn>());
+        chosen.resize(m.body.columns.size());
+        m_values.clear();
+        for (std::size_t c = 0; c < chosen.size(); ++c) {
+            chosen[c].heading = m.body.columns[c].heading;
+            chosen[c].unit = m.body.columns[c].unit;
+            if (chosen[c].role == ColumnRole::time && !m_clock)
+                m_time = c;
+            if (chosen[c].role == (m_temperatures ? ColumnRole::temperature : ColumnRole::deviation) ||
+                (!m_temperatures && chosen[c].hasReadings()))
+                m_values.push_back(c);
+        }
+        m.result.columns = std::move(chosen);
+    }
+
+    /// A log of several process variables: one of them is read.
+    void chooseSeries() {
+        for (std::size_t c = 0; c < m_time; ++c) {
+            if (m.body.columns[c].kind != ColumnKind::words || !m_clock)
+                continue;
+            std::vector<std::string> names;
+            for (const TableBlock &block : m.body.blocks) {
+                for (const std::uint32_t row : block.rows) {
+                    const std::string name(m.cellText(row, c));
+                    if (names.size() < 100 && std::ranges::find(names, name) == names.end())
+                        names.push_back(name);
+                }
+            }
+            if (names.empty())
+                continue;
+            m_names = c;
+            const std::string chosen(m.choices.chosen("series"));
+            m_series = std::ranges::find(names, chosen) != names.end() ? chosen : names.front();
+            m.choices.settle("series", m_series, names.size() > 1 ? Origin::guessed : Origin::recognised);
+            if (names.size() < 2)
+                return;
+            Remark remark{RemarkGrade::assumption,
+                          {REPORT_TEXT("report", "Process variable: the file has %1; “%2” is read."),
+                           {Number{static_cast<double>(names.size()), Quantity::count}, excerpt(m_series)}},
+                          0,
+                          0,
+                          "series"};
+            remark.answers = names;
+            m.result.remarks.push_back(std::move(remark));
+            return;
+        }
+    }
+
+    [[nodiscard]] bool isOfOtherSeries(std::uint32_t row) const {
+        return m_names && m.cellText(row, *m_names) != m_series;
+    }
+
+    /// Seconds: of the clock and its date, or what the column says.
+    [[nodiscard]] std::optional<double> timeOf(std::uint32_t row) {
+        if (!m_clock)
+            return m.number(row, m_time);
+        auto time = clockTime(m.cellText(row, m_time));
+        auto date = dayOf(m.cellText(row, m_time));
+        if (!date && m_date)
+            date = dayOf(m.cellText(row, *m_date));
+        if (time && date) {
+            *time += static_cast<double>(*date) * day;
+            m_isDated = true;
+        }
+        return time;
     }
 
     void readTimes() {
@@ -90,11 +217,12 @@ private:
         std::optional<double> last;
         for (const TableBlock &block : m.body.blocks) {
             for (const std::uint32_t row : block.rows) {
-                std::optional<double> time =
-                    m_clock ? clockTime(m.cellText(row, m_time)) : m.number(row, m_time);
+                if (isOfOtherSeries(row))
+                    continue;
+                std::optional<double> time = timeOf(row);
                 if (!time)
                     continue;
-                if (m_clock && last && *time + turn < *last - day / 2)
+                if (m_clock && !m_isDated && last && *time + turn < *last - day / 2)
                     turn += day; // past midnight
                 *time = m_clock ? *time + turn : *time * multiplier;
                 if (last && *time < *last)
@@ -154,12 +282,6 @@ private:
 
     void readDrift() {
         const TableColumn &column = m.body.columns[m_values.front()];
-        if (m_values.size() > 1)
-            m.remark(
-                RemarkGrade::note,
-                {REPORT_TEXT("report", "Columns read: the times and “%1”; %2 further ones are not read."),
-                 {excerpt(column.heading),
-                  Number{static_cast<double>(m_values.size() - 1), Quantity::count}}});
         DriftMeasurement drift;
         std::vector<double> values;
         std::size_t missing = 0;
@@ -216,6 +338,11 @@ private:
     std::optional<std::size_t> m_clock;
     std::size_t m_time = 0;
     std::vector<std::size_t> m_values;
+    std::optional<std::size_t> m_date;
+    std::optional<std::size_t> m_names; ///< of process variables
+    std::string m_series;
+    std::optional<Message> m_question;
+    bool m_isDated = false;
     std::vector<std::uint32_t> m_rows;
     std::vector<double> m_times;
 };

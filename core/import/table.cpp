@@ -1,6 +1,7 @@
 #include "import/table.h"
 
 #include "document/documenterror.h"
+#include "import/dates.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,7 @@ namespace palmer {
 namespace {
 
 constexpr std::size_t rowLimit = 10'000'000;
-constexpr std::size_t cellLimit = 40'000'000;
+constexpr std::size_t cellLimit = 10'000'000;
 constexpr std::size_t longestCell = std::numeric_limits<std::uint16_t>::max();
 constexpr std::size_t quoteReach = 4096; ///< a quotation mark that is not closed within is a character
 constexpr std::size_t sampleRows = 300;
@@ -277,7 +278,8 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
                 result.hasMark |= text.find(mark == DecimalMark::point ? '.' : ',') != std::string_view::npos;
                 torn += isTorn(text) ? 1 : 0;
                 spaced |= i > 0 && cell.begin > 0 && sample[cell.begin - 1] == ' ';
-            } else if (cell.kind == CellKind::grouped || cell.kind == CellKind::broken || isUncut(text)) {
+            } else if ((cell.kind == CellKind::grouped || cell.kind == CellKind::broken || isUncut(text)) &&
+                       !isDate(text)) {
                 ++broken;
             }
         }
@@ -353,6 +355,12 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
                 options.decimalMark.value_or(mark) != mark)
                 continue;
             readings.push_back(readSample(sample, delimiter, mark, options.comments));
+            // Blanks stand between words, too: another delimiter that parts nearly as many numbers is the
+            // one.
+            constexpr double nearly = 0.6;
+            if (delimiter == Delimiter::blanks && best.columns > 1 &&
+                best.score > nearly * readings.back().score)
+                continue;
             if (readings.size() == 1 || readings.back().score > best.score)
                 best = readings.back();
         }
@@ -380,7 +388,26 @@ void inLargePages([[maybe_unused]] std::vector<Element> &reserved) {
 
 } // namespace
 
+namespace {
+
+/// Before anything is read: a line of that length is no row of a table.
+void demandLines(std::string_view text) {
+    constexpr std::size_t longestLine = std::size_t(1) << 20U;
+    std::size_t line = 1;
+    for (std::size_t begin = 0; begin < text.size(); ++line) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+        if (end - begin > longestLine)
+            throw Error(Error::Kind::tooLarge,
+                        {REPORT_TEXT("report", "a line is longer than 1 MiB; expected a table of readings")},
+                        std::to_string(line) + ":1");
+        begin = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    }
+}
+
+} // namespace
+
 CellTable readTable(std::string text, const TableOptions &options) {
+    demandLines(text);
     CellTable table;
     table.m_text = std::move(text);
     settleForm(table, table.m_text, options);
@@ -441,6 +468,8 @@ void TableBuilder::add(std::string_view cell) {
     TableCell &added = append(cell);
     added.kind = value.kind;
     added.value = value.value;
+    if (value.kind != CellKind::text && value.kind != CellKind::empty)
+        m_texts.push_back(m_table.m_cells.size() - 1);
 }
 
 void TableBuilder::add(double number, std::string_view shown) {
@@ -449,7 +478,28 @@ void TableBuilder::add(double number, std::string_view shown) {
     added.value = number;
 }
 
-CellTable TableBuilder::take() {
+CellTable TableBuilder::take(std::optional<DecimalMark> mark) {
+    std::array<std::size_t, 2> marked{}; // numbers with decimals under either mark
+    for (const std::size_t i : m_texts) {
+        const std::string_view text = m_table.text(m_table.m_cells[i]);
+        for (const DecimalMark each : {DecimalMark::point, DecimalMark::comma}) {
+            const char sign = each == DecimalMark::point ? '.' : ',';
+            if (text.find(sign) != std::string_view::npos && readCell(text, each).kind == CellKind::number)
+                ++marked[static_cast<std::size_t>(each)];
+        }
+    }
+    const bool comma = marked[1] > marked[0];
+    m_table.decimalMark = {comma ? DecimalMark::comma : DecimalMark::point,
+                           marked[0] > 0 && marked[1] > 0 ? Origin::guessed : Origin::recognised};
+    if (mark)
+        m_table.decimalMark = {*mark, Origin::chosen};
+    if (m_table.decimalMark.value == DecimalMark::comma) {
+        for (const std::size_t i : m_texts) {
+            const CellValue value = readCell(m_table.text(m_table.m_cells[i]), DecimalMark::comma);
+            m_table.m_cells[i].kind = value.kind;
+            m_table.m_cells[i].value = value.value;
+        }
+    }
     return std::move(m_table);
 }
 

@@ -72,18 +72,21 @@ private:
 /// The table a text says: UTF-8, lines ended by CR, LF or both. Cells may be quoted ("…", doubled inside).
 /// What the options leave open is taken from the text: the delimiter and decimal mark under which most cells
 /// are numbers and the rows are alike; `guessed` where another reading of the numbers is as likely.
-/// Throws Error(tooLarge) for more than 10⁷ rows or 4·10⁷ cells, with the line. Linear in the text.
+/// Throws Error(tooLarge) for more than 10⁷ cells and for a line of more than 1 MiB, with the line. Linear in
+/// the text.
 [[nodiscard]] CellTable readTable(std::string text, const TableOptions &options = {});
 
 /// A table from cells that are taken apart already, as those of a workbook; numbers with a point.
 class TableBuilder {
 public:
     void beginRow(std::size_t line);
-    void add(std::string_view cell); ///< as readTable would read it
+    void add(std::string_view cell); ///< a text, which may be a number that was typed as text
     void add(double number, std::string_view shown);
-    [[nodiscard]] CellTable take();
+    /// Numbers among the texts have the mark given, else that which most of them can have.
+    [[nodiscard]] CellTable take(std::optional<DecimalMark> mark = {});
 
 private:
+    std::vector<std::size_t> m_texts; ///< cells that are no numbers of the workbook
     TableCell &append(std::string_view cell);
 
     CellTable m_table;

@@ -1,6 +1,7 @@
 #include "import/tablebody.h"
 
 #include "document/documenterror.h"
+#include "import/dates.h"
 
 #include <algorithm>
 #include <map>
@@ -21,6 +22,12 @@ bool isNumeric(const TableCell &cell) {
 bool isDirectionCell(const CellTable &table, const TableCell &cell) {
     return (cell.kind == CellKind::text || cell.kind == CellKind::missing || cell.kind == CellKind::broken) &&
            directionOf(table.text(cell)).has_value();
+}
+
+/// "X" stands for a missing reading among numbers, for an axis among axes.
+bool isAxisLetter(const CellTable &table, const TableCell &cell) {
+    const std::string_view text = table.text(cell);
+    return text == "X" || text == "x";
 }
 
 std::span<const TableCell> trimmed(std::span<const TableCell> cells) {
@@ -57,6 +64,7 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
         std::size_t directions = 0;
         std::size_t senses = 0;
         std::size_t clocks = 0;
+        std::size_t dates = 0;
         std::size_t words = 0;
     };
     std::vector<Count> counts(width);
@@ -72,7 +80,10 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
                 ++count.numbers;
             else if (isDirectionCell(table, cells[c]))
                 ++count.directions;
-            else if (isNumeric(cells[c]))
+            else if (isDate(table.text(cells[c])))
+                ++count.dates;
+            else if (isNumeric(cells[c]) &&
+                     !(cells[c].kind == CellKind::missing && isAxisLetter(table, cells[c])))
                 ++count.numbers;
             else if (senseIn(table.text(cells[c])))
                 ++count.senses;
@@ -85,7 +96,7 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
     std::vector<TableColumn> columns(width);
     for (std::size_t c = 0; c < width; ++c) {
         const Count &count = counts[c];
-        const std::size_t others = count.directions + count.senses + count.clocks + count.words;
+        const std::size_t others = count.directions + count.senses + count.clocks + count.dates + count.words;
         if (count.numbers > 0 && count.numbers >= others)
             columns[c].kind = ColumnKind::numbers;
         else if (others == 0)
@@ -96,6 +107,8 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
             columns[c].kind = ColumnKind::senses;
         else if (2 * count.clocks >= others)
             columns[c].kind = ColumnKind::clock;
+        else if (2 * count.dates >= others)
+            columns[c].kind = ColumnKind::dates;
         else
             columns[c].kind = ColumnKind::words;
     }
@@ -129,6 +142,10 @@ public:
         };
         for (std::uint32_t i = 0; i < m_table.rows().size(); ++i) {
             const TableRow &row = m_table.rows()[i];
+            if (isRule(row)) {
+                lastLine = row.line;
+                continue;
+            }
             if (!row.comment && isBodyRow(row) && hasNumbersBeyond(row)) {
                 remarkUnread(row); // "50,1,234.5": which number is whose cannot be known
                 lastLine = row.line;
@@ -141,8 +158,8 @@ public:
                         continue;
                     }
                     numericHead = i;
-                } else if (!row.comment && !m_body.blocks.empty() + !block.rows.empty() > 0 &&
-                           numberCount(m_table.cells(row)) > 0 && wordCount(row) == 0) {
+                } else if (!row.comment &&
+                           looksLikeData(row, !m_body.blocks.empty() || !block.rows.empty())) {
                     remarkUnread(row);
                     continue;
                 }
@@ -189,6 +206,37 @@ private:
         return words <= numbers && (m_numberColumns > 2 || words == 0 || words < numbers);
     }
 
+    /// "| --- | :---: |" of Markdown, or a line of dashes.
+    [[nodiscard]] bool isRule(const TableRow &row) const {
+        std::size_t dashes = 0;
+        for (const TableCell &cell : m_table.cells(row)) {
+            const std::string_view text = m_table.text(cell);
+            if (text.find_first_not_of("-:=_+ ") != std::string_view::npos)
+                return false;
+            dashes += text.find("--") != std::string_view::npos ? 1 : 0;
+        }
+        return dashes > 0 && 2 * dashes >= m_table.cells(row).size();
+    }
+
+    /// A row that is none of the body, but has its numbers: below it, unless it begins with what is computed.
+    [[nodiscard]] bool looksLikeData(const TableRow &row, bool inBody) const {
+        const auto cells = m_table.cells(row);
+        const std::size_t numbers = numberCount(cells);
+        if (numbers == 0 || !inBody)
+            return false;
+        if (wordCount(row) == 0)
+            return true;
+        if (2 * numbers < m_numberColumns || (m_numberColumns <= 2 && numbers < m_numberColumns))
+            return false;
+        const auto isComputed = [&](const TableCell &cell) {
+            const Meaning meaning =
+                cell.kind == CellKind::text ? readHeading(m_table.text(cell)).meaning : Meaning::unknown;
+            return meaning == Meaning::statistic || meaning == Meaning::other ||
+                   meaning == Meaning::temperature;
+        };
+        return std::ranges::none_of(cells, isComputed);
+    }
+
     /// Numbers to the right of the last column.
     [[nodiscard]] bool hasNumbersBeyond(const TableRow &row) const {
         const auto cells = m_table.cells(row);
@@ -220,7 +268,9 @@ private:
         m_body.remarks.push_back(
             {RemarkGrade::problem,
              {REPORT_TEXT("report", "This line is not like the others and was not read.")},
-             row.line});
+             row.line,
+             0,
+             "unread"});
     }
 
     /// Empty lines part blocks, unless they stand everywhere.
@@ -259,74 +309,174 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
         filled += cell.kind != CellKind::empty ? 1 : 0;
         words += cell.kind == CellKind::text ? 1 : 0;
         const std::string_view text = table.text(cell);
-        directions += directionInHeading(text, false) || senseIn(text) ? 1 : 0;
+        directions += !text.empty() && (readHeading(text).direction || senseIn(text)) ? 1 : 0;
     }
     if (filled == 0 || cells.size() > width + 1)
         return false;
     if (directions >= 2 && words >= 2)
         return true;
-    return 2 * filled >= width && (words > 0 || directions > 0) && (width <= 2 || filled > 1);
+    const bool isTitle = filled == 1 && width > 1 && cells.front().kind != CellKind::empty;
+    return !isTitle && 2 * filled >= width && (words > 0 || directions > 0) && (width <= 2 || filled > 1);
+}
+
+/// Whether a row above headings that name every column adds to them: groups, directions, axes, and no label
+/// with its value.
+bool addsToHeadings(const CellTable &table, const TableRow &row) {
+    std::size_t known = 0;
+    for (const TableCell &cell : table.cells(row)) {
+        if (cell.kind == CellKind::empty || cell.kind == CellKind::number)
+            continue;
+        const std::string_view text = table.text(cell);
+        const HeadingWords heading = readHeading(text);
+        if (text.ends_with(':') || (heading.unknownWords > 0 && !senseIn(text)))
+            return false;
+        ++known;
+    }
+    return known > 1 || (known == 1 && trimmed(table.cells(row)).size() > 1);
 }
 
 /// "# angle; x; y": as many words as there are columns.
-void takeFromComment(const CellTable &table, const TableRow &row, TableBody &body) {
+void takeFromComment(const CellTable &table, const TableRow &row, std::vector<TableColumn> &columns) {
     const std::string_view text = table.text(table.cells(row).front());
     TableOptions options;
     options.delimiter = table.delimiter.value;
     options.decimalMark = table.decimalMark.value;
     const CellTable line = readTable(std::string(text), options);
-    if (line.rows().empty() || line.rows().front().count != body.columns.size() || body.columns.size() < 2)
+    if (line.rows().empty() || columns.size() < 2)
         return;
     const auto cells = line.cells(line.rows().front());
+    // "#;Target;…": the mark itself is the heading of a counter.
+    const std::size_t first = cells.size() > 1 && cells.size() + 1 == columns.size() ? 1 : 0;
+    if (cells.size() + first != columns.size())
+        return;
     for (std::size_t c = 0; c < cells.size(); ++c)
-        body.columns[c].heading = line.text(cells[c]);
+        columns[c + first].heading = line.text(cells[c]);
 }
 
-void composeHeadings(const CellTable &table, TableBody &body) {
-    if (body.blocks.empty())
-        return;
-    const std::size_t width = body.columns.size();
-    // The rows directly above, from below; a comment may hold the headings, too ("# angle; x; y").
+/// The rows directly above a block that are the headings of its columns, from above.
+std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBlock &block,
+                                         const std::vector<TableColumn> &columns) {
     std::vector<std::uint32_t> rows;
-    const std::vector<std::uint32_t> &heads = body.blocks.front().heads;
-    for (auto at = heads.rbegin(); at != heads.rend() && rows.size() < headingRows; ++at) {
-        if (rows.empty() && table.rows()[*at].comment)
+    bool complete = false;
+    for (auto at = block.heads.rbegin(); at != block.heads.rend() && rows.size() < headingRows; ++at) {
+        const TableRow &row = table.rows()[*at];
+        if (rows.empty() && row.comment)
             continue; // the title of the block
         // Numbers of runs stand below what they number: "Forward;;Reverse;" over "1;2;1;2".
-        if (*at != body.blocks.front().numericHead && !isHeading(table, table.rows()[*at], width))
+        if (*at != block.numericHead && !isHeading(table, row, columns.size()))
             break;
+        if (complete && !addsToHeadings(table, row))
+            break;
+        const auto cells = table.cells(row);
+        complete |= *at != block.numericHead && cells.size() >= columns.size() &&
+                    std::ranges::all_of(cells.first(columns.size()),
+                                        [](const TableCell &cell) { return cell.kind != CellKind::empty; });
         rows.push_back(*at);
     }
     std::ranges::reverse(rows);
-    if (rows.empty() && !heads.empty() && table.rows()[heads.back()].comment) // the headings themselves
-        takeFromComment(table, table.rows()[heads.back()], body);
-    for (const std::uint32_t index : heads) {
-        if (std::ranges::find(rows, index) == rows.end())
-            body.notes.push_back(index);
-    }
-    std::ranges::sort(body.notes);
+    return rows;
+}
+
+/// The headings that rows make, joined from above.
+void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &rows,
+                     std::vector<TableColumn> &columns) {
     for (const std::uint32_t index : rows) {
         const auto cells = table.cells(table.rows()[index]);
         // "Forward;;;Reverse;;": a heading over several columns.
         const bool spans =
             std::ranges::count(cells, CellKind::empty, &TableCell::kind) > 1 && index != rows.back();
         std::string_view last;
-        for (std::size_t c = 0; c < std::min(width, cells.size()); ++c) {
+        for (std::size_t c = 0; c < std::min(columns.size(), cells.size()); ++c) {
             std::string_view text = table.text(cells[c]);
             if (!text.empty())
                 last = text;
             else if (spans && c > 0)
                 text = last;
-            std::string &heading = body.columns[c].heading;
+            std::string &heading = columns[c].heading;
             if (!text.empty())
                 heading += (heading.empty() ? "" : " ") + std::string(text);
         }
     }
-    body.columnHeads = rows;
-    for (TableColumn &column : body.columns) {
-        column.meaning = meaningOf(column.heading);
+}
+
+void readHeadings(std::vector<TableColumn> &columns) {
+    for (TableColumn &column : columns) {
+        column.words = readHeading(column.heading);
+        column.meaning = column.words.meaning;
         column.unit = unitIn(column.heading);
+        // "Point (mm)" is no counter.
+        if (column.meaning == Meaning::index && column.unit &&
+            (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle))
+            column.meaning = Meaning::place;
     }
+}
+
+/// Whether the columns of two sections mean the same, but for directions and numbers of runs.
+bool areAlike(const std::vector<TableColumn> &a, const std::vector<TableColumn> &b) {
+    const auto meaningOf = [](const TableColumn &column) {
+        return column.meaning == Meaning::place ? Meaning::target : column.meaning;
+    };
+    return std::ranges::equal(a, b, [&](const TableColumn &x, const TableColumn &y) {
+        const bool understood = x.words.unknownWords == 0 && y.words.unknownWords == 0;
+        return x.kind != ColumnKind::numbers ||
+               (meaningOf(x) == meaningOf(y) && x.unit == y.unit && x.words.axis == y.words.axis &&
+                (understood || x.words.stem == y.words.stem));
+    });
+}
+
+void findSections(const CellTable &table, TableBody &body) {
+    const std::vector<TableColumn> bare = body.columns;
+    for (TableBlock &block : body.blocks) {
+        const std::vector<std::uint32_t> rows = headingRowsOf(table, block, bare);
+        std::vector<TableColumn> columns = bare;
+        if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment)
+            takeFromComment(table, table.rows()[block.heads.back()], columns); // the headings themselves
+        composeHeadings(table, rows, columns);
+        const bool named =
+            std::ranges::any_of(columns, [](const TableColumn &column) { return !column.heading.empty(); });
+        if (named || body.sections.empty()) {
+            readHeadings(columns);
+            body.sections.push_back(std::move(columns));
+        }
+        block.section = body.sections.size() - 1;
+        body.columnHeads.insert(body.columnHeads.end(), rows.begin(), rows.end());
+    }
+}
+
+/// Keeps the blocks of the columns that most numbers stand under; the others are other tables.
+void keepLargestTable(const CellTable &table, TableBody &body) {
+    constexpr std::size_t mostKinds = 50; // a report of more is none to be read as a whole
+    struct Kind {
+        std::size_t section;
+        std::size_t rows;
+    };
+    std::vector<Kind> kinds;
+    std::vector<std::size_t> kindOf;
+    for (std::size_t s = 0; s < body.sections.size(); ++s) {
+        const auto found = std::ranges::find_if(
+            kinds, [&](const Kind &kind) { return areAlike(body.sections[kind.section], body.sections[s]); });
+        kindOf.push_back(static_cast<std::size_t>(found - kinds.begin()));
+        if (found == kinds.end() && kinds.size() < mostKinds)
+            kinds.push_back({s, 0});
+    }
+    for (const TableBlock &block : body.blocks) {
+        if (kindOf[block.section] < kinds.size())
+            kinds[kindOf[block.section]].rows += block.rows.size();
+    }
+    const auto best =
+        static_cast<std::size_t>(std::ranges::max_element(kinds, {}, &Kind::rows) - kinds.begin());
+    std::erase_if(body.blocks, [&](const TableBlock &block) {
+        const bool other = kindOf[block.section] != best;
+        if (other)
+            body.remarks.push_back(
+                {RemarkGrade::problem,
+                 {REPORT_TEXT("report", "Here a table with other columns begins, which was not read.")},
+                 table.rows()[block.rows.front()].line,
+                 0,
+                 "unread"});
+        return other;
+    });
+    body.columns = body.sections[kinds[best].section];
 }
 
 } // namespace
@@ -377,7 +527,13 @@ TableBody bodyOf(const CellTable &table) {
     Sorter(table, body).sort();
     if (body.blocks.empty())
         throw noNumbers;
-    composeHeadings(table, body);
+    findSections(table, body);
+    for (const TableBlock &block : body.blocks)
+        body.notes.insert(body.notes.end(), block.heads.begin(), block.heads.end());
+    std::erase_if(body.notes,
+                  [&](std::uint32_t index) { return std::ranges::binary_search(body.columnHeads, index); });
+    std::ranges::sort(body.notes);
+    keepLargestTable(table, body);
     return body;
 }
 

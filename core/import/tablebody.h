@@ -11,11 +11,12 @@
 
 namespace palmer {
 
-enum class ColumnKind { empty, numbers, directions, senses, clock, words };
+enum class ColumnKind { empty, numbers, directions, senses, clock, dates, words };
 
 struct TableColumn {
     ColumnKind kind = ColumnKind::empty;
     std::string heading; ///< all rows of the heading joined
+    HeadingWords words;  ///< what it says
     Meaning meaning = Meaning::unknown;
     const Unit *unit = nullptr; ///< of the heading, or null
 };
@@ -25,11 +26,13 @@ struct TableBlock {
     std::vector<std::uint32_t> rows;
     std::vector<std::uint32_t> heads;         ///< since the block before
     std::optional<std::uint32_t> numericHead; ///< a heading of numbers: "Run; 0; 150; 300"
+    std::size_t section = 0;                  ///< whose headings hold for it
 };
 
 /// The rows of a table sorted into what is measured and what is said about it.
 struct TableBody {
-    std::vector<TableColumn> columns;
+    std::vector<TableColumn> columns;               ///< of the first section
+    std::vector<std::vector<TableColumn>> sections; ///< alike but for directions and numbers of runs
     std::vector<TableBlock> blocks;
     std::vector<std::uint32_t> notes;       ///< comments and lines that are no heading
     std::vector<std::uint32_t> columnHeads; ///< rows that the headings are made of
@@ -42,7 +45,8 @@ struct TableBody {
     [[nodiscard]] std::optional<std::size_t> columnOf(ColumnKind kind) const;
 };
 
-/// Throws Error(content) where there are no rows of numbers.
+/// Blocks whose columns are others than those of most rows are not among them: a remark says so. Throws
+/// Error(content) where there are no rows of numbers.
 [[nodiscard]] TableBody bodyOf(const CellTable &table);
 
 } // namespace palmer

@@ -6,10 +6,6 @@
 
 namespace palmer {
 
-namespace {
-constexpr std::size_t mostRemarks = 20; ///< of one sort, one by one
-}
-
 TableReading::TableReading(Imported &imported, Choices &chosen)
     : result(imported)
     , choices(chosen)
@@ -50,22 +46,17 @@ std::optional<double> TableReading::number(std::uint32_t index, std::size_t colu
                    row(index).line);
         return {};
     }
-    if (++m_unreadable <= mostRemarks) {
-        result.remarks.push_back(
-            {RemarkGrade::problem,
-             {found->kind == CellKind::grouped
-                  ? REPORT_TEXT(
-                        "report",
-                        "“%1” has another decimal mark or thousands separators. The reading stays missing.")
-                  : REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
-              {excerpt(table().text(*found))}},
-             row(index).line,
-             column + 1,
-             {}});
-    } else if (m_unreadable == mostRemarks + 1) {
-        remark(RemarkGrade::problem, {REPORT_TEXT("report", "Further readings are not numbers, too.")},
-               row(index).line);
-    }
+    result.remarks.push_back(
+        {RemarkGrade::problem,
+         {found->kind == CellKind::grouped
+              ? REPORT_TEXT(
+                    "report",
+                    "“%1” has another decimal mark or thousands separators. The reading stays missing.")
+              : REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
+          {excerpt(table().text(*found))}},
+         row(index).line,
+         column + 1,
+         "unread"});
     return {};
 }
 
@@ -81,7 +72,7 @@ void TableReading::remark(RemarkGrade grade, Message message, std::size_t line, 
 std::string TableReading::titleOf(const TableBlock &block) const {
     std::string title;
     for (const std::uint32_t head : block.heads) {
-        if (std::ranges::find(body.columnHeads, head) != body.columnHeads.end())
+        if (std::ranges::binary_search(body.columnHeads, head))
             continue;
         for (const TableCell &each : table().cells(row(head))) {
             if (each.size > 0)

@@ -28,9 +28,9 @@ public:
     Choices &choices;
     TableBody body;
     FileNotes notes;
+    std::string axisFound; ///< the one of several in the table that is read
 
 private:
-    std::size_t m_unreadable = 0;
     std::size_t m_missingWords = 0;
 };
 

@@ -25,39 +25,54 @@ std::optional<Enumeration> chosenOf(const std::array<const char *, size> &words,
     return {};
 }
 
+/// Temperatures or a drift, where a column says the times. Without a word a log of positions is more likely.
+std::string seriesKindOf(const TableBody &body, Origin &origin) {
+    const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
+    const bool temperature = std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return column.meaning == Meaning::temperature ||
+               (column.unit && column.unit->kind == UnitKind::temperature);
+    });
+    const bool length = std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return column.unit && (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle);
+    });
+    const bool readings = length || has(Meaning::deviation) || has(Meaning::actual) ||
+                          has(Meaning::reading) || has(Meaning::place);
+    if (!temperature && !readings)
+        origin = Origin::guessed;
+    return temperature && !readings ? "temperatures" : "drift";
+}
+
 /// Kind of measurement that the columns show.
 std::string kindOf(const TableReading &reading, Origin &origin) {
     const TableBody &body = reading.body;
     origin = Origin::recognised;
     const std::vector<std::size_t> columns = body.numberColumns();
-    const auto angle = body.columnOf(Meaning::angle);
-    // Arrows and words for the directions of an axis: angles are those of its targets.
+    const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
+    // Arrows and words for the directions of an axis: angles are those of its targets. So they are where the
+    // deviations are angles, too.
     const bool approached = std::ranges::any_of(body.columns, [](const TableColumn &column) {
-        return directionInHeading(column.heading, false).has_value() && !senseIn(column.heading);
+        const bool turns =
+            column.meaning == Meaning::deviation && column.unit && column.unit->kind == UnitKind::angle;
+        return turns || (column.words.isTarget && column.meaning != Meaning::nominal) ||
+               (column.words.direction.has_value() && !senseIn(column.heading));
     });
     if (approached || body.columnOf(ColumnKind::directions))
         return "positioning";
-    if (angle ||
-        (body.columnOf(Meaning::x) && body.columnOf(Meaning::y) && !body.columnOf(Meaning::deviation)))
+    if (has(Meaning::angle) && !(has(Meaning::run) && !has(Meaning::radius)))
+        return "circular";
+    if (has(Meaning::x) && has(Meaning::y) && !has(Meaning::deviation) && !has(Meaning::place))
         return "circular";
     if (body.columnOf(ColumnKind::senses))
         return "circular";
-    const auto time = body.columnOf(Meaning::time);
-    const bool positions = body.columnOf(Meaning::target) || body.columnOf(Meaning::run) ||
-                           body.columnOf(Meaning::direction) || body.columnOf(ColumnKind::directions);
-    const auto isTemperature = [](const TableColumn &column) {
-        return column.meaning == Meaning::temperature ||
-               (column.unit && column.unit->kind == UnitKind::temperature);
-    };
-    const bool temperature = std::ranges::any_of(body.columns, isTemperature);
-    if (body.columnOf(ColumnKind::clock) && !positions)
-        return temperature || !body.columnOf(Meaning::deviation) ? "temperatures" : "drift";
-    if (!columns.empty() && body.columns[columns.front()].unit &&
-        body.columns[columns.front()].unit->kind == UnitKind::time)
-        return temperature ? "temperatures" : "drift";
-    if (time && *time == columns.front() && !positions)
-        return temperature ? "temperatures" : "drift";
-    if (positions || body.blocks.front().numericHead)
+    const bool positions = has(Meaning::run) || has(Meaning::direction);
+    const bool times = std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return column.kind == ColumnKind::clock ||
+               (column.kind == ColumnKind::numbers &&
+                (column.meaning == Meaning::time || (column.unit && column.unit->kind == UnitKind::time)));
+    });
+    if (times && !positions && !(has(Meaning::place) && !body.columnOf(ColumnKind::clock)))
+        return seriesKindOf(body, origin);
+    if (positions || has(Meaning::place) || has(Meaning::angle) || body.blocks.front().numericHead)
         return "positioning";
     // Two columns without a word (three with a counter): points of a circle, if they are many.
     std::vector<std::size_t> data = columns;
@@ -87,6 +102,20 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
 
 } // namespace
 
+std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported) {
+    DecodedText decoded = decodeText(bytes, chosenOf<Encoding>(encodings, choices.chosen("encoding")));
+    choices.settle("encoding", encodings[static_cast<std::size_t>(decoded.encoding.value)],
+                   decoded.encoding.origin);
+    if (decoded.encoding.origin == Origin::guessed)
+        imported.remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
+             0,
+             0,
+             "encoding"});
+    return std::move(decoded.text);
+}
+
 bool isAnything(QByteArrayView) {
     return true;
 }
@@ -101,6 +130,8 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
             RemarkGrade::assumption,
             {kind.value == "circular"
                  ? REPORT_TEXT("report", "Kind: nothing in the file says it; read as a circular test.")
+             : kind.value == "drift"
+                 ? REPORT_TEXT("report", "Kind: nothing in the file says it; read as a drift test.")
                  : REPORT_TEXT("report", "Kind: nothing in the file says it; read as a positioning test.")},
             0, "kind");
     if (kind.value == "circular")
@@ -113,13 +144,16 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
     imported.machine.name = notes.machine;
     imported.machine.serialNumber = notes.serialNumber;
     imported.operatorName = notes.operatorName;
+    if (imported.test)
+        imported.sensors.insert(imported.sensors.end(), notes.sensors.begin(), notes.sensors.end());
     if (imported.test) {
         imported.test->date = notes.date;
-        if (!notes.dateText.empty()) {
+        if (!notes.dateText.empty() && !notes.date) {
             imported.test->remarks = notes.dateText;
             reading.remark(
                 RemarkGrade::note,
-                {REPORT_TEXT("report", "The date %1 is no ISO date; it stays as text in the remarks."),
+                {REPORT_TEXT("report",
+                             "The date %1 can be read in several ways; it stays as text in the remarks."),
                  {notes.dateText}});
         }
     }
@@ -129,20 +163,11 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
 }
 
 void readTextTable(const ImportSource &source, Choices &choices, Imported &imported) {
-    DecodedText decoded = decodeText(source.bytes, chosenOf<Encoding>(encodings, choices.chosen("encoding")));
-    choices.settle("encoding", encodings[static_cast<std::size_t>(decoded.encoding.value)],
-                   decoded.encoding.origin);
-    if (decoded.encoding.origin == Origin::guessed)
-        imported.remarks.push_back(
-            {RemarkGrade::assumption,
-             {REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
-             0,
-             0,
-             "encoding"});
+    std::string text = decodedText(source.bytes, choices, imported);
     TableOptions options;
     options.delimiter = chosenOf<Delimiter>(delimiters, choices.chosen("delimiter"));
     options.decimalMark = chosenOf<DecimalMark>(marks, choices.chosen("decimalMark"));
-    imported.table = readTable(std::move(decoded.text), options);
+    imported.table = readTable(std::move(text), options);
     const CellTable &table = imported.table;
     choices.settle("delimiter", delimiters[static_cast<std::size_t>(table.delimiter.value)],
                    table.delimiter.origin);

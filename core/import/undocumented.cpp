@@ -36,9 +36,6 @@ const std::array formats{
     Undocumented{{".acc", ".accom", ".kgm"},
                  "Heidenhain ACCOM",
                  REPORT_TEXT("report", "export the measured values as text (ASCII)")},
-    Undocumented{{".xls", "", ""},
-                 "Excel 97 (.xls)",
-                 REPORT_TEXT("report", "save the workbook as .xlsx, .ods or CSV")},
     Undocumented{
         {".mdb", ".accdb", ".sqlite"}, "database", REPORT_TEXT("report", "export the test as text or CSV")},
 };
@@ -52,6 +49,12 @@ bool isBinary(QByteArrayView bytes) {
     return std::ranges::any_of(start, [](char c) { return static_cast<unsigned char>(c) < 9; });
 }
 
+[[noreturn]] void refuseOldWorkbook() {
+    throw Error(Error::Kind::format,
+                {REPORT_TEXT("report",
+                             "workbooks of Excel 97 (.xls) cannot be read; save it as .xlsx, .ods or CSV")});
+}
+
 } // namespace
 
 void refuseUndocumented(QByteArrayView bytes, const QString &fileName) {
@@ -60,6 +63,13 @@ void refuseUndocumented(QByteArrayView bytes, const QString &fileName) {
     const bool sqlite = bytes.startsWith("SQLite format 3");
     if (!isBinary(bytes) && !sqlite)
         return;
+    // A locked workbook is kept in the container of the old ones.
+    constexpr QByteArrayView encrypted("E\0n\0c\0r\0y\0p\0t\0e\0d\0P\0a\0c\0k\0a\0g\0e", 31);
+    if (compound && bytes.indexOf(encrypted) >= 0)
+        throw Error(Error::Kind::format,
+                    {REPORT_TEXT("report", "the workbook is locked with a password; save it without one")});
+    if (compound && (name.endsWith(QLatin1StringView(".xls")) || name.endsWith(QLatin1StringView(".xlsx"))))
+        refuseOldWorkbook();
     for (const Undocumented &format : formats) {
         const bool named = std::ranges::any_of(format.endings, [&](const char *ending) {
             return *ending != 0 && name.endsWith(QLatin1StringView(ending));
@@ -71,11 +81,8 @@ void refuseUndocumented(QByteArrayView bytes, const QString &fileName) {
                 {REPORT_TEXT("report", "the format %1 is not documented publicly and cannot be read; %2"),
                  {std::string(format.name), format.advice}});
     }
-    if (compound)
-        throw Error(Error::Kind::format,
-                    {REPORT_TEXT("report", "the format %1 is not documented publicly and cannot be read; %2"),
-                     {std::string("Excel 97 (.xls)"),
-                      REPORT_TEXT("report", "save the workbook as .xlsx, .ods or CSV")}});
+    if (compound || name.endsWith(QLatin1StringView(".xls")))
+        refuseOldWorkbook();
 }
 
 } // namespace palmer

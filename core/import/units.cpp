@@ -3,6 +3,7 @@
 #include "import/numbercell.h"
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace palmer {
@@ -92,7 +93,28 @@ std::string_view bracketed(std::string_view text) {
     return close == std::string_view::npos ? std::string_view() : text.substr(open, close - open + 1);
 }
 
+/// The number with its decimal mark moved to the left, rounded once: the shortest decimal that is read as
+/// `value` has at most nine decimals in tables; what has more is divided.
+double shifted(double value, double powerOfTen) {
+    constexpr double largestWhole = 9007199254740992.0; // 2^53: exact below
+    double scale = 1;
+    for (int decimals = 0; decimals < 10; ++decimals, scale *= 10) {
+        const double whole = std::round(value * scale);
+        if (std::abs(whole) >= largestWhole)
+            break;
+        if (whole / scale == value)
+            return whole / (scale * powerOfTen); // both exact
+    }
+    return value / powerOfTen;
+}
+
 } // namespace
+
+double Unit::toBase(double value) const {
+    if (multiplier == 1 && divisor >= 10 && std::fmod(divisor, 10) == 0)
+        return shifted(value, divisor);
+    return value * multiplier / divisor;
+}
 
 const Unit *unitOf(std::string_view word) {
     for (const Unit &unit : units) {

@@ -9,7 +9,7 @@ namespace palmer {
 enum class UnitKind { length, angle, time, temperature };
 
 /// A unit that files use: a number in it times `multiplier` by `divisor` is in the base unit (mm, degrees, s,
-/// °C). Two factors, so that 5.4 µm is 0.0054 mm to the last bit.
+/// °C).
 struct Unit {
     const char *word; ///< as among the choices: "um"
     const char *sign; ///< as people read it: "µm"
@@ -17,7 +17,9 @@ struct Unit {
     double multiplier = 1;
     double divisor = 1;
 
-    [[nodiscard]] double toBase(double value) const { return value * multiplier / divisor; }
+    /// Powers of ten move the decimal mark of the number as it is written: 2.1 µm is 0.0021 mm, to the last
+    /// bit.
+    [[nodiscard]] double toBase(double value) const;
 };
 
 /// The unit of that word, or null.

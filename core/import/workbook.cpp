@@ -96,7 +96,12 @@ public:
         ++m_column;
     }
     [[nodiscard]] int column() const { return m_column; }
-    CellTable take() { return m_builder.take(); }
+    CellTable take(const Choices &choices) {
+        const std::string_view mark = choices.chosen("decimalMark");
+        return m_builder.take(mark.empty()      ? std::nullopt
+                              : mark == "comma" ? std::optional(DecimalMark::comma)
+                                                : std::optional(DecimalMark::point));
+    }
 
     bool hasNumbers = false;
 
@@ -115,7 +120,8 @@ std::optional<double> finiteNumber(const QString &text) {
 
 struct SheetName {
     QString name;
-    QString member; ///< of the archive (xlsx)
+    QString member = {}; ///< of the archive (xlsx)
+    bool isHidden = false;
 };
 
 // ---- .xlsx
@@ -149,17 +155,16 @@ std::vector<SheetName> sheetsOfXlsx(ZipFile &zip) {
         [&](const QXmlStreamReader &xml) {
             if (xml.name() != QLatin1StringView("sheet") || sheets.size() > 10'000)
                 return;
-            QString target = targets.value(
-                xml.attributes()
-                    .value(
-                        QStringLiteral("http://schemas.openxmlformats.org/officeDocument/2006/relationships"),
-                        QStringLiteral("id"))
-                    .toString());
+            // By its local name: the namespace of the strict form is another.
+            QString target = targets.value(attribute(xml, "id"));
             if (target.startsWith(u'/'))
                 target.remove(0, 1);
             else
                 target.prepend(QLatin1StringView("xl/"));
-            sheets.push_back({attribute(xml, "name"), target});
+            const QString state = attribute(xml, "state");
+            sheets.push_back(
+                {attribute(xml, "name"), target,
+                 state == QLatin1StringView("hidden") || state == QLatin1StringView("veryHidden")});
         },
         [](const QXmlStreamReader &) {}, [](QStringView) {});
     return sheets;
@@ -248,6 +253,8 @@ void readOdsSheet(const QByteArray &bytes, int wanted, std::vector<SheetName> &n
         std::optional<double> number;
         int repeats = 1;
     };
+    QString style;
+    QStringList hidden;
     std::vector<OdsCell> cells;
     OdsCell cell;
     int column = 0;
@@ -258,9 +265,14 @@ void readOdsSheet(const QByteArray &bytes, int wanted, std::vector<SheetName> &n
         bytes,
         [&](const QXmlStreamReader &xml) {
             const QStringView name = xml.name();
-            if (name == QLatin1StringView("table")) {
+            if (name == QLatin1StringView("style")) {
+                style = attribute(xml, "name");
+            } else if (name == QLatin1StringView("table-properties")) {
+                if (attribute(xml, "display") == QLatin1StringView("false"))
+                    hidden << style;
+            } else if (name == QLatin1StringView("table")) {
                 ++index;
-                names.push_back({attribute(xml, "name"), {}});
+                names.push_back({attribute(xml, "name"), {}, hidden.contains(attribute(xml, "style-name"))});
                 line = 0;
             } else if (index == wanted && name == QLatin1StringView("table-row")) {
                 rowRepeats = std::clamp<std::size_t>(attribute(xml, "number-rows-repeated").toULongLong(), 1,
@@ -347,26 +359,120 @@ int chosenSheet(const std::vector<SheetName> &sheets, const Choices &choices) {
                  {wanted.toStdString(), excerpt(names.join(QStringLiteral(", ")).toStdString())}});
 }
 
-constexpr int mostSheetsTried = 20;
+constexpr std::size_t mostSheetsTried = 20;
 
-/// The sheet chosen, else the first with numbers. `read` fills a Sheet from the sheet of a number.
-template <class Read>
-int firstWithNumbers(const std::vector<SheetName> &sheets, const Choices &choices, Read read,
-                     CellTable &table) {
-    int chosen = chosenSheet(sheets, choices);
-    const int first = std::max(chosen, 0);
-    const int last =
-        chosen >= 0 ? chosen : std::min<int>(static_cast<int>(sheets.size()), mostSheetsTried) - 1;
-    for (int i = first; i <= last; ++i) {
-        Sheet sheet;
-        read(i, sheet);
-        if (sheet.hasNumbers || i == last) {
-            table = sheet.take();
-            return i;
-        }
+std::size_t readingsOf(const Imported &imported) {
+    std::size_t count = imported.sensors.size();
+    if (!imported.test)
+        return count;
+    const auto &measurement = imported.test->measurement;
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&measurement)) {
+        for (const Run &run : positioning->runs)
+            count += run.deviations.size();
+    } else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement)) {
+        for (const Arc &arc : circular->arcs)
+            count += arc.angles.size();
+    } else {
+        count += std::get<DriftMeasurement>(measurement).times.size();
     }
-    return -1;
+    return count;
 }
+
+/// How many readings a table holds, if it is one of a measurement.
+std::size_t readingsIn(const CellTable &table, const ImportOptions &options) {
+    Imported trial;
+    trial.table = table;
+    Choices choices(options);
+    try {
+        readMeasurementTable(choices, trial);
+    } catch (const Error &) {
+        return 0;
+    }
+    return readingsOf(trial);
+}
+
+/// The sheet chosen, else that with most readings: the visible ones first, hidden ones only where no other
+/// has any. All are listed, also where none can be read.
+class SheetChooser {
+public:
+    SheetChooser(const std::vector<SheetName> &sheets, Choices &choices, Imported &imported)
+        : m_sheets(sheets)
+        , m_choices(choices)
+        , m(imported) {}
+
+    /// `read` fills a Sheet from the sheet of a number.
+    template <class Read>
+    void choose(Read read) {
+        for (const SheetName &sheet : m_sheets)
+            m.sheets.push_back({sheet.name.toStdString(), sheet.isHidden, false});
+        const int chosen = chosenSheet(m_sheets, m_choices);
+        for (const bool hidden : {false, true}) {
+            if (hidden && m_most > 0)
+                break;
+            std::size_t tried = 0;
+            for (std::size_t i = 0; i < m_sheets.size(); ++i) {
+                const bool wanted = chosen >= 0 ? static_cast<int>(i) == chosen : tried < mostSheetsTried;
+                if (m_sheets[i].isHidden != hidden || !wanted)
+                    continue;
+                ++tried;
+                Sheet sheet;
+                read(static_cast<int>(i), sheet);
+                take(i, sheet.take(m_choices));
+            }
+        }
+        if (m_best)
+            settle();
+        std::ranges::stable_sort(m.sheets, {}, &ImportSheet::isHidden);
+    }
+
+    [[nodiscard]] bool hasTable() const { return m_best.has_value(); }
+
+private:
+    void take(std::size_t i, CellTable table) {
+        if (table.rows().empty())
+            return;
+        const std::size_t readings = readingsIn(table, m_choices.options());
+        m.sheets[i].hasMeasurement = readings > 0;
+        m_measurements += readings > 0 ? 1 : 0;
+        if (m_best && readings <= m_most)
+            return;
+        m_best = i;
+        m_most = readings;
+        m.table = std::move(table);
+    }
+
+    void settle() {
+        const SheetName &sheet = m_sheets[*m_best];
+        const bool doubtful = m_measurements > 1 || sheet.isHidden;
+        const auto choice = m_choices.settle("sheet", sheet.name.toStdString(),
+                                             doubtful ? Origin::guessed : Origin::recognised);
+        if (m_sheets.size() < 2 && !doubtful)
+            return;
+        Remark remark{
+            choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
+            {sheet.isHidden
+                 ? REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read, which is hidden.")
+             : choice.origin == Origin::guessed
+                 ? REPORT_TEXT("report",
+                               "The workbook has %1 sheets, several with a measurement; “%2” is read.")
+                 : REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read."),
+             {Number{static_cast<double>(m_sheets.size()), Quantity::count},
+              excerpt(sheet.name.toStdString())}},
+            0,
+            0,
+            "sheet"};
+        for (const ImportSheet &each : m.sheets)
+            remark.answers.push_back(each.name);
+        m.remarks.push_back(std::move(remark));
+    }
+
+    const std::vector<SheetName> &m_sheets;
+    Choices &m_choices;
+    Imported &m;
+    std::optional<std::size_t> m_best;
+    std::size_t m_most = 0;
+    std::size_t m_measurements = 0;
+};
 
 } // namespace
 
@@ -377,45 +483,46 @@ bool isWorkbook(QByteArrayView bytes) {
 void readWorkbook(const ImportSource &source, Choices &choices, Imported &imported) {
     ZipFile zip(source.bytes);
     std::vector<SheetName> sheets;
-    int read = -1;
-    if (zip.contains("xl/workbook.xml")) {
+    QByteArray content;
+    std::vector<QString> strings;
+    const bool isXlsx = zip.contains("xl/workbook.xml");
+    if (isXlsx) {
         sheets = sheetsOfXlsx(zip);
-        const std::vector<QString> strings = sharedStrings(zip);
-        read = firstWithNumbers(
-            sheets, choices,
-            [&](int i, Sheet &sheet) {
-                readXlsxSheet(zip.member(sheets[static_cast<std::size_t>(i)].member), strings, sheet);
-            },
-            imported.table);
+        strings = sharedStrings(zip);
     } else if (zip.contains("content.xml")) {
-        const QByteArray content = zip.member(QStringLiteral("content.xml"));
+        content = zip.member(QStringLiteral("content.xml"));
         Sheet none;
         readOdsSheet(content, -2, sheets, none);
-        read = firstWithNumbers(
-            sheets, choices,
-            [&](int i, Sheet &sheet) {
-                std::vector<SheetName> names;
-                readOdsSheet(content, i, names, sheet);
-            },
-            imported.table);
     } else {
         throw Error(Error::Kind::format,
                     {REPORT_TEXT("report", "this archive is no workbook; expected .xlsx or .ods")});
     }
-    if (read < 0)
+    SheetChooser chooser(sheets, choices, imported);
+    chooser.choose([&](int i, Sheet &sheet) {
+        std::vector<SheetName> names;
+        if (isXlsx)
+            readXlsxSheet(zip.member(sheets[static_cast<std::size_t>(i)].member), strings, sheet);
+        else
+            readOdsSheet(content, i, names, sheet);
+    });
+    if (!chooser.hasTable())
         throw Error(
             Error::Kind::content,
             {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and "
                                    "readings, points of a circle, or values over time")});
-    choices.settle("sheet", sheets[static_cast<std::size_t>(read)].name.toStdString(), Origin::recognised);
-    if (sheets.size() > 1)
-        imported.remarks.push_back({RemarkGrade::note,
-                                    {REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read."),
-                                     {Number{static_cast<double>(sheets.size()), Quantity::count},
-                                      excerpt(sheets[static_cast<std::size_t>(read)].name.toStdString())}},
-                                    0,
-                                    0,
-                                    "sheet"});
+    if (imported.table.decimalMark.origin != Origin::recognised) {
+        choices.settle("decimalMark",
+                       imported.table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
+                       imported.table.decimalMark.origin);
+        if (imported.table.decimalMark.origin == Origin::guessed)
+            imported.remarks.push_back(
+                {RemarkGrade::assumption,
+                 {REPORT_TEXT("report",
+                              "Decimal mark: numbers that stand there as text can be read in several ways.")},
+                 0,
+                 0,
+                 "decimalMark"});
+    }
     readMeasurementTable(choices, imported);
 }
 

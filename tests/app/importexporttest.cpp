@@ -51,6 +51,7 @@ class ImportExportTest : public QObject {
 private slots:
     void importsFilesIntoOneDocument();
     void takesChoicesAndProfiles();
+    void refusesUntilQuestionsAreAnswered();
     void refusesInOneLineAndWritesNothing();
     void readsMeasurementFilesWhereverFilesStand();
     void exportsEveryForm_data();
@@ -68,9 +69,9 @@ private:
 
 void ImportExportTest::importsFilesIntoOneDocument() {
     // The temperatures come first and still find their test.
-    const Result result =
-        run({"import", DATA "tables/temperatures.csv", DATA "rtl/typical.rtl", DATA "rtx/typical.rtx", "-o",
-             at("a.palmer"), "--keep-original", "--set", "correctionTo20=applied by the instrument"});
+    const Result result = run({"import", DATA "tables/temperatures.csv", DATA "rtl/typical.rtl",
+                               DATA "rtx/typical.rtx", "-o", at("a.palmer"), "--keep-original", "--accept",
+                               "--set", "correctionTo20=applied by the instrument"});
     QVERIFY2(result.code == 0, qPrintable(result.err));
     QVERIFY(result.err.contains("typical.rtl: Understood: targets: 3; runs ↑: 2; runs ↓: 2."));
     QVERIFY(result.out.isEmpty());
@@ -92,7 +93,7 @@ void ImportExportTest::importsFilesIntoOneDocument() {
 void ImportExportTest::takesChoicesAndProfiles() {
     const QByteArray table = "0\t1\n100\t2\n";
     const Result chosen = run({"import", "-", "-o", at("b.palmer"), "--set", "unit=nm", "--set", "axis=Z",
-                               "--set=directions=negative"},
+                               "--set=directions=negative", "--accept"},
                               table);
     QVERIFY2(chosen.code == 0, qPrintable(chosen.err));
     const QJsonValue test = document(at("b.palmer"))["tests"][0];
@@ -103,8 +104,8 @@ void ImportExportTest::takesChoicesAndProfiles() {
     QVERIFY(QDir(configuration).mkpath("palmer"));
     write(configuration + "/palmer/import-profiles.json", R"({"laser 2": {"unit": "um", "axis": "Y"}})");
     const Result profile =
-        run({"import", "-", "-o", at("c.palmer"), "--profile", "laser 2", "--set", "axis=W"}, table,
-            configuration);
+        run({"import", "-", "-o", at("c.palmer"), "--profile", "laser 2", "--set", "axis=W", "--accept"},
+            table, configuration);
     QVERIFY2(profile.code == 0, qPrintable(profile.err));
     QCOMPARE(document(at("c.palmer"))["tests"][0]["axis"]["name"].toString(), "W");
     QCOMPARE(document(at("c.palmer"))["tests"][0]["runs"][0]["deviations"][1].toDouble(), 0.002);
@@ -113,6 +114,36 @@ void ImportExportTest::takesChoicesAndProfiles() {
           QStringList{"--set", "colour=blue"}, QStringList{"--profile", "unknown"}})
         QCOMPARE(run(QStringList{"import", "-", "-o", at("d.palmer")} + wrong, table, configuration).code, 2);
     QCOMPARE(run({"import", "-"}, table).code, 2);
+}
+
+void ImportExportTest::refusesUntilQuestionsAreAnswered() {
+    const QByteArray table = "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3;4\n";
+    const QStringList import{"import", "-", "-o", at("q.palmer")};
+    const Result open = run(import, table);
+    QCOMPARE(open.code, 3);
+    QVERIFY(!QFile::exists(at("q.palmer")));
+    QVERIFY(open.err.contains("--set sign=actualMinusTarget"));
+    QVERIFY(open.err.contains("--set correctionTo20="));
+    QVERIFY(open.err.contains("2 questions are open"));
+    const QStringList sign{"--set", "sign=actualMinusTarget"};
+    QCOMPARE(run(import + sign, table).code, 3);
+    QCOMPARE(run(import + sign + QStringList{"--set", "correctionTo20=not applied"}, table).code, 0);
+    QVERIFY(QFile::remove(at("q.palmer")));
+    QCOMPARE(run(import + QStringList{"--accept"}, table).code, 0);
+    QVERIFY(QFile::remove(at("q.palmer")));
+    // Never half a table: what was not read is no proposal.
+    const QByteArray broken = "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n";
+    QCOMPARE(run(import + QStringList{"--accept"}, broken).code, 3);
+    QVERIFY(!QFile::exists(at("q.palmer")));
+    QCOMPARE(run(import + QStringList{"--accept", "--set", "unread=leave"}, broken).code, 0);
+    // Every command that reads foreign files asks.
+    for (const QStringList &command :
+         {QStringList{"evaluate", "-"}, QStringList{"check", "-"},
+          QStringList{"report", "-", "-o", at("q.pdf")}, QStringList{"figure", "-", "-o", at("q.svg")},
+          QStringList{"export", "-", "--as", "csv", "-o", "-"}}) {
+        QCOMPARE(run(command, table).code, 3);
+        QVERIFY(run(command + QStringList{"--accept"}, table).code < 2);
+    }
 }
 
 void ImportExportTest::refusesInOneLineAndWritesNothing() {
@@ -131,15 +162,17 @@ void ImportExportTest::refusesInOneLineAndWritesNothing() {
 }
 
 void ImportExportTest::readsMeasurementFilesWhereverFilesStand() {
-    const Result file = run({"evaluate", "--json", DATA "tables/typical.csv"});
+    const Result file =
+        run({"evaluate", "--json", DATA "tables/typical.csv", "--accept", "--set", "unread=leave"});
     QVERIFY2(file.code == 0, qPrintable(file.err));
-    const Result piped = run({"evaluate", "--json", "-"}, contents(DATA "tables/typical.csv"));
+    const Result piped = run({"evaluate", "--json", "-", "--accept", "--set", "unread=leave"},
+                             contents(DATA "tables/typical.csv"));
     const QJsonValue a = QJsonDocument::fromJson(file.out.toUtf8())["tests"];
     QCOMPARE(a, QJsonDocument::fromJson(piped.out.toUtf8())["tests"]);
     QVERIFY(a[0]["parameters"].toArray().size() > 5);
     QVERIFY(file.err.contains("typical.csv: 7:7: “-4,,7” is not a number."));
-    QCOMPARE(run({"check", DATA "workbooks/typical.xlsx"}).code, 1);
-    QCOMPARE(run({"evaluate", DATA "b5r/typical-absolute.b5r"}).code, 0);
+    QCOMPARE(run({"check", DATA "workbooks/typical.xlsx", "--accept", "--set", "unread=leave"}).code, 1);
+    QCOMPARE(run({"evaluate", DATA "b5r/typical-absolute.b5r", "--accept"}).code, 0);
 }
 
 void ImportExportTest::exportsEveryForm_data() {
@@ -162,13 +195,14 @@ void ImportExportTest::exportsEveryForm_data() {
 void ImportExportTest::exportsEveryForm() {
     QFETCH(QStringList, options);
     QFETCH(QString, contained);
-    const Result result = run(QStringList{"export", DATA "rtl/typical.rtl", "-o", "-"} + options);
+    const Result result = run(QStringList{"export", DATA "rtl/typical.rtl", "--accept", "-o", "-"} + options);
     QVERIFY2(result.code == 0, qPrintable(result.err));
     QVERIFY2(result.out.contains(contained), qPrintable(result.out));
     const bool predicts = !options.contains("csv") && !options.contains("json");
     QCOMPARE(result.err.contains("predicted with the compensation applied:"), predicts);
     QVERIFY(!predicts || result.err.contains("palmer-cli: E: "));
-    const Result saved = run(QStringList{"export", DATA "rtl/typical.rtl", "-o", at("out")} + options);
+    const Result saved =
+        run(QStringList{"export", DATA "rtl/typical.rtl", "--accept", "-o", at("out")} + options);
     QCOMPARE(QString::fromUtf8(contents(at("out"))), result.out);
     QVERIFY(saved.out.isEmpty());
 }
@@ -215,7 +249,7 @@ void ImportExportTest::comparesWithTheTableOfAControl() {
 
 void ImportExportTest::writesThePointsOfAFigure() {
     const auto points = [this](const QString &file) {
-        const Result result = run({"figure", DATA + file, "-o", at("points.csv")});
+        const Result result = run({"figure", DATA + file, "--accept", "-o", at("points.csv")});
         return result.code == 0 ? QString::fromUtf8(contents(at("points.csv"))) : result.err;
     };
     QVERIFY(points("rtl/typical.rtl").contains("\nx̄↑,100,0.45\n"));

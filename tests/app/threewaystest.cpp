@@ -81,12 +81,14 @@ private slots:
         const Test clipboard = *pasted.window->model().document()->tests.at(0);
 
         QTemporaryDir folder;
-        run({"import", path, "-o", folder.filePath("x.palmer")});
+        run({"import", path, "--accept", "--set", "unread=leave", "-o", folder.filePath("x.palmer")});
         const Test commandLine = *openDocument(folder.filePath("x.palmer")).tests.at(0);
 
         QVERIFY(clipboard.measurement == file.measurement);
         QVERIFY(commandLine.measurement == file.measurement);
-        const QJsonObject results = QJsonDocument::fromJson(run({"evaluate", "--json", path})).object();
+        const QJsonObject results =
+            QJsonDocument::fromJson(run({"evaluate", "--json", path, "--accept", "--set", "unread=leave"}))
+                .object();
         const auto shown = values(*opened.window->evaluator().current().tests.at(0));
         QCOMPARE(values(results["tests"][0]), shown);
         QVERIFY(!shown.isEmpty() || std::holds_alternative<DriftMeasurement>(file.measurement));

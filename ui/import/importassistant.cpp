@@ -97,6 +97,15 @@ private:
     RemarkGrade m_grade;
 };
 
+QPushButton *addLink(QHBoxLayout &row, const QString &words, const QString &sentence) {
+    auto *button = new QPushButton(words);
+    button->setProperty("link", true);
+    button->setAutoDefault(false);
+    button->setAccessibleName(QStringLiteral("%1 – %2").arg(words, sentence));
+    row.addWidget(button);
+    return button;
+}
+
 QString profileSetting(const QString &fileName) {
     return QStringLiteral("import/profiles/") + QFileInfo(fileName).suffix().toLower();
 }
@@ -518,41 +527,54 @@ void ImportAssistant::showChoices() {
     }
 }
 
-void ImportAssistant::addRemark(const Remark &remark) {
+QHBoxLayout *ImportAssistant::addRow(RemarkGrade grade, QString sentence, std::size_t line,
+                                     std::size_t column, std::size_t times) {
     auto *row = new QWidget;
     auto *layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 2, 0, 2);
-    auto *icon = new GradeIcon(remark.grade, row);
-    QString sentence = windowLanguage().sentence(remark.message);
-    if (remark.line > 0 && remark.column > 0)
-        sentence = tr("Line %1, column %2: %3").arg(remark.line).arg(remark.column).arg(sentence);
-    else if (remark.line > 0)
-        sentence = tr("Line %1: %2").arg(remark.line).arg(sentence);
+    auto *icon = new GradeIcon(grade, row);
+    if (times > 1)
+        sentence += QStringLiteral(" (× %1)").arg(times);
+    if (line > 0 && column > 0)
+        sentence = tr("Line %1, column %2: %3").arg(line).arg(column).arg(sentence);
+    else if (line > 0)
+        sentence = tr("Line %1: %2").arg(line).arg(sentence);
     auto *text = new QLabel(sentence, row);
     text->setTextFormat(Qt::PlainText);
     text->setWordWrap(true);
     layout->addWidget(icon);
     layout->addWidget(text, 1);
-    const auto link = [&](const QString &words) {
-        auto *button = new QPushButton(words, row);
-        button->setProperty("link", true);
-        button->setAutoDefault(false);
-        button->setAccessibleName(QStringLiteral("%1 – %2").arg(words, sentence));
-        layout->addWidget(button);
-        return button;
-    };
-    if (const int at = m_raw.rowOf(remark.line); at >= 0)
-        connect(link(tr("go to the line")), &QPushButton::clicked, this, [this, at] {
+    if (const int at = m_raw.rowOf(line); at >= 0)
+        connect(addLink(*layout, tr("go to the line"), sentence), &QPushButton::clicked, this, [this, at] {
             m_rawView->setCurrentIndex(m_raw.index(at));
             m_rawView->scrollTo(m_raw.index(at));
         });
-    const auto choice = std::ranges::find(m_imported.choices, remark.choice, &ImportChoice::key);
-    if (!remark.choice.empty() && choice != m_imported.choices.end() && choice->origin == Origin::guessed) {
-        QPushButton *button = link(tr("confirm"));
-        button->setObjectName(QStringLiteral("confirm.") + QString::fromStdString(remark.choice));
-        connect(button, &QPushButton::clicked, this, [this, key = remark.choice] { confirm(key); });
-    }
     m_remarks->addWidget(row);
+    return layout;
+}
+
+void ImportAssistant::addQuestion(const Question &question) {
+    const QString sentence = windowLanguage().sentence(question.sentence);
+    QHBoxLayout *row =
+        addRow(question.grade == QuestionGrade::red ? RemarkGrade::problem : RemarkGrade::assumption,
+               sentence, question.line, question.column, question.further.size() + 1);
+    const auto choice = std::ranges::find(m_imported.choices, question.id, &ImportChoice::key);
+    if (choice == m_imported.choices.end() || choice->origin != Origin::guessed)
+        return;
+    QPushButton *button = addLink(*row, tr("confirm"), sentence);
+    button->setObjectName(QStringLiteral("confirm.") + QString::fromStdString(question.id));
+    connect(button, &QPushButton::clicked, this, [this, key = question.id] { confirm(key); });
+}
+
+void ImportAssistant::addRemark(const Remark &remark) {
+    const QString sentence = windowLanguage().sentence(remark.message);
+    QHBoxLayout *row = addRow(remark.grade, sentence, remark.line, remark.column, remark.times);
+    const auto choice = std::ranges::find(m_imported.choices, remark.choice, &ImportChoice::key);
+    if (remark.choice.empty() || choice == m_imported.choices.end() || choice->origin != Origin::guessed)
+        return;
+    QPushButton *button = addLink(*row, tr("confirm"), sentence);
+    button->setObjectName(QStringLiteral("confirm.") + QString::fromStdString(remark.choice));
+    connect(button, &QPushButton::clicked, this, [this, key = remark.choice] { confirm(key); });
 }
 
 void ImportAssistant::showRemarks() {
@@ -571,6 +593,8 @@ void ImportAssistant::showRemarks() {
         reason->setWordWrap(true);
         m_remarks->addWidget(reason);
     }
+    for (const Question &question : m_imported.questions)
+        addQuestion(question);
     for (std::size_t i = 0; i < std::min(m_imported.remarks.size(), remarksShown); ++i)
         addRemark(m_imported.remarks[i]);
     if (m_imported.remarks.size() > remarksShown)

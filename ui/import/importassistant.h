@@ -14,6 +14,7 @@
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListView;
@@ -84,7 +85,10 @@ private:
     void makeBoxes();
     void showChoices();
     void showRemarks();
+    void addQuestion(const Question &question);
     void addRemark(const Remark &remark);
+    QHBoxLayout *addRow(RemarkGrade grade, QString sentence, std::size_t line, std::size_t column,
+                        std::size_t times);
     void showCurve();
     void showSizes();
     void refresh();

@@ -52,6 +52,12 @@ void RawTextModel::show(const Imported *imported) {
             if (remark.grade == RemarkGrade::problem && remark.line > 0)
                 m_problems.insert(remark.line);
         }
+        for (const Question &question : imported->questions) {
+            if (question.grade == QuestionGrade::red && question.line > 0) {
+                m_problems.insert(question.line);
+                m_problems.insert(question.further.begin(), question.further.end());
+            }
+        }
     }
     endResetModel();
 }

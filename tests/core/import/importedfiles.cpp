@@ -36,8 +36,8 @@ QStringList filesIn(const QString &folder) {
 QString outcome(const QByteArray &bytes, const QString &name) {
     try {
         const Imported imported = importMeasurement(bytes, name);
-        return testdata::picture(imported) + "\n\n" + testdata::remarks(imported) + "\n\n" +
-               testdata::choices(imported) + "\n";
+        return testdata::picture(imported) + "\n\n" + testdata::questions(imported) + "\n\n" +
+               testdata::remarks(imported) + "\n\n" + testdata::choices(imported) + "\n";
     } catch (const Error &error) {
         return "refused " + QString::fromStdString(error.place) + ": " +
                Language(Language::Id::english).sentence(error.message) + "\n";
@@ -64,6 +64,8 @@ private slots:
     void keepsTheOriginal();
     void putsTemperaturesIntoTheTests();
     void coloursTheCells();
+    void readsWhatStandsBesideTheTable();
+    void showsWhatCannotBeRead();
 };
 
 void ImportedFilesTest::saysWhatIsExpected_data() {
@@ -83,7 +85,7 @@ void ImportedFilesTest::saysWhatIsExpected() {
 
 void ImportedFilesTest::lineEndsChangeNothing_data() {
     QTest::addColumn<QString>("file");
-    for (const QString folder : {"tables", "rtl", "indexed", "ren"}) {
+    for (const QString folder : {"tables", "rtl", "indexed", "ren", "pos"}) {
         for (const QString &file : filesIn(folder)) {
             if (!file.contains("utf-16"))
                 QTest::newRow(qPrintable(file)) << file;
@@ -179,8 +181,8 @@ void ImportedFilesTest::takesChoices() {
         const auto choice = std::ranges::find(imported.choices, key, &ImportChoice::key);
         QVERIFY2(choice != imported.choices.end(), key.c_str());
         QVERIFY2(choice->origin == Origin::chosen && choice->value == word, key.c_str());
-        QVERIFY(std::ranges::none_of(imported.remarks,
-                                     [&](const Remark &remark) { return remark.choice == key; }));
+        QVERIFY(std::ranges::none_of(imported.questions,
+                                     [&](const Question &question) { return question.id == key; }));
     }
 }
 
@@ -264,6 +266,34 @@ void ImportedFilesTest::coloursTheCells() {
             "-hp+n"[static_cast<std::size_t>(imported.roles[row.first + c])]; // in the order of CellRole
     QCOMPARE(colours, QString("p+n+n+n"));
     QVERIFY(imported.roles[imported.table.rows()[2].first] == CellRole::head);
+}
+
+void ImportedFilesTest::readsWhatStandsBesideTheTable() {
+    const Imported imported = importMeasurement(contents(DATA "workbooks/cover-and-hidden.xlsx"), "x.xlsx");
+    QCOMPARE(imported.machine.name, std::string("HAAS"));
+    QCOMPARE(imported.operatorName, std::string("M. Weber"));
+    QCOMPARE(imported.test->date, std::optional<std::string>("2024-03-05"));
+    QCOMPARE(imported.sheets.size(), std::size_t(3));
+    QVERIFY(imported.sheets.at(1) == (ImportSheet{"Data", false, true}));
+    QVERIFY(imported.sheets.at(2).isHidden && imported.sheets.at(2).name == "Old");
+    // A label with its colon in one cell, values in other languages, a date that can be read in two ways.
+    const Imported text = importMeasurement("Maschine: Mill 5\nSeriennummer: 4711\nOpérateur : J. "
+                                            "Martin\n03/04/2024\nP (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3;4\n",
+                                            "x.csv");
+    QCOMPARE(text.machine.name, std::string("Mill 5"));
+    QCOMPARE(text.machine.serialNumber, std::string("4711"));
+    QCOMPARE(text.operatorName, std::string("J. Martin"));
+    QVERIFY(!text.test->date);
+    QCOMPARE(text.test->remarks, std::string("03/04/2024"));
+}
+
+void ImportedFilesTest::showsWhatCannotBeRead() {
+    const QByteArray text = "Target (mm);Note\n0;a\n100;b\n";
+    const Imported shown = showMeasurement(text, "x.csv");
+    QVERIFY(shown.refusal && !shown.test);
+    QCOMPARE(shown.table.rows().size(), std::size_t(3));
+    QVERIFY_EXCEPTION_THROWN((void)importMeasurement(text, "x.csv"), Error);
+    QVERIFY_EXCEPTION_THROWN((void)showMeasurement("", "x.csv"), Error);
 }
 
 QTEST_GUILESS_MAIN(ImportedFilesTest)

@@ -66,7 +66,9 @@ inline QString picture(const Imported &imported) {
     }
     for (const Sensor &sensor : imported.sensors) {
         QStringList values;
-        for (std::size_t i = 0; i < sensor.series->times.size(); ++i)
+        if (!sensor.series && sensor.start)
+            values << number(*sensor.start);
+        for (std::size_t i = 0; sensor.series && i < sensor.series->times.size(); ++i)
             values << number(sensor.series->times[i]) + u':' + number(sensor.series->temperatures[i]);
         const char *what = sensor.measures == SensorMeasures::air       ? "air"
                            : sensor.measures == SensorMeasures::machine ? "machine"
@@ -75,6 +77,23 @@ inline QString picture(const Imported &imported) {
                      .arg(QString::fromStdString(sensor.position), QString::fromLatin1(what),
                           values.join(u' '));
     }
+    return lines.join(u'\n');
+}
+
+/// The questions in English: `!!` red, `??` asked, with the choice that answers them and the proposal.
+inline QString questions(const Imported &imported) {
+    const Language english(Language::Id::english);
+    QStringList lines;
+    for (const Question &question : imported.questions)
+        lines << QStringLiteral("%1 %2=%3: %4%5%6")
+                     .arg(question.grade == QuestionGrade::red ? QStringLiteral("!!") : QStringLiteral("??"),
+                          QString::fromStdString(question.id), QString::fromStdString(question.proposal),
+                          question.line > 0 ? QString::number(question.line) + QStringLiteral(": ")
+                                            : QString(),
+                          english.sentence(question.sentence),
+                          question.further.empty()
+                              ? QString()
+                              : QStringLiteral(" (and %1 more)").arg(question.further.size()));
     return lines.join(u'\n');
 }
 
@@ -91,7 +110,8 @@ inline QString remarks(const Imported &imported) {
             place = QString::number(remark.line) +
                     (remark.column > 0 ? u':' + QString::number(remark.column) : QString()) +
                     QStringLiteral(": ");
-        lines << QChar(grade) + QStringLiteral(" ") + place + english.sentence(remark.message);
+        lines << QChar(grade) + QStringLiteral(" ") + place + english.sentence(remark.message) +
+                     (remark.times > 1 ? QStringLiteral(" (× %1)").arg(remark.times) : QString());
     }
     return lines.join(u'\n');
 }

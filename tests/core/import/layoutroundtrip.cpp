@@ -26,7 +26,7 @@ PositioningMeasurement randomMeasurement() {
         for (unsigned i = 0; i < targets; ++i) {
             const double tenths =
                 static_cast<double>(randomNumbers() % 201) - 100 + (j % 2 == 0 ? 300 : -300);
-            run.deviations.emplace_back(tenths / 10 / 1000);
+            run.deviations.emplace_back(tenths / 10'000); // tenths of a micrometre
         }
         m.runs.push_back(std::move(run));
     }

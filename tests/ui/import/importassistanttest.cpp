@@ -94,7 +94,7 @@ private slots:
         dialog.findChild<QPushButton *>("confirm.sign")->click();
         QVERIFY(!dialog.findChild<QLabel *>("guessed.sign")->isVisible());
         QVERIFY(*dialog.imported().test == *before.test);
-        QVERIFY(dialog.imported().remarks.size() < before.remarks.size());
+        QVERIFY(dialog.imported().questions.size() < before.questions.size());
     }
 
     void anotherChoiceReadsAnew() {

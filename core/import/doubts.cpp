@@ -1,0 +1,123 @@
+#include "import/doubts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr double largestLength = 1;  // mm
+constexpr double largestAngle = 0.1; // °
+constexpr double largestRatio = 100; // of the spread of a run to that of the others
+
+void doubt(std::vector<Remark> &remarks, Message message, const char *choice) {
+    remarks.push_back({RemarkGrade::problem, std::move(message), 0, 0, choice});
+}
+
+Number count(std::size_t n) {
+    return {static_cast<double>(n), Quantity::count};
+}
+
+std::vector<double> readingsOf(const Run &run) {
+    std::vector<double> values;
+    for (const auto &value : run.deviations) {
+        if (value)
+            values.push_back(*value);
+    }
+    return values;
+}
+
+double spreadOf(const std::vector<double> &values) {
+    const auto [low, high] = std::ranges::minmax(values);
+    return high - low;
+}
+
+void questionSize(double largest, bool angular, std::vector<Remark> &remarks) {
+    if (largest > (angular ? largestAngle : largestLength))
+        doubt(remarks,
+              {REPORT_TEXT("report", "Deviations up to %1: are unit, content and decimal mark right?"),
+               {Number{largest, angular ? Quantity::angle : Quantity::position}}},
+              "large");
+}
+
+bool equalTargets(const PositioningMeasurement &measurement, const Run &run) {
+    std::size_t readings = 0;
+    bool same = true;
+    bool opposite = true;
+    for (std::size_t i = 0; i < run.deviations.size(); ++i) {
+        if (!run.deviations[i])
+            continue;
+        // As numbers of any unit: 100 µm at 100 mm.
+        const double value = *run.deviations[i];
+        const auto equals = [&](double target) {
+            return value == target || value == target / 1000 || std::abs(value * 3600 - target) < 1e-9;
+        };
+        same &= equals(measurement.targets[i]);
+        opposite &= equals(-measurement.targets[i]);
+        ++readings;
+    }
+    return readings > 2 && (same || opposite);
+}
+
+void questionRuns(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
+    std::vector<double> spreads;
+    double largest = 0;
+    for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
+        const std::vector<double> values = readingsOf(measurement.runs[j]);
+        for (const double value : values)
+            largest = std::max(largest, std::abs(value));
+        spreads.push_back(values.size() > 1 ? spreadOf(values) : 0);
+        const bool zero = std::ranges::all_of(values, [](double value) { return value == 0; });
+        if (values.size() > 1 && zero)
+            doubt(remarks,
+                  {REPORT_TEXT("report", "All readings of run %1 are zero: was it measured at all?"),
+                   {count(j + 1)}},
+                  "zeros");
+        else if (equalTargets(measurement, measurement.runs[j]))
+            doubt(remarks,
+                  {REPORT_TEXT("report", "The deviations of run %1 equal the targets: is it a run at all?"),
+                   {count(j + 1)}},
+                  "equalsTargets");
+    }
+    questionSize(largest, measurement.axis.motion == Motion::rotary, remarks);
+    std::vector<double> sorted = spreads;
+    std::ranges::sort(sorted);
+    const double usual = sorted.size() > 1 ? sorted[(sorted.size() - 1) / 2] : 0;
+    for (std::size_t j = 0; j < spreads.size() && usual > 0; ++j) {
+        if (spreads[j] > largestRatio * usual)
+            doubt(remarks,
+                  {REPORT_TEXT("report",
+                               "Run %1 spreads a hundred times as far as the others: is it one of them?"),
+                   {count(j + 1)}},
+                  "spread");
+    }
+}
+
+void questionValues(const std::vector<double> &values, bool angular, std::vector<Remark> &remarks) {
+    double largest = 0;
+    for (const double value : values)
+        largest = std::max(largest, std::abs(value));
+    if (values.size() > 1 && largest == 0)
+        doubt(remarks, {REPORT_TEXT("report", "All readings are zero: was anything measured at all?")},
+              "zeros");
+    questionSize(largest, angular, remarks);
+}
+
+} // namespace
+
+void questionNumbers(const Test &test, std::vector<Remark> &remarks) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
+        questionRuns(*positioning, remarks);
+    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
+        std::vector<double> values;
+        for (const Arc &arc : circular->arcs)
+            values.insert(values.end(), arc.radialDeviations.begin(), arc.radialDeviations.end());
+        questionValues(values, false, remarks);
+    } else {
+        const auto &drift = std::get<DriftMeasurement>(test.measurement);
+        questionValues(drift.deviations, drift.axis.motion == Motion::rotary, remarks);
+    }
+}
+
+} // namespace palmer

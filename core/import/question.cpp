@@ -1,0 +1,75 @@
+#include "import/question.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+namespace palmer {
+
+namespace {
+
+/// The choices a wrong guess of which would be a wrong number or direction.
+constexpr std::array<std::string_view, 22> asked{
+    "kind",         "layout",         "columns",       "directions",  "content", "unit",
+    "positionUnit", "timeUnit",       "sign",          "decimalMark", "axis",    "series",
+    "sheet",        "correctionTo20", "startAngle",    "arc",         "motion",  "unread",
+    "large",        "spread",         "equalsTargets", "zeros"};
+
+/// Doubts about the numbers: their answer is that they are right.
+constexpr std::array<std::string_view, 4> doubts{"large", "spread", "equalsTargets", "zeros"};
+
+template <std::size_t size>
+bool isOneOf(const std::array<std::string_view, size> &words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+std::string proposalFor(const Remark &remark, std::span<const ImportChoice> choices) {
+    if (isOneOf(doubts, remark.choice))
+        return "keep";
+    const auto choice = std::ranges::find(choices, remark.choice, &ImportChoice::key);
+    return choice == choices.end() ? std::string() : choice->value;
+}
+
+} // namespace
+
+void joinRemarks(std::vector<Remark> &remarks) {
+    constexpr std::size_t mostLines = 1000;
+    std::map<std::tuple<RemarkGrade, std::string, std::string>, std::size_t> first;
+    std::vector<Remark> joined;
+    for (Remark &remark : remarks) {
+        const auto [place, isNew] =
+            first.try_emplace({remark.grade, remark.message.text.source, remark.choice}, joined.size());
+        if (isNew) {
+            joined.push_back(std::move(remark));
+        } else {
+            Remark &known = joined[place->second];
+            ++known.times;
+            if (known.further.size() < mostLines)
+                known.further.push_back(remark.line);
+        }
+    }
+    remarks = std::move(joined);
+}
+
+std::vector<Question> takeQuestions(std::vector<Remark> &remarks, const ImportOptions &options,
+                                    std::span<const ImportChoice> choices) {
+    std::vector<Question> questions;
+    std::vector<Remark> kept;
+    for (Remark &remark : remarks) {
+        const bool isAnswered = options.contains(remark.choice);
+        if (!isOneOf(asked, remark.choice) || remark.grade == RemarkGrade::note || isAnswered) {
+            kept.push_back(std::move(remark));
+            continue;
+        }
+        const bool isRed = remark.grade == RemarkGrade::problem;
+        questions.push_back({remark.choice, isRed ? QuestionGrade::red : QuestionGrade::ask, remark.message,
+                             proposalFor(remark, choices), remark.answers, remark.line, remark.column,
+                             std::move(remark.further)});
+    }
+    remarks = std::move(kept);
+    std::ranges::stable_sort(questions, {}, &Question::grade);
+    return questions;
+}
+
+} // namespace palmer

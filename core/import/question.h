@@ -1,0 +1,40 @@
+#pragma once
+
+#include "import/choices.h"
+#include "import/remark.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+enum class QuestionGrade {
+    red, ///< the numbers look wrong, or data were left unread
+    ask, ///< the file does not say it
+};
+
+/// What has to be answered before a measurement is accepted: an answer is owed, no remark to be read over.
+struct Question {
+    std::string id; ///< key of the choice that answers it
+    QuestionGrade grade = QuestionGrade::ask;
+    Message sentence;
+    std::string proposal; ///< the word taken without an answer; empty: nothing is proposed
+    std::vector<std::string> answers =
+        {};               ///< the words there are, if the choice does not say them: sheets, axes
+    std::size_t line = 0; ///< as of a remark
+    std::size_t column = 0;
+    std::vector<std::size_t> further = {}; ///< lines it holds for, too
+
+    bool operator==(const Question &) const = default;
+};
+
+/// Takes the questions out of the remarks: those about a choice that changes numbers and was only guessed,
+/// and those about data that were not read. What is said several times is said once, with the further lines.
+[[nodiscard]] std::vector<Question> takeQuestions(std::vector<Remark> &remarks, const ImportOptions &options,
+                                                  std::span<const ImportChoice> choices);
+
+/// One remark for those of one kind, with the lines of the further ones.
+void joinRemarks(std::vector<Remark> &remarks);
+
+} // namespace palmer

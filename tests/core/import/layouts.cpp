@@ -1,0 +1,271 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "core/import/importpicture.h"
+
+#include <QTest>
+
+using namespace palmer;
+
+namespace {
+
+/// Roles without ignored ends, the runs, the questions that are not asked of every table: "roles / ↑ … /
+/// ids".
+QString outcome(const QByteArray &text, const ImportOptions &options = {}) {
+    Imported imported;
+    try {
+        imported = importMeasurement(text, "x.csv", options);
+    } catch (const Error &) {
+        return "refused";
+    }
+    QStringList lines{QString::fromStdString(wordOf(imported.columns))};
+    const QStringList picture = testdata::picture(imported).split('\n');
+    for (const QString &line : picture) {
+        if (line.startsWith("ISO 230-2"))
+            lines << line.section(':', 2).trimmed();
+        else
+            lines << line;
+    }
+    QStringList ids;
+    for (const Question &question : imported.questions) {
+        if (question.id != "sign" && question.id != "correctionTo20")
+            ids << QString::fromStdString(question.id);
+    }
+    ids.sort();
+    lines << ids.join(' ');
+    return lines.join(" / ");
+}
+
+} // namespace
+
+/// Tables as they lie about in workshops, with what a reader of them would say: roles of the columns, targets
+/// in mm, readings in µm, and the questions. Written by hand, from the tables alone.
+class LayoutsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void areReadAsPeopleReadThem_data();
+    void areReadAsPeopleReadThem();
+    void answersAreTaken_data();
+    void answersAreTaken();
+};
+
+void LayoutsTest::areReadAsPeopleReadThem_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("expected");
+    const auto row = [](const char *name, const char *text, const char *expected) {
+        QTest::newRow(name) << QByteArray(text) << QString(expected);
+    };
+    // Columns of different meaning.
+    row("target, measured, deviation",
+        "Target;Measured (mm);Deviation (µm)\n0;0.0012;1.2\n100;100.0021;2.1\n200;199.999;-1\n",
+        "target,actual,deviation / 0 100 200 / ↑ 1.2 2.1 -1 / directions positionUnit");
+    row("the same, all units",
+        "Target (mm);Measured (mm);Deviation (µm)\n0;0.0012;1.2\n100;100.0021;2.1\n200;199.999;-1\n",
+        "target,actual,deviation / 0 100 200 / ↑ 1.2 2.1 -1 / directions");
+    row("measured and deviation disagree",
+        "Target (mm);Measured (mm);Deviation (µm)\n0;0.0012;5\n100;100.0021;7\n200;199.999;9\n",
+        "target,actual,deviation / 0 100 200 / ↑ 5 7 9 / columns directions");
+    row("Soll, Ist, Abweichung", "Soll [mm];Ist [mm];Abw. [µm]\n0;0,001;1\n100;100,002;2\n200;199,999;-1\n",
+        "target,actual,deviation / 0 100 200 / ↑ 1 2 -1 / directions");
+    row("two kinds of readings", "Target (mm);Run 1 (µm);Deviation (µm)\n0;1;4\n100;2;5\n",
+        "target,ignored,deviation / 0 100 / ↑ 4 5 / columns directions");
+    row("two units", "Target (mm);Dev 1 (µm);Dev 2 (mm);Dev 3 (µm)\n0;1;0.004;7\n100;2;0.005;8\n",
+        "target,deviation1,ignored,deviation3 / 0 100 / ↑ 1 2 / ↓ 7 8 / columns directions");
+    row("temperature beside", "Target (mm);↑1 (µm);↓1 (µm);Temp (°C)\n0;1;2;20.1\n100;3;4;20.2\n",
+        "target,run+1,run-1,temperature / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    row("time beside", "Target (mm);Time (s);↑1 (µm);↓1 (µm)\n0;0;1;2\n100;10;3;4\n",
+        "target,time,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    // One further column cancels nothing.
+    for (const char *name :
+         {"B",         "s",     "Min",        "Max",      "R",       "Umkehrspanne", "Écart type", "Remark",
+          "Mean",      "Media", "Mittelwert", "Reversal", "Moyenne", "Std dev",      "Inversión",  "Gioco",
+          "Tolerance", "Feed",  "Batch",      "Wxyz",     "U",       "Notes",        "Streuung",   "Étendue"})
+        QTest::newRow(qPrintable(QString("further column %1").arg(name)))
+            << QByteArray("P (mm);1↑ (µm);1↓ (µm);2↑ (µm);2↓ (µm);") + name +
+                   "\n0;1;5;2;6;0.5\n100;3;7;4;8;0.7\n"
+            << QString("target,run+1,run-1,run+2,run-2,%1 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ")
+                   .arg(QStringList{"Tolerance", "Feed", "Batch", "Wxyz", "Remark", "Notes"}.contains(name)
+                            ? "ignored"
+                            : "statistic");
+    // Words that are no directions.
+    row("Pos (mm)",
+        "Soll-Pos. (mm);Pos 1 (mm);Pos 2 (mm)\n0;0.001;0.002\n100;100.003;100.004\n200;200.003;200.004\n",
+        "target,actual1,actual2 / 0 100 200 / ↑ 1 3 3 / ↓ 2 4 4 / directions");
+    row("Meas. pos.",
+        "Target pos. (mm);Meas. pos. 1 (mm);Meas. pos. 2 "
+        "(mm)\n0;0.001;0.002\n100;100.003;100.004\n200;200.003;200.004\n",
+        "target,actual1,actual2 / 0 100 200 / ↑ 1 3 3 / ↓ 2 4 4 / directions");
+    row("rev in a title", "X axis rev 2\nTarget (mm);1 (µm);2 (µm)\n0;1;5\n100;3;7\n",
+        "target,run1,run2 / 0 100 / ↑ 1 3 / ↓ 5 7 / directions");
+    row("Dec in a title", "12 Dec 2023\nTarget (mm);1 (µm);2 (µm)\n0;1;5\n100;3;7\n",
+        "target,run1,run2 / 0 100 / ↑ 1 3 / ↓ 5 7 / directions");
+    row("back in a title", "Mill with back spindle\n\nTarget (mm);1 (µm);2 (µm)\n0;1;5\n100;3;7\n",
+        "target,run1,run2 / 0 100 / ↑ 1 3 / ↓ 5 7 / directions");
+    // Directions in five languages.
+    const auto directions = [&](const char *name, const char *up, const char *down) {
+        QTest::newRow(name) << QByteArray("Target (mm);") + up + " 1 (µm);" + down +
+                                   " 1 (µm)\n0;1;5\n100;3;7\n"
+                            << QString("target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / ");
+    };
+    directions("forward", "forward", "backward");
+    directions("Forward, reverse", "Forward", "Reverse");
+    directions("up", "Up", "Down");
+    directions("fwd", "Fwd", "Bwd");
+    directions("positive", "Positive approach", "Negative approach");
+    directions("aller", "Aller", "Retour");
+    directions("approche", "Approche positive", "Approche négative");
+    directions("sens", "Sens +", "Sens -");
+    directions("montée", "Montée", "Descente");
+    directions("hin", "hin", "rück");
+    directions("Hinfahrt", "Hinfahrt", "Rückfahrt");
+    directions("vorwärts", "vorwärts", "rückwärts");
+    directions("vorwaerts", "vorwaerts", "rueckwaerts");
+    directions("positiv", "positiv", "negativ");
+    directions("andata", "Andata", "Ritorno");
+    directions("avanti", "avanti", "indietro");
+    directions("ida", "Ida", "Vuelta");
+    directions("adelante", "adelante", "atrás");
+    directions("arrows", "↑", "↓");
+    directions("Run", "Run +", "Run −");
+    // Abbreviations count beside their opposite, and are asked.
+    row("pos and neg", "Target (mm);pos 1 (µm);neg 1 (µm)\n0;1;5\n100;3;7\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / directions");
+    row("A and R", "Point (mm);1A (µm);1R (µm)\n0;1;5\n100;3;7\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / directions");
+    row("fwd and rev", "Target (mm);fwd 1 (µm);rev 1 (µm)\n0;1;5\n100;3;7\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / directions");
+    // Two axes are two tests.
+    row("X and Y", "Position (mm);X ↑ (µm);X ↓ (µm);Y ↑ (µm);Y ↓ (µm)\n0;1;2;30;40\n100;3;4;50;60\n",
+        "target,run+,run-,ignored,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / axis");
+    row("axis in a column", "Axis;Target (mm);Dir;Dev (µm)\nX;0;+;1\nX;100;+;2\nY;0;+;30\nY;100;+;40\n",
+        "ignored,target,direction,deviation / 0 100 / ↑ 1 2 / axis");
+    row("blocks of two axes",
+        "Axis X\nTarget (mm);↑1 (µm);↓1 (µm)\n0;1;2\n100;3;4\n\nAxis Y\nTarget (mm);↑1 (µm);↓1 "
+        "(µm)\n0;10;20\n100;30;40\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / axis");
+    // Blocks, stacks, lists.
+    row("blocks",
+        "Hinfahrt\nSoll (mm);1 (µm);2 (µm)\n0;1;2\n100;3;4\n\nRückfahrt\nSoll (mm);1 (µm);2 "
+        "(µm)\n100;5;6\n0;7;8\n",
+        "target,run1,run2 / 0 100 / ↑ 1 3 / ↓ 7 5 / ↑ 2 4 / ↓ 8 6 / ");
+    row("directions in a column", "Target (mm);Dir;1 (µm);2 (µm)\n0;+;1;2\n100;+;3;4\n0;-;5;6\n100;-;7;8\n",
+        "target,direction,run1,run2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ");
+    row("list",
+        "i;target (mm);direction;run;deviation (µm)\n1;0;+;1;1\n2;100;+;1;2\n3;0;-;1;3\n4;100;-;1;4\n",
+        "ignored,target,direction,number,deviation / 0 100 / ↑ 1 2 / ↓ 3 4 / ");
+    row("list with ±1",
+        "target (mm);direction;run;deviation (µm)\n0;1;1;1\n100;1;1;2\n100;-1;1;4\n0;-1;1;3\n",
+        "target,direction,number,deviation / 0 100 / ↑ 1 2 / ↓ 3 4 / ");
+    row("stack without a word", "Target (mm);Dev (µm)\n0;1\n100;2\n200;3\n0;5\n100;6\n200;7\n",
+        "target,deviation / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / directions");
+    row("there and back", "Target (mm);Dev (µm)\n0;1\n100;2\n200;3\n200;7\n100;6\n0;5\n",
+        "target,deviation / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / ");
+    row("group headings", "P (mm);Aller;;Retour;\n(mm);1 (µm);2 (µm);1 (µm);2 (µm)\n0;1;2;5;6\n100;3;4;7;8\n",
+        "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ");
+    row("across", "Run;0;100;200\n1 ↑ (µm);1;2;3\n1 ↓ (µm);4;5;6\n",
+        "ignored,run,run,run / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / content positionUnit");
+    row("across with a mean", "Run (mm);0;100;200\n1 ↑ (µm);1;2;3\n1 ↓ (µm);4;5;6\nMean;2.5;3.5;4.5\n",
+        "ignored,run,run,run / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / ");
+    row("across with another line", "Run (mm);0;100;200\n1 ↑ (µm);1;2;3\n1 ↓ (µm);4;5;6\nWxyz;9;9;9\n",
+        "ignored,run,run,run / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / unread");
+    // Markdown and other tables beside.
+    row("Markdown", "| P (mm) | 1↑ (µm) | 1↓ (µm) |\n| --- | ---: | ---: |\n| 0 | 1 | 2 |\n| 100 | 3 | 4 |\n",
+        "ignored,target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    row("another table below",
+        "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3;4\n200;5;6\n\nNo.;Feed;Power\n1;500;3\n2;600;4\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / unread");
+    // Nothing is read half.
+    row("a broken number", "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 – / ↓ 2 4 / unread");
+    row("thousands in targets", "P (mm);1↑ (µm);1↓ (µm)\n0,5;1,5;2,5\n1.250,5;3,5;4,5\n500,5;3,5;4,5\n",
+        "target,run+1,run-1 / 0.5 500.5 / ↑ 1.5 3.5 / ↓ 2.5 4.5 / unread");
+    row("a column without heading", "P (mm);1↑ (µm);1↓ (µm);\n0;1;2;7.5\n100;3;4;7.25\n",
+        "target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / columns");
+    row("no direction beside directions", "P (mm);Dev 1↑ (µm);Dev 1↓ (µm);Dev (µm)\n0;1;2;7\n100;3;4;8\n",
+        "target,deviation+1,deviation-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / columns");
+    // Numbers that look wrong.
+    row("millimetres off", "P (mm);Dev ↑ (mm);Dev ↓ (mm)\n0;1.5;2.5\n100;3.5;4.5\n",
+        "target,deviation+,deviation- / 0 100 / ↑ 1500 3500 / ↓ 2500 4500 / large");
+    row("nothing but zeros", "P (mm);Dev ↑ (µm);Dev ↓ (µm)\n0;0;1\n100;0;2\n",
+        "target,deviation+,deviation- / 0 100 / ↑ 0 0 / ↓ 1 2 / zeros");
+    row("targets again", "P (mm);Dev ↑1 (µm);Dev ↓1 (µm)\n0;0;1\n100;100;2\n200;200;3\n",
+        "target,deviation+1,deviation-1 / 0 100 200 / ↑ 0 100 200 / ↓ 1 2 3 / equalsTargets");
+    row("one run that is none",
+        "P (mm);Dev ↑1 (µm);Dev ↓1 (µm);Dev ↑2 (µm);Dev ↓2 (µm)\n0;1;1;2;-300\n100;2;3;4;400\n",
+        "target,deviation+1,deviation-1,deviation+2,deviation-2 / 0 100 / ↑ 1 2 / ↓ 1 3 / ↑ 2 4 / ↓ -300 400 "
+        "/ spread");
+    // Circles.
+    row("ballbar with its nominal radius",
+        "angle,radius_nominal,radius_measured,deviation\n0,100,100.001,1\n90,100,100.002,2\n180,100,100.001,"
+        "1\n270,100,100,0\n",
+        "angle,nominal,radius,ignored / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / "
+        "positionUnit unit");
+    row("phase and radius", "Phase (deg), Radius\n0, 100.001\n90, 100.002\n180, 100.001\n270, 100\n",
+        "angle,radius / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / unit");
+    // Series over time.
+    row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
+        "time,deviation,temperature / drift  0:0 60:1 120:2 / ");
+    row("two deviations over time", "Time (s);Dev X (µm);Dev Y (µm)\n0;0;5\n60;1;6\n",
+        "time,deviation,ignored / drift  0:0 60:1 / columns");
+    row("archive lines",
+        "MILL:X 2024-03-05 10:00:00.000 0.001\nMILL:X 2024-03-05 10:01:00.000 0.002\nMILL:X 2024-03-06 "
+        "10:01:00.000 0.003\n",
+        "ignored,ignored,time,deviation / drift  0:1 60:2 86460:3 / kind unit");
+    row("archive lines of two variables",
+        "MILL:X 2024-03-05 10:00:00 0.001\nMILL:Y 2024-03-05 10:00:00 5\nMILL:X 2024-03-05 10:01:00 0.002\n",
+        "ignored,ignored,time,deviation / drift  0:1 60:2 / kind series unit");
+    // What is no measurement.
+    row("prose", "Dear Sir,\nthe machine is fine.\n", "refused");
+    row("targets alone", "Target (mm)\n0\n100\n200\n", "refused");
+}
+
+void LayoutsTest::areReadAsPeopleReadThem() {
+    QFETCH(QByteArray, text);
+    QFETCH(QString, expected);
+    QCOMPARE(outcome(text), expected);
+}
+
+void LayoutsTest::answersAreTaken_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("word");
+    QTest::addColumn<QString>("expected");
+    const QByteArray axes = "Position (mm);X ↑ (µm);X ↓ (µm);Y ↑ (µm);Y ↓ (µm)\n0;1;2;30;40\n100;3;4;50;60\n";
+    QTest::newRow("the other axis") << axes << "axis"
+                                    << "Y"
+                                    << "target,ignored,ignored,run+,run- / 0 100 / ↑ 30 50 / ↓ 40 60 / ";
+    QTest::newRow("columns") << axes << "columns"
+                             << "target,ignored,ignored,ignored,run-"
+                             << "target,ignored,ignored,ignored,run- / 0 100 / ↓ 40 60 / ";
+    QTest::newRow("too many columns") << axes << "columns"
+                                      << "target,run,run,run,run,run"
+                                      << "refused";
+    QTest::newRow("columns of different roles") << axes << "columns"
+                                                << "target,run,deviation"
+                                                << "refused";
+    QTest::newRow("data left out") << QByteArray("P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n") << "unread"
+                                   << "leave"
+                                   << "target,run+1,run-1 / 0 100 / ↑ 1 – / ↓ 2 4 / ";
+    QTest::newRow("large deviations")
+        << QByteArray("P (mm);Dev ↑ (mm);Dev ↓ (mm)\n0;1.5;2.5\n100;3.5;4.5\n") << "large"
+        << "keep"
+        << "target,deviation+,deviation- / 0 100 / ↑ 1500 3500 / ↓ 2500 4500 / ";
+    QTest::newRow("the other variable")
+        << QByteArray(
+               "A 2024-03-05 10:00:00 1\nB 2024-03-05 10:00:00 5\nA 2024-03-05 10:01:00 2\nB 2024-03-05 "
+               "10:01:00 6\n")
+        << "series"
+        << "B"
+        << "ignored,ignored,time,deviation / drift  0:5 60:6 / kind unit";
+}
+
+void LayoutsTest::answersAreTaken() {
+    QFETCH(QByteArray, text);
+    QFETCH(QString, key);
+    QFETCH(QString, word);
+    QFETCH(QString, expected);
+    QCOMPARE(outcome(text, {{key.toStdString(), word.toStdString()}}), expected);
+}
+
+QTEST_GUILESS_MAIN(LayoutsTest)
+#include "layouts.moc"
