@@ -408,6 +408,15 @@ std::optional<Interval> SourceEstimate::interval() const {
     return Interval{*value - k * *u, *value + k * *u};
 }
 
+double shownUncertainty(const SourceEstimate &source) {
+    const double u = source.u.value_or(0);
+    const double unit = influence(source.id).unitsPerBase;
+    if (source.id != InfluenceId::commonLag || !(u > 0))
+        return u * unit;
+    const double root = std::sqrt(std::abs(source.value.value_or(0)));
+    return u / (2 * std::max(root, std::sqrt(u) / 2)) * unit;
+}
+
 const SourceEstimate *Diagnosis::find(InfluenceId id, PlaneAxis axis) const {
     const auto found =
         std::ranges::find_if(sources, [&](const SourceEstimate &s) { return s.id == id && s.axis == axis; });

@@ -75,6 +75,10 @@ struct SourceEstimate {
     [[nodiscard]] std::optional<Interval> interval() const;
 };
 
+/// u of a source in the unit it is shown in; 0 without u. The time of a lag is the root of what was fitted:
+/// near 0 its u is that of the root.
+[[nodiscard]] double shownUncertainty(const SourceEstimate &source);
+
 /// What is known of sources that cannot be told apart: Σ factor·value of them.
 struct SourceSum {
     struct Part {

@@ -22,8 +22,8 @@ constexpr double worthATrial = 1e-2;    ///< probability, by the quick test
 /// Pitches of screws and racks, mm.
 constexpr std::array plausiblePitches{1.0,  2.0,  2.5,  3.0,  4.0,  5.0,  6.0,  8.0,  10.0, 12.0,
                                       12.7, 15.0, 16.0, 20.0, 25.0, 25.4, 30.0, 32.0, 40.0, 50.0};
-/// Widths of spikes, degrees.
-constexpr std::array plausibleWidths{0.5, 1.0, 2.0, 4.0, 8.0};
+/// Widths of spikes, degrees; each half of the one before.
+constexpr std::array plausibleWidths{8.0, 4.0, 2.0, 1.0, 0.5};
 
 struct Candidate {
     std::vector<FitTerm> terms;
@@ -79,30 +79,35 @@ private:
         return fit.noise.variance(wider * m_rows.step() / angle);
     }
 
-    /// The part of the residual that a column reaches beyond what is fitted already.
-    [[nodiscard]] static double explained(const InfluenceFit &fit, const Vector &column) {
-        const double along = column.dot(fit.fit.residual);
-        const double rest = column.squaredNorm() - (fit.fit.basis.transpose() * column).squaredNorm();
-        return rest > 1e-9 * column.squaredNorm() ? along * along / rest : 0;
+    /// The part of the residual that each column alone reaches beyond what is fitted already.
+    [[nodiscard]] static Vector explained(const InfluenceFit &fit, const Eigen::MatrixXd &columns) {
+        const Vector along = columns.transpose() * fit.fit.residual;
+        const Vector whole = columns.colwise().squaredNorm();
+        const Vector rest =
+            whole - Vector((fit.fit.basis.transpose() * columns).colwise().squaredNorm().transpose());
+        return (rest.array() > 1e-9 * whole.array()).select(along.array().square() / rest.array(), 0);
     }
 
     template <class Keep>
     void addSpikes(const InfluenceFit &fit, PlaneAxis axis, const Keep &keep) const {
-        std::vector<double> since(m_rows.positions().size());
-        for (std::size_t i = 0; i < since.size(); ++i)
-            since[i] = sinceReversal(m_rows.positions()[i], axis);
-        for (const double width : plausibleWidths) {
-            const double angle = width * std::numbers::pi / 180;
-            if (angle < m_rows.step())
+        constexpr auto count = static_cast<Eigen::Index>(plausibleWidths.size());
+        Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(m_rows.size(), count);
+        for (Eigen::Index i = 0; i < m_rows.size(); ++i) {
+            if (!m_rows.counts(i))
                 continue;
-            Vector column = Vector::Zero(m_rows.size());
-            for (Eigen::Index i = 0; i < column.size(); ++i) {
-                const double ratio = since[std::size_t(i)] / width;
-                if (ratio < 12 && m_rows.counts(i))
-                    column[i] = std::exp(-ratio);
-            }
-            const double noise = noiseOf(fit, 2 * std::numbers::pi * angle);
-            keep({spikeTerms(axis, width, false), explained(fit, column) / noise});
+            // Every width is half of the one before: the square of its column.
+            double value =
+                std::exp(-sinceReversal(m_rows.positions()[std::size_t(i)], axis) / plausibleWidths[0]);
+            for (Eigen::Index k = 0; k < count; ++k, value *= value)
+                columns(i, k) = value;
+        }
+        const Vector scores = explained(fit, columns);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const double width = plausibleWidths[std::size_t(k)];
+            const double angle = width * std::numbers::pi / 180;
+            if (angle >= m_rows.step())
+                keep(
+                    {spikeTerms(axis, width, false), scores[k] / noiseOf(fit, 2 * std::numbers::pi * angle)});
         }
     }
 
@@ -140,7 +145,7 @@ private:
         }
         const std::vector<FitTerm> terms = driftTerms(m_options, m_bothSenses);
         constexpr double eighth = std::numbers::pi / 4; // of a turn
-        keep({terms, explained(fit, column) / noiseOf(fit, eighth)});
+        keep({terms, explained(fit, column)[0] / noiseOf(fit, eighth)});
     }
 
     const PathRows &m_rows;

@@ -146,28 +146,41 @@ std::size_t PathRows::circleOf(Eigen::Index row) const {
 }
 
 Eigen::MatrixXd PathRows::columns(std::span<const FitTerm> terms) const {
+    struct Column {
+        Influence::Column value;
+        PlaneAxis axis;
+        double shape;
+        double *row; ///< where the next mean goes
+        double sum = 0;
+    };
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size(), Eigen::Index(terms.size()));
     for (const ArcRows &arc : m_arcs) {
         const ArcWalk walk(m_circles[arc.circle], arc.arc, m_centres[arc.circle], m_lagAngle, m_pause);
-        PathPosition position;
-        std::vector<FitTerm> own;
-        std::vector<Eigen::Index> places;
+        std::vector<Column> columns;
         for (std::size_t j = 0; j < terms.size(); ++j) {
-            if (terms[j].id != InfluenceId::centre || terms[j].circle == arc.circle) {
-                own.push_back(terms[j]);
-                places.push_back(Eigen::Index(j));
+            const FitTerm &term = terms[j];
+            const Influence &row = influence(term.id);
+            if (term.id != InfluenceId::centre || term.circle == arc.circle)
+                columns.push_back({term.second ? row.second : row.column, term.axis, term.shape,
+                                   result.col(Eigen::Index(j)).data() + arc.record.begin});
+        }
+        PathPosition position;
+        for (std::size_t i = 0, row = arc.record.begin; i < walk.size(); ++row) {
+            for (const std::size_t end = std::min(i + arc.perRow, walk.size()); i < end; ++i) {
+                walk.at(i, position);
+                if (isReversal(position, arc.circle))
+                    continue;
+                for (Column &column : columns)
+                    column.sum += column.value(position, column.axis, column.shape);
+            }
+            const double weight = m_weights[Eigen::Index(row)];
+            for (Column &column : columns) {
+                *column.row++ = column.sum * weight;
+                column.sum = 0;
             }
         }
-        for (std::size_t i = 0; i < walk.size(); ++i) {
-            walk.at(i, position);
-            const auto row = Eigen::Index(arc.record.begin + i / arc.perRow);
-            if (isReversal(position, arc.circle))
-                continue;
-            for (std::size_t j = 0; j < own.size(); ++j)
-                result(row, places[j]) += columnValue(own[j], position);
-        }
     }
-    return m_weights.asDiagonal() * result;
+    return result;
 }
 
 } // namespace palmer

@@ -32,8 +32,14 @@ public:
     void startRecord() { m_started = false; }
 
     [[nodiscard]] double rounded(double reading) const {
-        return m_asked.resolution > 0 ? std::nearbyint(reading / m_asked.resolution) * m_asked.resolution
-                                      : reading;
+        if (!(m_asked.resolution > 0))
+            return reading;
+        // 1e-5 is no double, 1e5 is: the quotient has the short decimals of the display.
+        const double perUnit = 1 / m_asked.resolution;
+        const double whole = std::nearbyint(perUnit);
+        if (std::abs(perUnit - whole) <= 1e-9 * perUnit)
+            return std::nearbyint(reading * whole) / whole;
+        return std::nearbyint(reading / m_asked.resolution) * m_asked.resolution;
     }
 
 private:

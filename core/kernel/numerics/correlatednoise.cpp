@@ -238,13 +238,14 @@ void CorrelatedNoise::deriveCovariance(const Spectrum &spectrum) {
     if (m_derivatives.size() > 1)
         m_covariance += m_coloured * m_derivatives[1];
     const auto count = static_cast<Eigen::Index>(derivatives.size());
-    m_information.resize(count, count);
+    Eigen::MatrixXd information(count, count);
     for (Eigen::Index i = 0; i < count; ++i) {
         for (Eigen::Index j = 0; j < count; ++j)
-            m_information(i, j) = (spectrum.left.array() * derivatives[std::size_t(i)].array() *
-                                   derivatives[std::size_t(j)].array() / s.array().square())
-                                      .sum();
+            information(i, j) = (spectrum.left.array() * derivatives[std::size_t(i)].array() *
+                                 derivatives[std::size_t(j)].array() / s.array().square())
+                                    .sum();
     }
+    m_ofParameters = information.completeOrthogonalDecomposition().pseudoInverse();
 }
 
 double CorrelatedNoise::standardUncertainty(const Vector &weights) const {
@@ -255,10 +256,10 @@ double CorrelatedNoise::degreesOfFreedom(const Vector &weights) const {
     const double square = weights.dot(m_covariance * weights);
     if (!(square > 0))
         return 1;
-    Vector gradient(m_information.rows());
+    Vector gradient(m_ofParameters.rows());
     for (Eigen::Index i = 0; i < gradient.size(); ++i)
         gradient[i] = weights.dot(m_derivatives[std::size_t(i)] * weights);
-    const double variance = gradient.dot(m_information.completeOrthogonalDecomposition().solve(gradient));
+    const double variance = gradient.dot(m_ofParameters * gradient);
     return variance > 0 ? std::max(1.0, 2 * square * square / variance) : 1;
 }
 

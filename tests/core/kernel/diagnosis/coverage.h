@@ -5,6 +5,7 @@
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 
+#include <algorithm>
 #include <vector>
 
 /// How often the 95 % intervals of the diagnosis hold the truth.
