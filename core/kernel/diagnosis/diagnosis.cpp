@@ -115,7 +115,7 @@ double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows
         }
         return sum;
     };
-    // Between two readings all lags are alike: the middle of the best ones.
+    // Between two readings all lags are alike: the middle of the best ones, or none if none is as good.
     double best = sumOfSquares(0);
     std::vector<double> alike{0};
     for (int k = least; k <= most; ++k) {
@@ -128,7 +128,9 @@ double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows
         if (sum <= best * (1 + 1e-3))
             alike.push_back(degrees);
     }
-    return (alike.front() + alike.back()) / 2;
+    // Spikes, which are not fitted as yet, look a little like a lag; steps in the wrong place look far worse.
+    const bool none = (alike.front() <= 0 && alike.back() >= 0) || best > sumOfSquares(0) / 2;
+    return none ? 0 : (alike.front() + alike.back()) / 2;
 }
 
 std::string planeName(const DiagnosedCircle &circle) {

@@ -34,6 +34,13 @@ bool has(const std::vector<FitTerm> &terms, InfluenceId id, PlaneAxis axis) {
     return std::ranges::any_of(terms, [&](const FitTerm &t) { return t.id == id && t.axis == axis; });
 }
 
+/// Of a narrower one too little lies between the readings, and beyond what the reversals hide, to tell its
+/// height. Degrees.
+double narrowestSpike(const PathRows &rows) {
+    constexpr double beyondReversals = 0.3;
+    return std::max(beyondReversals, 1.5 * rows.step() * 180 / std::numbers::pi);
+}
+
 constexpr std::array axes{PlaneAxis::first, PlaneAxis::second};
 
 double stated(const DiagnosisOptions &options, PlaneAxis axis) {
@@ -72,11 +79,14 @@ public:
     [[nodiscard]] int trials() const { return m_trials; }
 
 private:
-    /// Noise in the band of something that takes `angle` (rad) for a wave. What is looked for counts as noise
-    /// as yet: in a band four times as wide it counts less.
+    /// Noise in the band of something that takes `angle` (rad) for a wave.
     [[nodiscard]] double noiseOf(const InfluenceFit &fit, double angle) const {
-        constexpr double wider = 4;
-        return fit.noise.variance(wider * m_rows.step() / angle);
+        return fit.noise.variance(m_rows.step() / angle);
+    }
+    /// What is looked for counts as noise as yet. A few waves a turn long, it would hide itself: in a band
+    /// four times as wide it counts less.
+    [[nodiscard]] double noiseAround(const InfluenceFit &fit, double angle) const {
+        return noiseOf(fit, angle / 4);
     }
 
     /// The part of the residual that each column alone reaches beyond what is fitted already.
@@ -105,9 +115,9 @@ private:
         for (Eigen::Index k = 0; k < count; ++k) {
             const double width = plausibleWidths[std::size_t(k)];
             const double angle = width * std::numbers::pi / 180;
-            if (angle >= m_rows.step())
-                keep(
-                    {spikeTerms(axis, width, false), scores[k] / noiseOf(fit, 2 * std::numbers::pi * angle)});
+            if (width >= narrowestSpike(m_rows))
+                keep({spikeTerms(axis, width, false),
+                      scores[k] / noiseAround(fit, 2 * std::numbers::pi * angle)});
         }
     }
 
@@ -145,7 +155,7 @@ private:
         }
         const std::vector<FitTerm> terms = driftTerms(m_options, m_bothSenses);
         constexpr double eighth = std::numbers::pi / 4; // of a turn
-        keep({terms, explained(fit, column)[0] / noiseOf(fit, eighth)});
+        keep({terms, explained(fit, column)[0] / noiseAround(fit, eighth)});
     }
 
     const PathRows &m_rows;
@@ -167,7 +177,7 @@ void refineWidths(const PathRows &rows, InfluenceFit &fit) {
             const double width = terms[j].shape;
             if (height == 0)
                 continue;
-            const double narrowest = rows.step() * 180 / std::numbers::pi / 2;
+            const double narrowest = narrowestSpike(rows);
             constexpr double widest = 20;
             const double wanted = width + fit.factor(j + 1) / height;
             const double next = std::clamp(std::clamp(wanted, width * 0.7, width * 1.4), narrowest, widest);
