@@ -37,6 +37,7 @@ private slots:
     void truthComesBack_data();
     void truthComesBack();
     void severalFeeds();
+    void sumOfWhatCannotBeTold();
     void teachingExamples_data();
     void teachingExamples();
     void positioning();
@@ -119,6 +120,36 @@ void SynthesizeCommandTest::severalFeeds() {
         }
     }
     QVERIFY(found);
+}
+
+void SynthesizeCommandTest::sumOfWhatCannotBeTold() {
+    const QString file = path("oneSense.palmer");
+    QCOMPARE(runCli({"synthesize", "circular", "--senses", "clockwise", "--points", "360", "--noise", "0.1",
+                     "--source", "squareness=30", "-o", file})
+                 .code,
+             0);
+    const QJsonArray sources = jsonOf(runCli({"evaluate", file, "--json"}).out)[u"tests"]
+                                   .toArray()
+                                   .first()[u"diagnosis"][u"sources"]
+                                   .toArray();
+    int sums = 0;
+    int apart = 0;
+    for (const QJsonValue source : sources) {
+        if (source[u"id"].toString() == "squareness") {
+            ++apart;
+            QVERIFY(source[u"value"].isNull() && !source[u"separable"].toBool());
+            QCOMPARE(source[u"with"].toArray().first().toString(), QString("servoMismatch"));
+        }
+        const QJsonValue first = source[u"of"].toArray().first();
+        if (source[u"id"].toString() == "sum" && first[u"id"].toString() == "squareness") {
+            ++sums;
+            QVERIFY(std::abs(source[u"value"].toDouble() - 30) < 5 * source[u"u"].toDouble());
+            QCOMPARE(source[u"unit"].toString(), QString("µrad"));
+        }
+    }
+    QCOMPARE(apart, 1);
+    QCOMPARE(sums, 1);
+    QVERIFY(runCli({"evaluate", file}).out.contains("Known of these sources is their sum: Squareness X–Y"));
 }
 
 void SynthesizeCommandTest::teachingExamples_data() {
