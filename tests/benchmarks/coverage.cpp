@@ -9,7 +9,7 @@
 int main(int argc, char **argv) {
     using namespace palmer;
     const int trials = argc > 1 ? std::atoi(argv[1]) : 10'000;
-    const int points = argc > 2 ? std::atoi(argv[2]) : 720;
+    const int points = argc > 2 ? std::atoi(argv[2]) : 1800;
     if (trials < 1 || points < 100) {
         std::fprintf(stderr, "palmer-diagnosis-coverage [TRIALS [POINTS]]\n");
         return 2;

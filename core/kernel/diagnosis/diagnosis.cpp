@@ -68,59 +68,79 @@ bool makesStep(InfluenceId id) {
     return id == InfluenceId::backlash || id == InfluenceId::lateralPlay;
 }
 
-/// How far the steps of commanded angles lie behind the reversals, degrees. The columns are fitted to what is
-/// far from the reversals; near them the lag is the one at which the steps so fitted meet the readings best.
-double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows, const InfluenceFit &fit) {
-    constexpr double reach = 3.5 * std::numbers::pi / 180;
-    constexpr double finest = 0.02;
-    constexpr int least = -10;
-    constexpr int most = 160; // −0.2° … 3.2°
-    bool steps = false;
-    for (std::size_t j = 0; j < fit.terms.size(); ++j)
-        steps |= makesStep(fit.terms[j].id) && std::abs(fit.factor(j)) > 5 * fit.u(j) &&
-                 std::abs(fit.factor(j)) > 1e-4 && fit.isSeparable(j);
-    if (!steps)
-        return 0;
-    struct Near {
-        PathPosition position;
-        double rest = 0; ///< what the smooth columns leave
-    };
-    std::vector<Near> near;
+/// A reading near a reversal, and what the smooth columns leave of it.
+struct NearReversal {
+    PathPosition position;
+    double rest = 0;
+};
+
+bool hasSteps(const InfluenceFit &fit) {
+    constexpr double least = 1e-4; // mm
+    for (std::size_t j = 0; j < fit.terms.size(); ++j) {
+        const double height = std::abs(fit.factor(j));
+        if (makesStep(fit.terms[j].id) && height > 5 * fit.u(j) && height > least && fit.isSeparable(j))
+            return true;
+    }
+    return false;
+}
+
+constexpr double lagReach = 3.5; ///< degrees from a reversal
+
+std::vector<NearReversal> nearReversals(std::span<const DiagnosedCircle> circles, const PathRows &rows,
+                                        const InfluenceFit &fit) {
+    const double reach = std::sin(lagReach * std::numbers::pi / 180);
+    std::vector<NearReversal> near;
     for (Eigen::Index i = 0; i < rows.size(); ++i) {
         const PathPosition &p = rows.positions()[std::size_t(i)];
-        if (!rows.counts(i) || std::min(std::abs(p.sine), std::abs(p.cosine)) > std::sin(reach) ||
-            !circles[rows.circleOf(i)].arcs.front().commanded)
+        const std::size_t circle = rows.circleOf(i);
+        if (!rows.counts(i) || std::min(std::abs(p.sine), std::abs(p.cosine)) > reach ||
+            !circles[circle].arcs.front().commanded)
             continue;
         double rest = rows.deviations()[i];
         for (std::size_t j = 0; j < fit.terms.size(); ++j) {
-            if (!makesStep(fit.terms[j].id) &&
-                (fit.terms[j].id != InfluenceId::centre || fit.terms[j].circle == rows.circleOf(i)))
-                rest -= fit.factor(j) * columnValue(fit.terms[j], p);
+            const FitTerm &term = fit.terms[j];
+            if (!makesStep(term.id) && (term.id != InfluenceId::centre || term.circle == circle))
+                rest -= fit.factor(j) * columnValue(term, p);
         }
         near.push_back({p, rest});
     }
-    const auto sumOfSquares = [&](double degrees) {
-        double sum = 0;
-        for (const Near &point : near) {
-            const double angle = degrees * std::numbers::pi / 180 * point.position.sense;
-            PathPosition p = point.position;
-            p.cosine = point.position.cosine * std::cos(angle) + point.position.sine * std::sin(angle);
-            p.sine = point.position.sine * std::cos(angle) - point.position.cosine * std::sin(angle);
-            double rest = point.rest;
-            for (std::size_t j = 0; j < fit.terms.size(); ++j) {
-                if (makesStep(fit.terms[j].id))
-                    rest -= fit.factor(j) * columnValue(fit.terms[j], p);
-            }
-            sum += rest * rest;
+    return near;
+}
+
+/// With the steps `degrees` later.
+double sumOfSquares(const std::vector<NearReversal> &near, const InfluenceFit &fit, double degrees) {
+    double sum = 0;
+    for (const NearReversal &point : near) {
+        const double angle = degrees * std::numbers::pi / 180 * point.position.sense;
+        PathPosition p = point.position;
+        p.cosine = point.position.cosine * std::cos(angle) + point.position.sine * std::sin(angle);
+        p.sine = point.position.sine * std::cos(angle) - point.position.cosine * std::sin(angle);
+        double rest = point.rest;
+        for (std::size_t j = 0; j < fit.terms.size(); ++j) {
+            if (makesStep(fit.terms[j].id))
+                rest -= fit.factor(j) * columnValue(fit.terms[j], p);
         }
-        return sum;
-    };
+        sum += rest * rest;
+    }
+    return sum;
+}
+
+/// How far the steps of commanded angles lie behind the reversals, degrees. The columns are fitted to what is
+/// far from the reversals; near them the lag is the one at which the steps so fitted meet the readings best.
+double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows, const InfluenceFit &fit) {
+    if (!hasSteps(fit))
+        return 0;
+    constexpr double finest = 0.02;
+    constexpr int least = -10;
+    constexpr int most = 160; // −0.2° … 3.2°
+    const std::vector<NearReversal> near = nearReversals(circles, rows, fit);
+    const double without = sumOfSquares(near, fit, 0);
     // Between two readings all lags are alike: the middle of the best ones, or none if none is as good.
-    double best = sumOfSquares(0);
+    double best = without;
     std::vector<double> alike{0};
     for (int k = least; k <= most; ++k) {
         const double degrees = k * finest;
-        const double sum = sumOfSquares(degrees);
+        const double sum = sumOfSquares(near, fit, degrees);
         if (sum < best * (1 - 1e-3)) {
             best = sum;
             alike.clear();
@@ -129,7 +149,7 @@ double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows
             alike.push_back(degrees);
     }
     // Spikes, which are not fitted as yet, look a little like a lag; steps in the wrong place look far worse.
-    const bool none = (alike.front() <= 0 && alike.back() >= 0) || best > sumOfSquares(0) / 2;
+    const bool none = (alike.front() <= 0 && alike.back() >= 0) || best > without / 2;
     return none ? 0 : (alike.front() + alike.back()) / 2;
 }
 
@@ -289,21 +309,8 @@ private:
             if (!m_diagnosis.sources[i].separable)
                 apart.push_back(i);
         }
-        std::vector<bool> done(m_terms.size());
-        for (const std::size_t first : apart) {
-            if (done[first])
-                continue;
-            std::vector<std::size_t> group{first};
-            done[first] = true;
-            for (std::size_t k = 0; k < group.size(); ++k) {
-                for (const std::size_t other : apart) {
-                    if (!done[other] && areLinked(m_terms[group[k]], m_terms[other])) {
-                        done[other] = true;
-                        group.push_back(other);
-                    }
-                }
-            }
-            std::ranges::sort(group);
+        while (!apart.empty()) {
+            const std::vector<std::size_t> group = takeGroup(apart);
             for (const std::size_t i : group) {
                 for (const std::size_t other : group) {
                     if (other != i)
@@ -313,6 +320,21 @@ private:
             if (group.size() > 1)
                 addSum(group);
         }
+    }
+
+    /// The first of the sources and all that are linked to it, directly or by others.
+    [[nodiscard]] std::vector<std::size_t> takeGroup(std::vector<std::size_t> &apart) const {
+        std::vector<std::size_t> group{apart.front()};
+        apart.erase(apart.begin());
+        for (std::size_t k = 0; k < group.size(); ++k) {
+            const auto linked = std::stable_partition(apart.begin(), apart.end(), [&](std::size_t other) {
+                return !areLinked(m_terms[group[k]], m_terms[other]);
+            });
+            group.insert(group.end(), linked, apart.end());
+            apart.erase(linked, apart.end());
+        }
+        std::ranges::sort(group);
+        return group;
     }
 
     /// One stands for the other, at least partly: in the null space, or with almost the same column.
@@ -475,7 +497,7 @@ Diagnosis diagnose(std::span<const DiagnosedCircle> circles, const DiagnosisOpti
         return {};
     std::vector<Point> centres;
     bool commanded = false;
-    bool senses[2]{};
+    std::array<bool, 2> senses{};
     for (const DiagnosedCircle &circle : circles) {
         const auto centre = centreOf(circle);
         if (!centre || !std::isfinite(centre->x) || !std::isfinite(centre->y))
@@ -494,8 +516,7 @@ Diagnosis diagnose(std::span<const DiagnosedCircle> circles, const DiagnosisOpti
         return {};
     double lagAngle = 0;
     if (commanded) {
-        constexpr double reach = 3.5;
-        const PathRows far(circles, centres, 0, pause, reach);
+        const PathRows far(circles, centres, 0, pause, lagReach);
         if (far.used() >= std::max(fewestPoints, 2 * terms.size()))
             lagAngle = lagOfSteps(circles, rows, InfluenceFit(far, terms));
         if (lagAngle != 0)

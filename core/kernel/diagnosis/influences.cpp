@@ -158,7 +158,7 @@ const Influence &influence(InfluenceId id) {
 }
 
 const Influence *findInfluence(const char *word) {
-    const auto found =
+    const auto *const found =
         std::ranges::find(rows, std::string_view(word), [](const Influence &row) { return row.word; });
     return found == rows.end() ? nullptr : &*found;
 }

@@ -59,11 +59,13 @@ PathRows::PathRows(std::span<const DiagnosedCircle> circles, std::span<const Poi
     , m_pause(pause) {
     std::size_t rows = 0;
     for (std::size_t k = 0; k < circles.size(); ++k) {
+        const double angle = largestDeviation(k) / circles[k].nominalRadius;
+        m_reversal.push_back(std::sin(std::clamp(angle, reach * degree, 5 * degree)));
         for (std::size_t a = 0; a < circles[k].arcs.size(); ++a) {
             const std::size_t n = circles[k].arcs[a].points.size();
-            const std::size_t perRow = (n + mostRows - 1) / mostRows;
-            const std::size_t size = perRow == 0 ? 0 : (n + perRow - 1) / perRow;
-            m_arcs.push_back({k, a, std::max<std::size_t>(1, perRow), {rows, size, 0}});
+            const std::size_t perRow = std::max<std::size_t>(1, (n + mostRows - 1) / mostRows);
+            const std::size_t size = (n + perRow - 1) / perRow;
+            m_arcs.push_back({k, a, perRow, {rows, size, 0}});
             rows += size;
             if (size > 1)
                 m_step = std::max(m_step, extentInTurns(circles[k].arcs[a]) * 2 * std::numbers::pi /
@@ -73,51 +75,51 @@ PathRows::PathRows(std::span<const DiagnosedCircle> circles, std::span<const Poi
     m_deviations = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows));
     m_weights = m_deviations;
     m_positions.resize(rows);
-
-    const double least = reach * degree;
-    for (std::size_t k = 0; k < circles.size(); ++k) {
-        double largest = 0;
-        for (std::size_t a = 0; a < circles[k].arcs.size(); ++a) {
-            const ArcWalk walk(circles[k], a, centres[k], lagAngle, pause);
-            PathPosition position;
-            double sum = 0;
-            double low = 0;
-            double high = 0;
-            for (std::size_t i = 0; i < walk.size(); ++i) {
-                const double r = walk.at(i, position) - circles[k].nominalRadius;
-                sum += r;
-                low = i == 0 ? r : std::min(low, r);
-                high = i == 0 ? r : std::max(high, r);
-            }
-            if (walk.size() > 0) {
-                const double mean = sum / static_cast<double>(walk.size());
-                largest = std::max({largest, high - mean, mean - low});
-            }
-        }
-        m_reversal.push_back(std::sin(std::clamp(largest / circles[k].nominalRadius, least, 5 * degree)));
-    }
-    for (ArcRows &arc : m_arcs) {
-        const ArcWalk walk(circles[arc.circle], arc.arc, centres[arc.circle], lagAngle, pause);
-        PathPosition position;
-        for (std::size_t i = 0; i < walk.size(); ++i) {
-            const double r = walk.at(i, position);
-            const std::size_t row = arc.record.begin + i / arc.perRow;
-            if (i % arc.perRow == arc.perRow / 2 || i + 1 == walk.size())
-                m_positions[row] = position;
-            if (isReversal(position, arc.circle))
-                continue;
-            m_deviations[Eigen::Index(row)] += r - circles[arc.circle].nominalRadius;
-            m_weights[Eigen::Index(row)] += 1;
-        }
-        for (std::size_t i = 0; i < arc.record.size; ++i) {
-            double &weight = m_weights[Eigen::Index(arc.record.begin + i)];
-            if (weight > 0) {
-                ++arc.record.used;
-                weight = 1 / weight;
-            }
-        }
-    }
+    for (ArcRows &arc : m_arcs)
+        fill(arc);
     m_deviations = m_deviations.cwiseProduct(m_weights);
+}
+
+double PathRows::largestDeviation(std::size_t circle) const {
+    double largest = 0;
+    for (std::size_t a = 0; a < m_circles[circle].arcs.size(); ++a) {
+        const ArcWalk walk(m_circles[circle], a, m_centres[circle], m_lagAngle, m_pause);
+        PathPosition position;
+        double sum = 0;
+        double low = 0;
+        double high = 0;
+        for (std::size_t i = 0; i < walk.size(); ++i) {
+            const double r = walk.at(i, position) - m_circles[circle].nominalRadius;
+            sum += r;
+            low = i == 0 ? r : std::min(low, r);
+            high = i == 0 ? r : std::max(high, r);
+        }
+        const double mean = walk.size() > 0 ? sum / static_cast<double>(walk.size()) : 0;
+        largest = std::max({largest, high - mean, mean - low});
+    }
+    return largest;
+}
+
+void PathRows::fill(ArcRows &arc) {
+    const ArcWalk walk(m_circles[arc.circle], arc.arc, m_centres[arc.circle], m_lagAngle, m_pause);
+    PathPosition position;
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+        const double r = walk.at(i, position);
+        const std::size_t row = arc.record.begin + i / arc.perRow;
+        if (i % arc.perRow == arc.perRow / 2 || i + 1 == walk.size())
+            m_positions[row] = position;
+        if (isReversal(position, arc.circle))
+            continue;
+        m_deviations[Eigen::Index(row)] += r - m_circles[arc.circle].nominalRadius;
+        m_weights[Eigen::Index(row)] += 1;
+    }
+    for (std::size_t i = 0; i < arc.record.size; ++i) {
+        double &weight = m_weights[Eigen::Index(arc.record.begin + i)];
+        if (weight > 0) {
+            ++arc.record.used;
+            weight = 1 / weight;
+        }
+    }
 }
 
 bool PathRows::isReversal(const PathPosition &position, std::size_t circle) const {
@@ -146,16 +148,8 @@ std::size_t PathRows::circleOf(Eigen::Index row) const {
 }
 
 Eigen::MatrixXd PathRows::columns(std::span<const FitTerm> terms) const {
-    struct Column {
-        Influence::Column value;
-        PlaneAxis axis;
-        double shape;
-        double *row; ///< where the next mean goes
-        double sum = 0;
-    };
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size(), Eigen::Index(terms.size()));
     for (const ArcRows &arc : m_arcs) {
-        const ArcWalk walk(m_circles[arc.circle], arc.arc, m_centres[arc.circle], m_lagAngle, m_pause);
         std::vector<Column> columns;
         for (std::size_t j = 0; j < terms.size(); ++j) {
             const FitTerm &term = terms[j];
@@ -164,23 +158,28 @@ Eigen::MatrixXd PathRows::columns(std::span<const FitTerm> terms) const {
                 columns.push_back({term.second ? row.second : row.column, term.axis, term.shape,
                                    result.col(Eigen::Index(j)).data() + arc.record.begin});
         }
-        PathPosition position;
-        for (std::size_t i = 0, row = arc.record.begin; i < walk.size(); ++row) {
-            for (const std::size_t end = std::min(i + arc.perRow, walk.size()); i < end; ++i) {
-                walk.at(i, position);
-                if (isReversal(position, arc.circle))
-                    continue;
-                for (Column &column : columns)
-                    column.sum += column.value(position, column.axis, column.shape);
-            }
-            const double weight = m_weights[Eigen::Index(row)];
-            for (Column &column : columns) {
-                *column.row++ = column.sum * weight;
-                column.sum = 0;
-            }
-        }
+        addMeans(arc, columns);
     }
     return result;
+}
+
+void PathRows::addMeans(const ArcRows &arc, std::vector<Column> &columns) const {
+    const ArcWalk walk(m_circles[arc.circle], arc.arc, m_centres[arc.circle], m_lagAngle, m_pause);
+    PathPosition position;
+    for (std::size_t i = 0, row = arc.record.begin; i < walk.size(); ++row) {
+        for (const std::size_t end = std::min(i + arc.perRow, walk.size()); i < end; ++i) {
+            walk.at(i, position);
+            if (isReversal(position, arc.circle))
+                continue;
+            for (Column &column : columns)
+                column.sum += column.value(position, column.axis, column.shape);
+        }
+        const double weight = m_weights[Eigen::Index(row)];
+        for (Column &column : columns) {
+            *column.row++ = column.sum * weight;
+            column.sum = 0;
+        }
+    }
 }
 
 } // namespace palmer

@@ -90,6 +90,18 @@ public:
     [[nodiscard]] Eigen::MatrixXd columns(std::span<const FitTerm> terms) const;
 
 private:
+    /// A column while its means are taken.
+    struct Column {
+        Influence::Column value;
+        PlaneAxis axis;
+        double shape;
+        double *row; ///< where the next mean goes
+        double sum = 0;
+    };
+    void addMeans(const ArcRows &arc, std::vector<Column> &columns) const;
+    /// From the mean distance of its arc, mm.
+    [[nodiscard]] double largestDeviation(std::size_t circle) const;
+    void fill(ArcRows &arc);
     [[nodiscard]] bool isReversal(const PathPosition &position, std::size_t circle) const;
 
     std::span<const DiagnosedCircle> m_circles;

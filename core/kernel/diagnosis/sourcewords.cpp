@@ -8,7 +8,7 @@ namespace {
 
 /// %1 the axis (of the plane: the first), %2 the other one.
 struct Words {
-    InfluenceId id;
+    InfluenceId id = InfluenceId::centre;
     Text positive;
     Text negative;
     Text advice;
