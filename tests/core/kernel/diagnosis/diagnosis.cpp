@@ -498,9 +498,10 @@ void DiagnosisTest::changeOfRadiusBetweenTheArcs() {
     const Diagnosis stepped = diagnose(made.circle(), options);
     QVERIFY(std::abs(valueOf(stepped, InfluenceId::lateralPlay, x)) < 1e-4);
     QVERIFY(std::abs(*stepped.find(InfluenceId::radiusDrift)->step - delta) < 1e-4);
-    const double ratio = *stepped.find(InfluenceId::lateralPlay, x)->u / stepped.residual /
-                         (*d.find(InfluenceId::lateralPlay, x)->u / d.residual);
-    Q_UNUSED(ratio);
+    const MadeCircle plain(synthesizeCircular(asked));
+    const double price = *diagnose(plain.circle(), options).find(InfluenceId::lateralPlay, x)->u /
+                         *diagnose(plain.circle(), withoutSearch).find(InfluenceId::lateralPlay, x)->u;
+    QVERIFY2(std::abs(price / 4.5 - 1) < 0.05, qPrintable(QString::number(price)));
     // With the pause known the drift alone is fitted.
     options.pause = 0.5;
     QVERIFY(!diagnose(made.circle(), options).find(InfluenceId::radiusDrift)->step);
