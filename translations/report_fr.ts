@@ -5242,6 +5242,355 @@
         <translation>Un nouvel essai, une importation, un fichier, un exemple. Un fichier contient un rapport&#xa0;: une machine, ses instruments et autant d’essais qu’on veut. Un essai ajouté reprend ce qui est indiqué pour celui qui est affiché, mais aucune valeur mesurée ni aucune limite.</translation>
     </message>
     <message>
+        <source>Centre %1</source>
+        <translation>Centre %1</translation>
+    </message>
+    <message>
+        <source>Radius, mean scale</source>
+        <translation>Rayon, échelle moyenne</translation>
+    </message>
+    <message>
+        <source>Scale mismatch %1</source>
+        <translation>Différence d’échelle %1</translation>
+    </message>
+    <message>
+        <source>Squareness %1</source>
+        <translation>Perpendicularité %1</translation>
+    </message>
+    <message>
+        <source>Servo mismatch %1</source>
+        <translation>Défaut de servo %1</translation>
+    </message>
+    <message>
+        <source>Backlash %1</source>
+        <translation>Jeu à l’inversion %1</translation>
+    </message>
+    <message>
+        <source>Lateral play %1</source>
+        <translation>Jeu latéral %1</translation>
+    </message>
+    <message>
+        <source>Straightness %1</source>
+        <translation>Rectitude %1</translation>
+    </message>
+    <message>
+        <source>Reversal spike %1</source>
+        <translation>Pic d’inversion %1</translation>
+    </message>
+    <message>
+        <source>Periodic deviation %1</source>
+        <translation>Écart périodique %1</translation>
+    </message>
+    <message>
+        <source>Common lag %1</source>
+        <translation>Retard commun %1</translation>
+    </message>
+    <message>
+        <source>Mismatch of the lags %1</source>
+        <translation>Différence des retards %1</translation>
+    </message>
+    <message>
+        <source>Drift of the radius</source>
+        <translation>Dérive du rayon</translation>
+    </message>
+    <message>
+        <source>One sense only: squareness and servo mismatch cannot be told apart.</source>
+        <translation>Un seul sens&#xa0;: la perpendicularité et le défaut de servo ne peuvent être distingués.</translation>
+    </message>
+    <message>
+        <source>Feedback signal: what the machine does beyond its scales is not seen.</source>
+        <translation>Signal de retour&#xa0;: ce que la machine fait au-delà de ses règles n’est pas vu.</translation>
+    </message>
+    <message>
+        <source>The contouring feed is not stated: the servo mismatch has no value.</source>
+        <translation>L’avance de contournage n’est pas indiquée&#xa0;: le défaut de servo n’a pas de valeur.</translation>
+    </message>
+    <message>
+        <source>The path lies %1 behind the commanded angles.</source>
+        <translation>La trajectoire est en retard de %1 sur les angles commandés.</translation>
+    </message>
+    <message>
+        <source>The pause between the arcs is not known: with the drift a step of the radius between the senses is fitted, and lateral play is less certain for it.</source>
+        <translation>La pause entre les arcs n’est pas connue&#xa0;: avec la dérive, un saut du rayon entre les sens est ajusté, ce qui rend le jeu latéral moins certain.</translation>
+    </message>
+    <message>
+        <source>Lateral play of both axes, opposite and alike: a radius that differs by δ between the senses looks the same (−0.78 δ and +0.78 δ).</source>
+        <translation>Jeux latéraux des deux axes, opposés et de même grandeur&#xa0;: un rayon qui diffère de δ entre les sens a le même aspect (−0,78&#xa0;δ et +0,78&#xa0;δ).</translation>
+    </message>
+    <message>
+        <source>Two feeds: nothing checks that the lag grows with the square of the feed; a third one would.</source>
+        <translation>Deux avances&#xa0;: rien ne vérifie que le retard croît comme le carré de l’avance&#x202f;; une troisième le ferait.</translation>
+    </message>
+    <message>
+        <source>%1 travels farther than %2: %1 is long or %2 short.</source>
+        <translation>%1 parcourt plus que %2&#xa0;: %1 est long ou %2 court.</translation>
+    </message>
+    <message>
+        <source>%1 travels less far than %2: %1 is short or %2 long.</source>
+        <translation>%1 parcourt moins que %2&#xa0;: %1 est court ou %2 long.</translation>
+    </message>
+    <message>
+        <source>Compare the scales, the pitch compensation and the temperatures of %1 and %2.</source>
+        <translation>Comparer les règles, la compensation de pas et les températures de %1 et %2.</translation>
+    </message>
+    <message>
+        <source>The angle from +%1 to +%2 is larger than 90°.</source>
+        <translation>L’angle de +%1 à +%2 dépasse 90°.</translation>
+    </message>
+    <message>
+        <source>The angle from +%1 to +%2 is smaller than 90°.</source>
+        <translation>L’angle de +%1 à +%2 est inférieur à 90°.</translation>
+    </message>
+    <message>
+        <source>Check guideways and levelling, then the squareness compensation.</source>
+        <translation>Vérifier les guidages et la mise de niveau, puis la compensation de perpendicularité.</translation>
+    </message>
+    <message>
+        <source>%1 follows later than %2.</source>
+        <translation>%1 suit plus tard que %2.</translation>
+    </message>
+    <message>
+        <source>%2 follows later than %1.</source>
+        <translation>%2 suit plus tard que %1.</translation>
+    </message>
+    <message>
+        <source>Match the position gains (Kv) of %1 and %2; the effect grows with the feed.</source>
+        <translation>Égaliser les gains de position (Kv) de %1 et %2&#x202f;; l’effet croît avec l’avance.</translation>
+    </message>
+    <message>
+        <source>%1 loses motion at each reversal.</source>
+        <translation>%1 perd de la course à chaque inversion.</translation>
+    </message>
+    <message>
+        <source>%1 moves too far at each reversal: its backlash is compensated too much.</source>
+        <translation>%1 va trop loin à chaque inversion&#xa0;: son jeu est surcompensé.</translation>
+    </message>
+    <message>
+        <source>Check screw, bearings and coupling of %1, then its backlash compensation.</source>
+        <translation>Vérifier la vis, les paliers et l’accouplement de %1, puis sa compensation de jeu.</translation>
+    </message>
+    <message>
+        <source>Reduce the backlash compensation of %1.</source>
+        <translation>Réduire la compensation de jeu de %1.</translation>
+    </message>
+    <message>
+        <source>%1 steps aside at each reversal: towards +%2 while it moves towards +.</source>
+        <translation>%1 se déporte à chaque inversion&#xa0;: vers +%2 quand il va vers +.</translation>
+    </message>
+    <message>
+        <source>%1 steps aside at each reversal: towards −%2 while it moves towards +.</source>
+        <translation>%1 se déporte à chaque inversion&#xa0;: vers −%2 quand il va vers +.</translation>
+    </message>
+    <message>
+        <source>Check gibs, guide shoes and preload of %1.</source>
+        <translation>Vérifier les réglettes, les patins et la précharge de %1.</translation>
+    </message>
+    <message>
+        <source>%1 runs on a bow: its ends lie towards +%2.</source>
+        <translation>%1 décrit un arc&#xa0;: ses extrémités sont vers +%2.</translation>
+    </message>
+    <message>
+        <source>%1 runs on a bow: its ends lie towards −%2.</source>
+        <translation>%1 décrit un arc&#xa0;: ses extrémités sont vers −%2.</translation>
+    </message>
+    <message>
+        <source>Check guideway, supports and levelling of %1.</source>
+        <translation>Vérifier le guidage, les appuis et la mise de niveau de %1.</translation>
+    </message>
+    <message>
+        <source>%1 sticks when it reverses: the path bulges outwards and comes back.</source>
+        <translation>%1 colle à l’inversion&#xa0;: la trajectoire fait une pointe vers l’extérieur puis revient.</translation>
+    </message>
+    <message>
+        <source>%1 jumps when it reverses: the path dents inwards and comes back.</source>
+        <translation>%1 saute à l’inversion&#xa0;: la trajectoire fait une pointe vers l’intérieur puis revient.</translation>
+    </message>
+    <message>
+        <source>Check lubrication and friction of %1, then its friction compensation.</source>
+        <translation>Vérifier le graissage et le frottement de %1, puis sa compensation de frottement.</translation>
+    </message>
+    <message>
+        <source>Reduce the friction compensation of %1.</source>
+        <translation>Réduire la compensation de frottement de %1.</translation>
+    </message>
+    <message>
+        <source>%1 deviates periodically along its travel.</source>
+        <translation>%1 s’écarte périodiquement le long de sa course.</translation>
+    </message>
+    <message>
+        <source>The pitch tells whether the screw, the rack or the measuring system of %1 is at fault.</source>
+        <translation>Le pas indique si la vis, la crémaillère ou le système de mesure de %1 est en cause.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lag: the circle shrinks with the feed.</source>
+        <translation>%1 et %2 sont en retard&#xa0;: le cercle rétrécit avec l’avance.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overshoot: the circle grows with the feed.</source>
+        <translation>%1 et %2 vont trop loin&#xa0;: le cercle grandit avec l’avance.</translation>
+    </message>
+    <message>
+        <source>Check the feed-forward and the position gains of %1 and %2.</source>
+        <translation>Vérifier l’anticipation et les gains de position de %1 et %2.</translation>
+    </message>
+    <message>
+        <source>%1 loses more of its stroke with the feed than %2.</source>
+        <translation>%1 perd plus de sa course avec l’avance que %2.</translation>
+    </message>
+    <message>
+        <source>%2 loses more of its stroke with the feed than %1.</source>
+        <translation>%2 perd plus de sa course avec l’avance que %1.</translation>
+    </message>
+    <message>
+        <source>The circle grows during the test.</source>
+        <translation>Le cercle grandit pendant l’essai.</translation>
+    </message>
+    <message>
+        <source>The circle shrinks during the test.</source>
+        <translation>Le cercle rétrécit pendant l’essai.</translation>
+    </message>
+    <message>
+        <source>Check warm-up and temperatures of machine and instrument.</source>
+        <translation>Vérifier la mise en température et les températures de la machine et de l’instrument.</translation>
+    </message>
+    <message>
+        <source>These arcs hardly tell it.</source>
+        <translation>Ces arcs ne la déterminent guère.</translation>
+    </message>
+    <message>
+        <source>These arcs do not tell it from other sources.</source>
+        <translation>Ces arcs ne la distinguent pas d’autres sources.</translation>
+    </message>
+    <message>
+        <source>Taken out before any deviation is stated.</source>
+        <translation>Retiré avant l’indication de tout écart.</translation>
+    </message>
+    <message>
+        <source>Diagnosis (an interpretation)</source>
+        <translation>Diagnostic (interprétation)</translation>
+    </message>
+    <message>
+        <source>Not a result of ISO 230-4, and no part of the verdict: the path taken apart into known faults of machines. u is the standard uncertainty of the fit alone. The part of G(b) is what the source would make alone; parts do not add up.</source>
+        <translation>Ni un résultat de l’ISO&#xa0;230-4, ni un élément du verdict&#xa0;: le tracé est décomposé en défauts connus des machines. u est l’incertitude type de l’ajustement seul. La part de G(b) est ce que la source donnerait seule&#x202f;; les parts ne s’additionnent pas.</translation>
+    </message>
+    <message>
+        <source>Parameters told apart</source>
+        <translation>Paramètres séparés</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Rest, standard deviation</source>
+        <translation>Reste, écart-type</translation>
+    </message>
+    <message>
+        <source>Part of G(b)</source>
+        <translation>Part de G(b)</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Signification</translation>
+    </message>
+    <message>
+        <source>Known of these sources is their sum: %1 = %2 %4, u = %3 %4.</source>
+        <translation>De ces sources seule la somme est connue&#xa0;: %1 = %2&#xa0;%4, u = %3&#xa0;%4.</translation>
+    </message>
+    <message>
+        <source>an influence, in the units of the diagnosis (µm, µm/m, µrad, ms); after @ the pitch of cyclic in mm (10), the width of reversalSpike in degrees (1.5), the expansion of temperature in µm/(m·°C) (11.7)</source>
+        <translation>une influence, dans les unités du diagnostic (µm, µm/m, µrad, ms)&#x202f;; après @ le pas de cyclic en mm (10), la largeur de reversalSpike en degrés (1,5), la dilatation de temperature en µm/(m·°C) (11,7)</translation>
+    </message>
+    <message>
+        <source>circular: the plane, first and second axis</source>
+        <translation>circular&#xa0;: le plan, premier et second axe</translation>
+    </message>
+    <message>
+        <source>circular: nominal radius, mm</source>
+        <translation>circular&#xa0;: rayon nominal, mm</translation>
+    </message>
+    <message>
+        <source>circular: contouring feed, mm/min; several times: a test each</source>
+        <translation>circular&#xa0;: avance de contournage, mm/min&#x202f;; répétée&#xa0;: un essai pour chacune</translation>
+    </message>
+    <message>
+        <source>circular: points in each sense</source>
+        <translation>circular&#xa0;: points dans chaque sens</translation>
+    </message>
+    <message>
+        <source>circular: what is measured</source>
+        <translation>circular&#xa0;: ce qui est mesuré</translation>
+    </message>
+    <message>
+        <source>circular: the arc, degrees; without it 0:360</source>
+        <translation>circular&#xa0;: l’arc, degrés&#x202f;; sans elle 0:360</translation>
+    </message>
+    <message>
+        <source>circular: pause between the senses, in turns</source>
+        <translation>circular&#xa0;: pause entre les sens, en tours</translation>
+    </message>
+    <message>
+        <source>positioning: name of the axis</source>
+        <translation>positioning&#xa0;: nom de l’axe</translation>
+    </message>
+    <message>
+        <source>positioning: from the first target to the last, mm</source>
+        <translation>positioning&#xa0;: de la première position visée à la dernière, mm</translation>
+    </message>
+    <message>
+        <source>positioning: number of targets</source>
+        <translation>positioning&#xa0;: nombre de positions visées</translation>
+    </message>
+    <message>
+        <source>positioning: runs each way</source>
+        <translation>positioning&#xa0;: séries dans chaque sens</translation>
+    </message>
+    <message>
+        <source>standard deviation of the noise, µm; without it 0</source>
+        <translation>écart-type du bruit, µm&#x202f;; sans elle 0</translation>
+    </message>
+    <message>
+        <source>of neighbouring readings, 0 to below 1</source>
+        <translation>corrélation de relevés voisins, de 0 à moins de 1</translation>
+    </message>
+    <message>
+        <source>step of the readings, µm; 0: none</source>
+        <translation>pas des relevés, µm&#x202f;; 0&#xa0;: aucun</translation>
+    </message>
+    <message>
+        <source>start of the random numbers: the same gives the same measurement</source>
+        <translation>germe des nombres aléatoires&#xa0;: le même donne le même mesurage</translation>
+    </message>
+    <message>
+        <source>writes there what the measurement was made from</source>
+        <translation>y écrit ce dont le mesurage a été fait</translation>
+    </message>
+    <message>
+        <source>Made by computation, not measured</source>
+        <translation>Fait par calcul, non mesuré</translation>
+    </message>
+    <message>
+        <source>the command %1 takes one word: %2</source>
+        <translation>la commande %1 prend un mot&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>a measurement with known truth</source>
+        <translation>un mesurage dont la vérité est connue</translation>
+    </message>
+    <message>
+        <source>Not seen: smaller than its uncertainty.</source>
+        <translation>Non décelé&#xa0;: plus petit que son incertitude.</translation>
+    </message>
+    <message>
+        <source>Condition of the fit</source>
+        <translation>Conditionnement</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <comment>diagnosis</comment>
+        <translation>Source</translation>
+    </message>
+    <message>
         <source>API laser data (.pos)</source>
         <translation>données laser API (.pos)</translation>
     </message>

@@ -244,6 +244,54 @@
         <translation>Table rotative C, 360°</translation>
     </message>
     <message>
+        <source>Diagnosis: centre off</source>
+        <translation>Diagnostic : centre décalé</translation>
+    </message>
+    <message>
+        <source>Diagnosis: radius, mean scale</source>
+        <translation>Diagnostic : rayon, échelle moyenne</translation>
+    </message>
+    <message>
+        <source>Diagnosis: scale mismatch</source>
+        <translation>Diagnostic : différence d’échelle</translation>
+    </message>
+    <message>
+        <source>Diagnosis: squareness</source>
+        <translation>Diagnostic : perpendicularité</translation>
+    </message>
+    <message>
+        <source>Diagnosis: servo mismatch</source>
+        <translation>Diagnostic : défaut de servo</translation>
+    </message>
+    <message>
+        <source>Diagnosis: backlash</source>
+        <translation>Diagnostic : jeu à l’inversion</translation>
+    </message>
+    <message>
+        <source>Diagnosis: lateral play</source>
+        <translation>Diagnostic : jeu latéral</translation>
+    </message>
+    <message>
+        <source>Diagnosis: straightness</source>
+        <translation>Diagnostic : rectitude</translation>
+    </message>
+    <message>
+        <source>Diagnosis: periodic deviation</source>
+        <translation>Diagnostic : écart périodique</translation>
+    </message>
+    <message>
+        <source>Diagnosis: reversal spike</source>
+        <translation>Diagnostic : pic d’inversion</translation>
+    </message>
+    <message>
+        <source>Diagnosis: common lag, three feeds</source>
+        <translation>Diagnostic : retard commun, trois avances</translation>
+    </message>
+    <message>
+        <source>Diagnosis: drift of the radius</source>
+        <translation>Diagnostic : dérive du rayon</translation>
+    </message>
+    <message>
         <source>%1 · %2 targets, %3 runs</source>
         <translation>%1 · %2 points, %3 passes</translation>
     </message>

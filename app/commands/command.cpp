@@ -8,6 +8,7 @@
 #include "commands/import.h"
 #include "commands/report.h"
 #include "commands/selftest.h"
+#include "commands/synthesize.h"
 #include "commands/targets.h"
 #include "report/plaintext.h"
 
@@ -109,9 +110,9 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(),  reportCommand(),
-                                  figureCommand(),   importCommand(), exportCommand(),
-                                  targetsCommand(),  feedCommand(),   selftestCommand()};
+    static const std::array table{evaluateCommand(),   checkCommand(),   reportCommand(),  figureCommand(),
+                                  importCommand(),     exportCommand(),  targetsCommand(), feedCommand(),
+                                  synthesizeCommand(), selftestCommand()};
     return table;
 }
 

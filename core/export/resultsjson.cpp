@@ -2,6 +2,7 @@
 
 #include "document/filewords.h"
 #include "document/json.h"
+#include "export/diagnosisjson.h"
 #include "kernel/evaluation/targetvalue.h"
 
 #include <nlohmann/json.hpp>
@@ -207,6 +208,8 @@ Json testResults(const Test &source, const TestEvaluation &evaluation, const Lan
         test["circles"] = circles(results);
         test["uncertainty"] = uncertainty(evaluation.uncertainty);
         test["correction"] = number(results.correction);
+        if (Json diagnosis = diagnosisJson(source, evaluation, language); !diagnosis.is_null())
+            test["diagnosis"] = std::move(diagnosis);
     } else if (const auto *results = std::get_if<DriftResults>(&evaluation.results)) {
         const auto &drift = std::get<DriftMeasurement>(source.measurement);
         test["range"] = number(results->range);
@@ -223,11 +226,13 @@ QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileNa
     Json tests = Json::array();
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
         tests.push_back(testResults(*evaluated.document->tests[i], *evaluated.tests[i], language));
-    const Json file{{"format", "palmer results"},
-                    {"version", resultsVersion},
-                    {"program", "Palmer " PALMER_VERSION},
-                    {"file", fileName.toStdString()},
-                    {"tests", std::move(tests)}};
+    Json file{{"format", "palmer results"},
+              {"version", resultsVersion},
+              {"program", "Palmer " PALMER_VERSION},
+              {"file", fileName.toStdString()},
+              {"tests", std::move(tests)}};
+    if (Json feeds = feedDiagnosesJson(evaluated, language); !feeds.empty())
+        file["feedDiagnoses"] = std::move(feeds);
     return QByteArray::fromStdString(form == JsonForm::pretty ? printJson(file) : compactJson(file) + '\n');
 }
 

@@ -1,6 +1,7 @@
 #include "report/results.h"
 
 #include "kernel/evaluation/targetvalue.h"
+#include "report/diagnosisparts.h"
 #include "report/printednumbers.h"
 #include "report/wording.h"
 
@@ -204,6 +205,13 @@ private:
                 m_language.quantity(*results.correction, Quantity::deviation, 2));
         m_report.blocks.emplace_back(std::move(head));
         addParameters(test, evaluation, results.notCorrected);
+        if (!results.paths.empty())
+            addDiagnosis(diagnosisParts(diagnose(diagnosedCircle(m, results)), m_language));
+    }
+
+    void addDiagnosis(std::vector<Block> blocks) {
+        for (Block &block : blocks)
+            m_report.blocks.push_back(std::move(block));
     }
 
     void addDrift(const DriftMeasurement &drift, const DriftResults &results) {

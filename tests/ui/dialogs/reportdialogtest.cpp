@@ -98,6 +98,86 @@ void ReportDialogTest::savesAFileForEachLanguage() {
     QVERIFY(textOf(folder.filePath(QStringLiteral("report.en.pdf"))).contains(QStringLiteral("accuracy")));
 }
 
+void ReportDialogTest::doesNotSpeakTheLanguageOfTheWindow() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    shown.click("reportEnglish");
+    const QString first = folder.filePath(QStringLiteral("a.pdf")),
+                  second = folder.filePath(QStringLiteral("b.pdf"));
+    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
+    QVERIFY(!shown.dialog.saveTo(first).isEmpty());
+    setWindowLanguage(Language::Id::french);
+    QTRY_COMPARE(shown.dialog.findChild<QAbstractButton *>(QStringLiteral("savePdf"))->text(),
+                 QStringLiteral("&Enregistrer le PDF…"));
+    QVERIFY(!shown.dialog.saveTo(second).isEmpty());
+    QVERIFY(!textOf(first).isEmpty());
+    QCOMPARE(textOf(second), textOf(first));
+}
+
+void ReportDialogTest::choicesAreEditsOfTheDocument() {
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    const auto before = window.window->model().document();
+    const int pages = shown.dialog.pageCount();
+    shown.click("partReadings");
+    shown.click("partTargetTable");
+    shown.click("signLaboratory");
+    const ReportHead &head = window.window->model().document()->report;
+    QCOMPARE(head.leaveOut.size(), before->report.leaveOut.size() + 2);
+    QVERIFY(head.signatures != before->report.signatures);
+    QVERIFY(shown.dialog.pageCount() <= pages);
+    auto *paper = shown.dialog.findChild<QComboBox *>(QStringLiteral("paper"));
+    emit paper->activated(1);
+    QVERIFY(window.window->model().document()->report.paper == Paper::letter);
+    QCOMPARE(window.window->model().undoStack()->count(), 1); // one step, whatever was tried out
+    window.window->model().undoStack()->undo();
+    QVERIFY(*window.window->model().document() == *before);
+    QCOMPARE(shown.dialog.pageCount(), pages);
+}
+
+void ReportDialogTest::printsTheFilesEditionAndNoView() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("iso230-2-1988-example"));
+    const QString own = folder.filePath(QStringLiteral("own.pdf")),
+                  view = folder.filePath(QStringLiteral("view.pdf"));
+    {
+        ShownDialog shown(window);
+        shown.click("reportEnglish");
+        QVERIFY(!shown.dialog.saveTo(own).isEmpty());
+    }
+    window.window->evaluator().setView(0, "ISO 230-2:2014");
+    ShownDialog shown(window);
+    QVERIFY(!shown.dialog.saveTo(view).isEmpty());
+    QVERIFY(!textOf(own).isEmpty());
+    QCOMPARE(textOf(view), textOf(own));
+}
+
+void ReportDialogTest::prints() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    QPrinter printer(QPrinter::HighResolution);
+    const QString path = folder.filePath(QStringLiteral("printed.pdf"));
+    printer.setOutputFileName(path);
+    QVERIFY(shown.dialog.printOn(printer));
+    QCOMPARE(pagesOf(path), shown.dialog.pageCount());
+    printer.setPrintRange(QPrinter::PageRange);
+    printer.setFromTo(2, 2);
+    QVERIFY(shown.dialog.printOn(printer));
+    QCOMPARE(pagesOf(path), 1);
+}
+
+void ReportDialogTest::saysWhySavingFailed() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    QVERIFY(shown.dialog.saveTo(folder.filePath(QStringLiteral("missing/report.pdf"))).isEmpty());
+    auto *box = shown.dialog.findChild<QMessageBox *>(QStringLiteral("errorBox"));
+    QVERIFY(box && !box->informativeText().isEmpty());
+    box->close();
+}
+
 void ReportDialogTest::asksBeforeItReplacesAFile_data() {
     QTest::addColumn<QString>("languages");
     QTest::addColumn<QString>("existing");
@@ -140,3 +220,48 @@ void ReportDialogTest::asksBeforeItReplacesAFile() {
                 return;
             }
             dialog->findChild<QLineEdit *>("fileNameEdit")->setText(folder.filePath("r.pdf"));
+            dialog->findChild<QDialogButtonBox *>("buttonBox")->button(QDialogButtonBox::Save)->click();
+        } else if (auto *box = qobject_cast<QMessageBox *>(modal); box && box->objectName() == "replaceBox") {
+            ++asked;
+            if (allow)
+                box->findChild<QAbstractButton *>("replace")->click();
+            else
+                box->button(QMessageBox::Cancel)->click();
+        }
+    });
+    user.start(20);
+    const auto content = [&] {
+        QFile file(folder.filePath(existing));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    shown.click("savePdf");
+    QCOMPARE(asked, asks ? 1 : 0);
+    QCOMPARE(content(), QByteArray("signed"));
+    if (!asks)
+        return;
+    allow = true;
+    shown.click("savePdf");
+    QCOMPARE(asked, 2);
+    QVERIFY(content().startsWith("%PDF-"));
+}
+
+/// A report never takes the name of a test file.
+void ReportDialogTest::leavesTestFilesAlone() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("test.palmer"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("test") == 4);
+    file.close();
+    const ShownWindow window(examplePath("rotary-axis"));
+    ShownDialog shown(window);
+    shown.click("reportEnglish");
+    QVERIFY(shown.dialog.saveTo(path).isEmpty());
+    auto *box = shown.dialog.findChild<QMessageBox *>(QStringLiteral("errorBox"));
+    QVERIFY(box && !box->informativeText().isEmpty());
+    box->close();
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("test"));
+}
+
+QTEST_MAIN(ReportDialogTest)
+#include "reportdialogtest.moc"

@@ -1,0 +1,309 @@
+#include "commands/synthesize.h"
+
+#include "commands/outputfile.h"
+#include "commands/streams.h"
+#include "document/writedocument.h"
+#include "export/diagnosisjson.h"
+#include "kernel/diagnosis/synthesize.h"
+#include "language/entry.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::array options{
+    Option{"source", "ID[:AXIS]=VALUE[@SHAPE]",
+           REPORT_TEXT("report", "an influence, in the units of the diagnosis (µm, µm/m, µrad, ms); after @ "
+                                 "the pitch of cyclic in mm (10), the width of reversalSpike in degrees "
+                                 "(1.5), the expansion of temperature in µm/(m·°C) (11.7)"),
+           true},
+    Option{"plane", "XY", REPORT_TEXT("report", "circular: the plane, first and second axis")},
+    Option{"radius", "150", REPORT_TEXT("report", "circular: nominal radius, mm")},
+    Option{"feed", "1000",
+           REPORT_TEXT("report", "circular: contouring feed, mm/min; several times: a test each"), true},
+    Option{"points", "1800", REPORT_TEXT("report", "circular: points in each sense")},
+    Option{"senses", "both|counterclockwise|clockwise", REPORT_TEXT("report", "circular: what is measured")},
+    Option{"arc", "FROM:TO", REPORT_TEXT("report", "circular: the arc, degrees; without it 0:360")},
+    Option{"pause", "0", REPORT_TEXT("report", "circular: pause between the senses, in turns")},
+    Option{"axis", "X", REPORT_TEXT("report", "positioning: name of the axis")},
+    Option{"travel", "1000", REPORT_TEXT("report", "positioning: from the first target to the last, mm")},
+    Option{"targets", "11", REPORT_TEXT("report", "positioning: number of targets")},
+    Option{"runs", "5", REPORT_TEXT("report", "positioning: runs each way")},
+    Option{"noise", "0.1", REPORT_TEXT("report", "standard deviation of the noise, µm; without it 0")},
+    Option{"correlation", "0", REPORT_TEXT("report", "of neighbouring readings, 0 to below 1")},
+    Option{"resolution", "0", REPORT_TEXT("report", "step of the readings, µm; 0: none")},
+    Option{"seed", "N",
+           REPORT_TEXT("report", "start of the random numbers: the same gives the same measurement")},
+    Option{"truth", "TRUTH.json", REPORT_TEXT("report", "writes there what the measurement was made from")},
+    Option{"o", "OUT.palmer", REPORT_TEXT("report", "the test file to write")},
+};
+
+[[noreturn]] void refuse(const char *option, const QString &given) {
+    throw UsageError(
+        {REPORT_TEXT("report", "--%1 cannot be %2"), {std::string(option), given.toStdString()}});
+}
+
+double parsed(const char *option, const QString &given) {
+    const NumberEntry entry = enteredNumber(given, Quantity::number);
+    if (!entry.value || !std::isfinite(*entry.value))
+        refuse(option, given);
+    return *entry.value;
+}
+
+/// The number of an option, between the bounds.
+double number(const Invocation &invocation, const char *option, double otherwise, double least, double most) {
+    const auto given = invocation.value(QLatin1StringView(option));
+    if (!given)
+        return otherwise;
+    const double value = parsed(option, *given);
+    if (value < least || value > most)
+        refuse(option, *given);
+    return value;
+}
+
+std::size_t count(const Invocation &invocation, const char *option, std::size_t otherwise, double most) {
+    const double value = number(invocation, option, static_cast<double>(otherwise), 1, most);
+    if (value != std::floor(value))
+        refuse(option, *invocation.value(QLatin1StringView(option)));
+    return static_cast<std::size_t>(value);
+}
+
+constexpr double smallest = 1e-3;
+constexpr double largest = 1e6;
+constexpr double micrometres = 1000; ///< of a millimetre
+
+SynthesizedNoise noise(const Invocation &invocation) {
+    SynthesizedNoise result;
+    constexpr double most = 1e4;
+    result.deviation = number(invocation, "noise", 0, 0, most) / micrometres;
+    result.correlation = number(invocation, "correlation", 0, 0, 0.9999);
+    result.resolution = number(invocation, "resolution", 0, 0, most) / micrometres;
+    if (const auto seed = invocation.value(QLatin1StringView("seed"))) {
+        bool isNumber = false;
+        result.seed = seed->toLongLong(&isNumber);
+        if (!isNumber || result.seed < 0)
+            refuse("seed", *seed);
+    }
+    return result;
+}
+
+/// "backlash:X=6@10" taken apart.
+struct GivenSource {
+    QString whole;
+    QString id;
+    QString axis;
+    double value = 0;
+    std::optional<double> shape;
+};
+
+std::vector<GivenSource> givenSources(const Invocation &invocation) {
+    std::vector<GivenSource> result;
+    const QString all = invocation.value(QLatin1StringView("source")).value_or(QString());
+    for (const QString &whole : all.split(u'\n', Qt::SkipEmptyParts)) {
+        const qsizetype equals = whole.indexOf(u'=');
+        if (equals < 0)
+            refuse("source", whole);
+        GivenSource source;
+        source.whole = whole;
+        const QStringList name = whole.left(equals).split(u':');
+        const QStringList value = whole.mid(equals + 1).split(u'@');
+        if (name.size() > 2 || value.size() > 2)
+            refuse("source", whole);
+        source.id = name[0];
+        source.axis = name.value(1);
+        source.value = parsed("source", value[0]);
+        if (value.size() > 1) {
+            source.shape = parsed("source", value[1]);
+            if (!(*source.shape > 0))
+                refuse("source", whole);
+        }
+        result.push_back(source);
+    }
+    return result;
+}
+
+std::vector<double> feeds(const Invocation &invocation) {
+    std::vector<double> result;
+    const QString all = invocation.value(QLatin1StringView("feed")).value_or(QStringLiteral("1000"));
+    for (const QString &given : all.split(u'\n')) {
+        result.push_back(parsed("feed", given));
+        if (result.back() < smallest || result.back() > largest)
+            refuse("feed", given);
+    }
+    return result;
+}
+
+Plane plane(const Invocation &invocation) {
+    const QString given = invocation.value(QLatin1StringView("plane")).value_or(QStringLiteral("XY"));
+    if (given.size() != 2 || given[0] == given[1] || !given[0].isLetter() || !given[1].isLetter())
+        refuse("plane", given);
+    return {given.left(1).toStdString(), given.mid(1).toStdString()};
+}
+
+CircularSource circularSource(const GivenSource &given, const Plane &plane) {
+    const Influence *row = findInfluence(given.id.toUtf8().constData());
+    if (!row)
+        refuse("source", given.whole);
+    CircularSource source;
+    source.id = row->id;
+    const std::string axis = given.axis.toStdString();
+    if (row->ofAxis) {
+        if (axis != plane.first && axis != plane.second)
+            refuse("source", given.whole);
+        source.axis = axis == plane.first ? PlaneAxis::first : PlaneAxis::second;
+    } else if (!axis.empty()) {
+        refuse("source", given.whole);
+    }
+    source.value = baseParameter(row->id, given.value);
+    constexpr double pitch = 10;  // mm
+    constexpr double width = 1.5; // degrees
+    const bool shaped = row->id == InfluenceId::cyclic || row->id == InfluenceId::reversalSpike;
+    if (given.shape && !shaped)
+        refuse("source", given.whole);
+    source.shape = given.shape.value_or(row->id == InfluenceId::cyclic ? pitch : width);
+    return source;
+}
+
+CircularSynthesis circular(const Invocation &invocation) {
+    CircularSynthesis asked;
+    asked.plane = plane(invocation);
+    asked.radius = number(invocation, "radius", asked.radius, smallest, largest);
+    constexpr double most = 4e6; // a file takes 10⁷ readings, two senses
+    asked.points = count(invocation, "points", asked.points, most);
+    asked.pause = number(invocation, "pause", 0, 0, largest);
+    const QString senses = invocation.value(QLatin1StringView("senses")).value_or(QStringLiteral("both"));
+    if (senses == QLatin1StringView("counterclockwise"))
+        asked.senses = {Sense::counterclockwise};
+    else if (senses == QLatin1StringView("clockwise"))
+        asked.senses = {Sense::clockwise};
+    else if (senses != QLatin1StringView("both"))
+        refuse("senses", senses);
+    if (const auto arc = invocation.value(QLatin1StringView("arc"))) {
+        const QStringList ends = arc->split(u':');
+        if (ends.size() != 2)
+            refuse("arc", *arc);
+        asked.arc = {parsed("arc", ends[0]), parsed("arc", ends[1])};
+        const double extent = asked.arc.to - asked.arc.from;
+        if (!(extent > 0 && extent <= 360) || std::abs(asked.arc.from) > largest)
+            refuse("arc", *arc);
+    }
+    for (const GivenSource &given : givenSources(invocation))
+        asked.sources.push_back(circularSource(given, asked.plane));
+    asked.noise = noise(invocation);
+    return asked;
+}
+
+PositioningSynthesis positioning(const Invocation &invocation) {
+    PositioningSynthesis asked;
+    asked.axis = invocation.value(QLatin1StringView("axis")).value_or(QStringLiteral("X")).toStdString();
+    const double travel = number(invocation, "travel", 1000, smallest, largest);
+    constexpr double mostTargets = 10'000;
+    const std::size_t targets = count(invocation, "targets", 11, mostTargets);
+    for (std::size_t i = 0; i < targets; ++i)
+        asked.targets.push_back(targets > 1 ? travel * double(i) / double(targets - 1) : 0);
+    constexpr double mostRuns = 500;
+    asked.runs = static_cast<int>(count(invocation, "runs", 5, mostRuns));
+    struct Key {
+        const char *id;
+        double PositioningSynthesis::*value;
+        double base; ///< base unit of one
+        double zero; ///< added
+    };
+    const std::array keys{Key{"scale", &PositioningSynthesis::scale, 1e-6, 0},
+                          Key{"cyclic", &PositioningSynthesis::cyclic, 1e-3, 0},
+                          Key{"backlash", &PositioningSynthesis::backlash, 1e-3, 0},
+                          Key{"reversal", &PositioningSynthesis::reversal, 1e-3, 0},
+                          Key{"drift", &PositioningSynthesis::drift, 1e-3, 0},
+                          Key{"temperature", &PositioningSynthesis::temperature, 1, 20}};
+    for (const GivenSource &given : givenSources(invocation)) {
+        const auto key =
+            std::ranges::find_if(keys, [&](const Key &k) { return given.id == QLatin1StringView(k.id); });
+        const bool otherAxis = !given.axis.isEmpty() && given.axis.toStdString() != asked.axis;
+        if (key == keys.end() || otherAxis)
+            refuse("source", given.whole);
+        asked.*(key->value) = given.value * key->base + key->zero;
+        if (!given.shape)
+            continue;
+        if (given.id == QLatin1StringView("cyclic"))
+            asked.pitch = *given.shape;
+        else if (given.id == QLatin1StringView("temperature"))
+            asked.expansion = *given.shape;
+        else
+            refuse("source", given.whole);
+    }
+    asked.noise = noise(invocation);
+    return asked;
+}
+
+TestPointer
+madeTest(const Language &language, const char *edition, const char *id,
+         std::variant<PositioningMeasurement, CircularMeasurement, DriftMeasurement> measurement) {
+    Test test;
+    test.id = id;
+    test.edition = edition;
+    test.title = language.text(REPORT_TEXT("report", "Made by computation, not measured")).toStdString();
+    test.measurement = std::move(measurement);
+    return std::make_shared<const Test>(std::move(test));
+}
+
+int write(const Document &document, const QByteArray &truth, const Invocation &invocation,
+          const QString &output) {
+    QString file = output;
+    try {
+        writeOutput(writeDocument(document), file);
+        if (const auto other = invocation.value(QLatin1StringView("truth"))) {
+            file = *other;
+            writeOutput(truth, file);
+        }
+    } catch (const Error &error) {
+        printError(file, error, invocation.language);
+        return cannotRead;
+    }
+    return done;
+}
+
+int run(const Invocation &invocation) {
+    const QString &kind = invocation.arguments.front();
+    const bool isCircular = kind == QLatin1StringView("circular");
+    if (invocation.arguments.size() != 1 || (!isCircular && kind != QLatin1StringView("positioning")))
+        throw UsageError({REPORT_TEXT("report", "the command %1 takes one word: %2"),
+                          {std::string("synthesize"), std::string("circular|positioning")}});
+    const auto output = invocation.value(QLatin1StringView("o"));
+    if (!output)
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
+                          {std::string("synthesize"), std::string("-o OUT.palmer")}});
+    Document document;
+    document.writtenBy = "Palmer " PALMER_VERSION;
+    if (!isCircular) {
+        const PositioningSynthesis asked = positioning(invocation);
+        document.tests.push_back(
+            madeTest(invocation.language, "ISO 230-2:2014", "made", synthesizePositioning(asked)));
+        return write(document, truthJson(asked), invocation, *output);
+    }
+    CircularSynthesis asked = circular(invocation);
+    const std::vector<double> all = feeds(invocation);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        CircularSynthesis one = asked;
+        one.feed = all[i];
+        one.noise.seed += static_cast<long long>(i); // every test has noise of its own
+        const std::string id = "made-" + std::to_string(i + 1);
+        document.tests.push_back(
+            madeTest(invocation.language, "ISO 230-4:2005", id.c_str(), synthesizeCircular(one)));
+    }
+    return write(document, truthJson(asked, all), invocation, *output);
+}
+
+} // namespace
+
+Command synthesizeCommand() {
+    return {"synthesize", "circular|positioning", REPORT_TEXT("report", "a measurement with known truth"),
+            options, run};
+}
+
+} // namespace palmer

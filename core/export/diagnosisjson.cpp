@@ -1,0 +1,213 @@
+#include "export/diagnosisjson.h"
+
+#include "document/filewords.h"
+#include "document/json.h"
+#include "kernel/diagnosis/sourcewords.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double micrometres = 1000; ///< of a millimetre
+
+Json number(std::optional<double> value) {
+    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json sourceJson(const Diagnosis &diagnosis, const SourceEstimate &source, const Language &language) {
+    Json with = Json::array();
+    for (const std::size_t other : source.with)
+        with.push_back(sourceId(diagnosis.sources[other]));
+    Json result{{"id", influence(source.id).word},
+                {"axis", source.axis == PlaneAxis::none ? Json(nullptr) : Json(source.axisName)},
+                {"value", number(source.value ? std::optional(shownParameter(source.id, *source.value))
+                                              : std::nullopt)},
+                {"u", source.u ? number(shownUncertainty(source)) : Json(nullptr)},
+                {"unit", influence(source.id).unit},
+                {"contribution", number(source.contribution)},
+                {"separable", source.separable},
+                {"with", std::move(with)}};
+    if (source.separable)
+        result["degreesOfFreedom"] = number(source.degreesOfFreedom);
+    if (source.pitch)
+        result["pitch"] = *source.pitch;
+    if (source.phase)
+        result["phase"] = number(source.phase);
+    if (source.width)
+        result["width"] = *source.width;
+    if (source.step)
+        result["step"] = number(*source.step * micrometres);
+    if (source.proposed)
+        result["significance"] = number(source.significance);
+    result["name"] = language.sentence(sourceName(source)).toStdString();
+    result["text"] = language.sentence(sourceMeaning(diagnosis, source)).toStdString();
+    const Message advice = sourceAdvice(diagnosis, source);
+    if (!advice.text.empty())
+        result["advice"] = language.sentence(advice).toStdString();
+    return result;
+}
+
+Json sumJson(const Diagnosis &diagnosis, const SourceSum &sum) {
+    Json of = Json::array();
+    for (const SourceSum::Part &part : sum.of)
+        of.push_back({{"id", sourceId(diagnosis.sources[part.source])}, {"factor", number(part.factor)}});
+    return {{"id", "sum"},
+            {"of", std::move(of)},
+            {"value", number(sum.value)},
+            {"u", number(sum.u)},
+            {"unit", influence(diagnosis.sources[sum.of.front().source].id).unit},
+            {"contribution", number(sum.contribution)}};
+}
+
+Json toJson(const Diagnosis &diagnosis, const Language &language) {
+    if (!diagnosis.valid())
+        return nullptr;
+    Json sources = Json::array();
+    for (const SourceEstimate &source : diagnosis.sources)
+        sources.push_back(sourceJson(diagnosis, source, language));
+    for (const SourceSum &sum : diagnosis.sums)
+        sources.push_back(sumJson(diagnosis, sum));
+    Json remarks = Json::array();
+    for (const Message &remark : diagnosis.remarks)
+        remarks.push_back(language.sentence(remark).toStdString());
+    return {{"rank", diagnosis.rank},
+            {"of", diagnosis.of},
+            {"condition", number(diagnosis.condition)},
+            {"residual", number(diagnosis.residual)},
+            {"points", diagnosis.points},
+            {"readingsPerIndependent", number(diagnosis.readingsPerIndependent)},
+            {"lagAngle", number(diagnosis.lagAngle)},
+            {"sources", std::move(sources)},
+            {"remarks", std::move(remarks)}};
+}
+
+/// The circular test as the diagnosis sees it; null for another one.
+std::optional<DiagnosedCircle> circleOf(const Test &test, const TestEvaluation &evaluation) {
+    const auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
+    const auto *results = std::get_if<CircularResults>(&evaluation.results);
+    if (!measurement || !results || results->paths.empty())
+        return std::nullopt;
+    return diagnosedCircle(*measurement, *results);
+}
+
+Json noiseJson(const SynthesizedNoise &noise) {
+    return {{"deviation", noise.deviation * micrometres},
+            {"correlation", noise.correlation},
+            {"resolution", noise.resolution * micrometres},
+            {"seed", noise.seed},
+            {"unit", "µm"}};
+}
+
+Json truthHead(const char *kind) {
+    return {{"format", "palmer truth"}, {"version", 1}, {"kind", kind}};
+}
+
+QByteArray printed(const Json &json) {
+    return QByteArray::fromStdString(printJson(json));
+}
+
+} // namespace
+
+Json diagnosisJson(const Test &test, const TestEvaluation &evaluation, const Language &language) {
+    const auto circle = circleOf(test, evaluation);
+    return circle ? toJson(diagnose(*circle), language) : Json(nullptr);
+}
+
+Json feedDiagnosesJson(const EvaluatedDocument &evaluated, const Language &language) {
+    std::vector<std::pair<std::size_t, DiagnosedCircle>> circles;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (auto circle = circleOf(*evaluated.document->tests[i], *evaluated.tests[i]))
+            circles.emplace_back(i, std::move(*circle));
+    }
+    Json result = Json::array();
+    std::vector<bool> taken(circles.size());
+    for (std::size_t first = 0; first < circles.size(); ++first) {
+        if (taken[first])
+            continue;
+        Json tests = Json::array();
+        std::vector<DiagnosedCircle> group;
+        for (std::size_t k = first; k < circles.size(); ++k) {
+            const DiagnosedCircle &one = circles[first].second;
+            const DiagnosedCircle &other = circles[k].second;
+            const bool alike = one.first == other.first && one.second == other.second &&
+                               one.feedback == other.feedback && other.feed &&
+                               std::abs(one.nominalRadius - other.nominalRadius) <= 1e-6;
+            if (taken[k] || !alike)
+                continue;
+            taken[k] = true;
+            tests.push_back(circles[k].first + 1);
+            group.push_back(other);
+        }
+        if (!areSeveralFeeds(group))
+            continue;
+        Json diagnosis = toJson(diagnose(group), language);
+        if (!diagnosis.is_null())
+            result.push_back({{"tests", std::move(tests)}, {"diagnosis", std::move(diagnosis)}});
+    }
+    return result;
+}
+
+QByteArray truthJson(const CircularSynthesis &asked, std::span<const double> feeds) {
+    Json truth = truthHead("circular");
+    truth["plane"] = asked.plane.first + asked.plane.second;
+    truth["nominalRadius"] = asked.radius;
+    truth["feeds"] = Json(std::vector<double>(feeds.begin(), feeds.end()));
+    truth["points"] = asked.points;
+    truth["arc"] = Json{{"from", asked.arc.from}, {"to", asked.arc.to}};
+    truth["pause"] = asked.pause;
+    Json senses = Json::array();
+    for (const Sense sense : asked.senses)
+        senses.push_back(fileWord(sense));
+    truth["senses"] = std::move(senses);
+    Json sources = Json::array();
+    for (const CircularSource &source : asked.sources) {
+        Json one{{"id", influence(source.id).word},
+                 {"axis", source.axis == PlaneAxis::none    ? Json(nullptr)
+                          : source.axis == PlaneAxis::first ? Json(asked.plane.first)
+                                                            : Json(asked.plane.second)},
+                 {"value", shownParameter(source.id, source.value)},
+                 {"unit", influence(source.id).unit}};
+        if (source.id == InfluenceId::cyclic)
+            one["pitch"] = source.shape;
+        if (source.id == InfluenceId::reversalSpike)
+            one["width"] = source.shape;
+        sources.push_back(std::move(one));
+    }
+    truth["sources"] = std::move(sources);
+    truth["noise"] = noiseJson(asked.noise);
+    return printed(truth);
+}
+
+QByteArray truthJson(const PositioningSynthesis &asked) {
+    constexpr double micro = 1e6;
+    Json truth = truthHead("positioning");
+    truth["axis"] = asked.axis;
+    truth["runs"] = asked.runs;
+    Json sources = Json::array();
+    const auto add = [&](const char *id, double value, const char *unit) {
+        if (value != 0)
+            sources.push_back({{"id", id}, {"axis", asked.axis}, {"value", value}, {"unit", unit}});
+    };
+    add("scale", asked.scale * micro, "µm/m");
+    add("cyclic", asked.cyclic * micrometres, "µm");
+    if (asked.cyclic != 0)
+        sources.back()["pitch"] = asked.pitch;
+    add("backlash", asked.backlash * micrometres, "µm");
+    add("reversal", asked.reversal * micrometres, "µm");
+    add("drift", asked.drift * micrometres, "µm");
+    add("temperature", asked.temperature - 20, "°C above 20");
+    if (asked.temperature != 20)
+        sources.back()["expansion"] = asked.expansion;
+    truth["sources"] = std::move(sources);
+    truth["noise"] = noiseJson(asked.noise);
+    return printed(truth);
+}
+
+} // namespace palmer

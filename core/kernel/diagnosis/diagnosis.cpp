@@ -1,0 +1,538 @@
+#include "kernel/diagnosis/diagnosis.h"
+
+#include "kernel/diagnosis/influencefit.h"
+#include "kernel/diagnosis/remarks.h"
+#include "kernel/numerics/minimumzone.h"
+#include "kernel/numerics/studentt.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace palmer {
+
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr std::size_t fewestPoints = 30;
+
+bool isUsable(const DiagnosedCircle &circle) {
+    const auto matches = [](const DiagnosedArc &arc) { return arc.angles.size() == arc.points.size(); };
+    return circle.nominalRadius > 0 && std::isfinite(circle.nominalRadius) &&
+           (!circle.feed || (*circle.feed > 0 && std::isfinite(*circle.feed))) &&
+           std::ranges::all_of(circle.arcs, matches);
+}
+
+std::vector<FitTerm> basicTerms(std::size_t circles, bool severalFeeds, const DiagnosisOptions &options,
+                                bool bothSenses) {
+    std::vector<FitTerm> terms;
+    for (std::size_t k = 0; k < circles; ++k) {
+        for (const PlaneAxis axis : {PlaneAxis::first, PlaneAxis::second})
+            terms.push_back({InfluenceId::centre, axis, false, 0, k});
+    }
+    const auto add = [&terms](InfluenceId id) {
+        if (influence(id).ofAxis) {
+            terms.push_back({id, PlaneAxis::first});
+            terms.push_back({id, PlaneAxis::second});
+        } else {
+            terms.push_back({id, PlaneAxis::none});
+        }
+    };
+    for (const InfluenceId id : {InfluenceId::radius, InfluenceId::scaleMismatch, InfluenceId::squareness,
+                                 InfluenceId::servoMismatch, InfluenceId::backlash, InfluenceId::lateralPlay,
+                                 InfluenceId::straightness})
+        add(id);
+    if (severalFeeds) {
+        add(InfluenceId::commonLag);
+        add(InfluenceId::lagMismatch);
+    }
+    const auto append = [&terms](const std::vector<FitTerm> &more) {
+        terms.insert(terms.end(), more.begin(), more.end());
+    };
+    for (const PlaneAxis axis : {PlaneAxis::first, PlaneAxis::second}) {
+        if (options.spikeWidth)
+            append(spikeTerms(axis, *options.spikeWidth, true));
+        if (const auto pitch = options.pitch[axis == PlaneAxis::second])
+            append(cyclicTerms(axis, *pitch));
+    }
+    if (options.drift)
+        append(driftTerms(options, bothSenses));
+    return terms;
+}
+
+bool makesStep(InfluenceId id) {
+    return id == InfluenceId::backlash || id == InfluenceId::lateralPlay;
+}
+
+/// A reading near a reversal, and what the smooth columns leave of it.
+struct NearReversal {
+    PathPosition position;
+    double rest = 0;
+};
+
+bool hasSteps(const InfluenceFit &fit) {
+    constexpr double least = 1e-4; // mm
+    for (std::size_t j = 0; j < fit.terms.size(); ++j) {
+        const double height = std::abs(fit.factor(j));
+        if (makesStep(fit.terms[j].id) && height > 5 * fit.u(j) && height > least && fit.isSeparable(j))
+            return true;
+    }
+    return false;
+}
+
+constexpr double lagReach = 3.5; ///< degrees from a reversal
+
+std::vector<NearReversal> nearReversals(std::span<const DiagnosedCircle> circles, const PathRows &rows,
+                                        const InfluenceFit &fit) {
+    const double reach = std::sin(lagReach * std::numbers::pi / 180);
+    std::vector<NearReversal> near;
+    for (Eigen::Index i = 0; i < rows.size(); ++i) {
+        const PathPosition &p = rows.positions()[std::size_t(i)];
+        const std::size_t circle = rows.circleOf(i);
+        if (!rows.counts(i) || std::min(std::abs(p.sine), std::abs(p.cosine)) > reach ||
+            !circles[circle].arcs.front().commanded)
+            continue;
+        double rest = rows.deviations()[i];
+        for (std::size_t j = 0; j < fit.terms.size(); ++j) {
+            const FitTerm &term = fit.terms[j];
+            if (!makesStep(term.id) && (term.id != InfluenceId::centre || term.circle == circle))
+                rest -= fit.factor(j) * columnValue(term, p);
+        }
+        near.push_back({p, rest});
+    }
+    return near;
+}
+
+/// With the steps `degrees` later.
+double sumOfSquares(const std::vector<NearReversal> &near, const InfluenceFit &fit, double degrees) {
+    double sum = 0;
+    for (const NearReversal &point : near) {
+        const double angle = degrees * std::numbers::pi / 180 * point.position.sense;
+        PathPosition p = point.position;
+        p.cosine = point.position.cosine * std::cos(angle) + point.position.sine * std::sin(angle);
+        p.sine = point.position.sine * std::cos(angle) - point.position.cosine * std::sin(angle);
+        double rest = point.rest;
+        for (std::size_t j = 0; j < fit.terms.size(); ++j) {
+            if (makesStep(fit.terms[j].id))
+                rest -= fit.factor(j) * columnValue(fit.terms[j], p);
+        }
+        sum += rest * rest;
+    }
+    return sum;
+}
+
+/// How far the steps of commanded angles lie behind the reversals, degrees. The columns are fitted to what is
+/// far from the reversals; near them the lag is the one at which the steps so fitted meet the readings best.
+double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows, const InfluenceFit &fit) {
+    if (!hasSteps(fit))
+        return 0;
+    constexpr double finest = 0.02;
+    constexpr int least = -10;
+    constexpr int most = 160; // −0.2° … 3.2°
+    const std::vector<NearReversal> near = nearReversals(circles, rows, fit);
+    const double without = sumOfSquares(near, fit, 0);
+    // Between two readings all lags are alike: the middle of the best ones, or none if none is as good.
+    double best = without;
+    std::vector<double> alike{0};
+    for (int k = least; k <= most; ++k) {
+        const double degrees = k * finest;
+        const double sum = sumOfSquares(near, fit, degrees);
+        if (sum < best * (1 - 1e-3)) {
+            best = sum;
+            alike.clear();
+        }
+        if (sum <= best * (1 + 1e-3))
+            alike.push_back(degrees);
+    }
+    // Spikes, which are not fitted as yet, look a little like a lag; steps in the wrong place look far worse.
+    const bool none = (alike.front() <= 0 && alike.back() >= 0) || best > without / 2;
+    return none ? 0 : (alike.front() + alike.back()) / 2;
+}
+
+std::string planeName(const DiagnosedCircle &circle) {
+    return circle.first + "–" + circle.second;
+}
+
+/// Width of the minimum zone of a trace (one value a row of that circle) about the nominal radius, mm.
+double zoneOf(const PathRows &rows, std::size_t circle, const Vector &trace) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (const ArcRows &arc : rows.arcs()) {
+        if (arc.circle != circle)
+            continue;
+        for (std::size_t i = arc.record.begin; i < arc.record.begin + arc.record.size; ++i) {
+            const PathPosition &p = rows.positions()[i];
+            const double r = p.radius + trace[Eigen::Index(i)];
+            x.push_back(r * p.cosine);
+            y.push_back(r * p.sine);
+        }
+    }
+    const MinimumZone zone = minimumZone({x, y});
+    return zone.valid() ? zone.width : 0;
+}
+
+/// Makes the diagnosis of a finished fit.
+class Assembly {
+public:
+    Assembly(std::span<const DiagnosedCircle> circles, const PathRows &rows, const InfluenceFit &fit,
+             std::vector<Point> centres)
+        : m_circles(circles)
+        , m_rows(rows)
+        , m_fit(fit)
+        , m_centres(std::move(centres)) {}
+
+    Diagnosis diagnosis(const std::vector<FoundInfluence> &found) {
+        m_diagnosis.rank = m_fit.fit.rank;
+        m_diagnosis.of = static_cast<int>(m_fit.terms.size());
+        m_diagnosis.condition = m_fit.fit.condition;
+        m_diagnosis.residual = m_fit.residual;
+        m_diagnosis.readingsPerIndependent = m_fit.noise.readingsPerIndependent();
+        m_diagnosis.points = m_rows.used();
+        for (std::size_t j = 0; j < m_fit.terms.size(); ++j) {
+            if (isListed(m_fit.terms[j]))
+                addSource(j, found);
+        }
+        order();
+        findPartners();
+        return std::move(m_diagnosis);
+    }
+
+private:
+    [[nodiscard]] bool isListed(const FitTerm &term) const {
+        return !term.second && (term.id != InfluenceId::centre || m_circles.size() == 1);
+    }
+    /// The second column that goes with a term.
+    [[nodiscard]] bool hasSecond(std::size_t term) const {
+        return term + 1 < m_fit.terms.size() && m_fit.terms[term + 1].second;
+    }
+
+    void addSource(std::size_t j, const std::vector<FoundInfluence> &found) {
+        const FitTerm &term = m_fit.terms[j];
+        SourceEstimate source;
+        source.id = term.id;
+        source.axis = term.axis;
+        source.axisName = term.axis == PlaneAxis::none    ? planeName(m_circles.front())
+                          : term.axis == PlaneAxis::first ? m_circles.front().first
+                                                          : m_circles.front().second;
+        source.shape = term.shape;
+        source.fitted[0] = m_fit.factor(j);
+        source.separable = m_fit.isSeparable(j);
+        Vector weights = Vector::Unit(Eigen::Index(m_fit.terms.size()), Eigen::Index(j));
+        double value = source.fitted[0];
+        if (hasSecond(j) && term.id != InfluenceId::reversalSpike)
+            source.fitted[1] = m_fit.factor(j + 1);
+        if (term.id == InfluenceId::cyclic) {
+            source.separable = source.separable && m_fit.isSeparable(j + 1);
+            value = std::hypot(source.fitted[0], source.fitted[1]);
+            if (value > 0) {
+                weights[Eigen::Index(j)] = source.fitted[0] / value;
+                weights[Eigen::Index(j + 1)] = source.fitted[1] / value;
+            }
+            source.phase = std::atan2(source.fitted[1], source.fitted[0]);
+            source.pitch = term.shape;
+        }
+        if (term.id == InfluenceId::reversalSpike)
+            source.width = term.shape;
+        if (term.id == InfluenceId::radiusDrift && hasSecond(j))
+            source.step = source.fitted[1];
+        if (term.id == InfluenceId::centre)
+            value += term.axis == PlaneAxis::first ? m_centres.front().x : m_centres.front().y;
+        for (const FoundInfluence &one : found) {
+            if (one.id == term.id && one.axis == term.axis) {
+                source.proposed = true;
+                source.significance = one.significance;
+            }
+        }
+        if (source.separable) {
+            const bool needsFeed = term.id == InfluenceId::servoMismatch;
+            if (!needsFeed || m_circles.front().feed) {
+                source.value = value;
+                source.u = m_fit.u(weights);
+            }
+            source.degreesOfFreedom = m_fit.degreesOfFreedom(weights);
+            source.contribution = contribution({j});
+        }
+        m_terms.push_back(j);
+        m_diagnosis.sources.push_back(std::move(source));
+    }
+
+    /// To G(b) of the circle where it is largest; centre and radius are taken out before any G.
+    [[nodiscard]] double contribution(const std::vector<std::size_t> &terms) const {
+        const auto moves = [&](std::size_t j) {
+            return m_fit.terms[j].id != InfluenceId::centre && m_fit.terms[j].id != InfluenceId::radius;
+        };
+        if (std::ranges::none_of(terms, moves))
+            return 0;
+        Vector trace = Vector::Zero(m_rows.size());
+        for (const std::size_t j : terms) {
+            const bool both = hasSecond(j) && m_fit.terms[j].id != InfluenceId::reversalSpike;
+            for (std::size_t k = j; k <= j + (both ? 1 : 0); ++k) {
+                const double factor = m_fit.factor(k);
+                for (Eigen::Index i = 0; i < trace.size(); ++i)
+                    trace[i] += factor * columnValue(m_fit.terms[k], m_rows.positions()[std::size_t(i)]);
+            }
+        }
+        double largest = 0;
+        for (std::size_t circle = 0; circle < m_circles.size(); ++circle)
+            largest = std::max(largest, zoneOf(m_rows, circle, trace));
+        return largest;
+    }
+
+    /// What counts most first; then what cannot be told; centre and radius last.
+    void order() {
+        const auto key = [&](std::size_t i) {
+            const SourceEstimate &source = m_diagnosis.sources[i];
+            const bool last = source.id == InfluenceId::centre || source.id == InfluenceId::radius;
+            return std::pair(last ? 2 : source.contribution ? 0 : 1, -source.contribution.value_or(0));
+        };
+        std::vector<std::size_t> places(m_diagnosis.sources.size());
+        std::iota(places.begin(), places.end(), std::size_t(0));
+        std::ranges::stable_sort(places, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+        std::vector<SourceEstimate> sorted;
+        std::vector<std::size_t> terms;
+        for (const std::size_t i : places) {
+            sorted.push_back(std::move(m_diagnosis.sources[i]));
+            terms.push_back(m_terms[i]);
+        }
+        m_diagnosis.sources = std::move(sorted);
+        m_terms = std::move(terms);
+    }
+
+    /// Groups of sources that cannot be told apart, each with what is known of it.
+    void findPartners() {
+        std::vector<std::size_t> apart;
+        for (std::size_t i = 0; i < m_terms.size(); ++i) {
+            if (!m_diagnosis.sources[i].separable)
+                apart.push_back(i);
+        }
+        while (!apart.empty()) {
+            const std::vector<std::size_t> group = takeGroup(apart);
+            for (const std::size_t i : group) {
+                for (const std::size_t other : group) {
+                    if (other != i)
+                        m_diagnosis.sources[i].with.push_back(other);
+                }
+            }
+            if (group.size() > 1)
+                addSum(group);
+        }
+    }
+
+    /// The first of the sources and all that are linked to it, directly or by others.
+    [[nodiscard]] std::vector<std::size_t> takeGroup(std::vector<std::size_t> &apart) const {
+        std::vector<std::size_t> group{apart.front()};
+        apart.erase(apart.begin());
+        for (std::size_t k = 0; k < group.size(); ++k) {
+            const auto linked = std::stable_partition(apart.begin(), apart.end(), [&](std::size_t other) {
+                return !areLinked(m_terms[group[k]], m_terms[other]);
+            });
+            group.insert(group.end(), linked, apart.end());
+            apart.erase(linked, apart.end());
+        }
+        std::ranges::sort(group);
+        return group;
+    }
+
+    /// One stands for the other, at least partly: in the null space, or with almost the same column.
+    [[nodiscard]] bool areLinked(std::size_t a, std::size_t b) const {
+        const ColumnFit &fit = m_fit.fit;
+        const auto i = Eigen::Index(a);
+        const auto j = Eigen::Index(b);
+        if (std::abs(fit.hidden.row(i).dot(fit.hidden.row(j))) > 1e-6)
+            return true;
+        constexpr double close = 0.8; // correlation of the estimates
+        return std::abs(fit.toScaled.row(i).dot(fit.toScaled.row(j))) >
+               close * fit.inflation(i) * fit.inflation(j);
+    }
+
+    /// The combination of the group that the circle tells best: the eigenvector of the greatest eigenvalue of
+    /// its information after all other columns are fitted.
+    void addSum(const std::vector<std::size_t> &group) {
+        const auto n = Eigen::Index(group.size());
+        const Eigen::MatrixXd gram = information(group);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
+        const Vector best = eigen.eigenvectors().col(n - 1);
+        Eigen::Index leading = 0;
+        while (leading + 1 < n && std::abs(best[leading]) < 0.3 * best.cwiseAbs().maxCoeff())
+            ++leading;
+        SourceSum sum;
+        Vector weights = Vector::Zero(Eigen::Index(m_fit.terms.size()));
+        std::vector<std::size_t> terms;
+        const auto shownUnit = [&](Eigen::Index i) {
+            return influence(m_diagnosis.sources[group[std::size_t(i)]].id).unitsPerBase;
+        };
+        const auto weight = [&](Eigen::Index i) {
+            const auto term = Eigen::Index(m_terms[group[std::size_t(i)]]);
+            return best[i] * m_fit.fit.lengths[term];
+        };
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const std::size_t source = group[std::size_t(i)];
+            terms.push_back(m_terms[source]);
+            if (std::abs(best[i]) < 1e-3 * std::abs(best[leading]))
+                continue;
+            const double factor = weight(i) / weight(leading);
+            weights[Eigen::Index(m_terms[source])] = factor;
+            const SourceSum::Part part{source, factor * shownUnit(leading) / shownUnit(i)};
+            if (i == leading)
+                sum.of.insert(sum.of.begin(), part);
+            else
+                sum.of.push_back(part);
+        }
+        double value = 0;
+        for (std::size_t j = 0; j < m_fit.terms.size(); ++j)
+            value += weights[Eigen::Index(j)] * m_fit.factor(j);
+        sum.value = value * shownUnit(leading);
+        sum.u = m_fit.u(weights) * shownUnit(leading);
+        sum.contribution = contribution(terms);
+        m_diagnosis.sums.push_back(std::move(sum));
+    }
+
+    /// Of the scaled coefficients of the group when all others are free.
+    [[nodiscard]] Eigen::MatrixXd information(const std::vector<std::size_t> &group) const {
+        const Eigen::Index p = m_fit.fit.toScaled.rows();
+        // The scaled columns in the basis: (Mᵀ)⁺ = the transpose of the pseudo-inverse of M.
+        const Eigen::MatrixXd inBasis = m_fit.fit.toScaled.completeOrthogonalDecomposition().pseudoInverse();
+        std::vector<Eigen::Index> own;
+        std::vector<Eigen::Index> others;
+        for (Eigen::Index j = 0; j < p; ++j) {
+            const bool inside =
+                std::ranges::any_of(group, [&](std::size_t i) { return Eigen::Index(m_terms[i]) == j; });
+            (inside ? own : others).push_back(j);
+        }
+        Eigen::MatrixXd mine(inBasis.rows(), Eigen::Index(group.size()));
+        for (std::size_t i = 0; i < group.size(); ++i)
+            mine.col(Eigen::Index(i)) = inBasis.col(Eigen::Index(m_terms[group[i]]));
+        Eigen::MatrixXd rest(inBasis.rows(), Eigen::Index(others.size()));
+        for (std::size_t i = 0; i < others.size(); ++i)
+            rest.col(Eigen::Index(i)) = inBasis.col(others[i]);
+        if (rest.cols() > 0)
+            mine -= rest * rest.completeOrthogonalDecomposition().solve(mine);
+        return mine.transpose() * mine;
+    }
+
+    std::span<const DiagnosedCircle> m_circles;
+    const PathRows &m_rows;
+    const InfluenceFit &m_fit;
+    std::vector<Point> m_centres;
+    std::vector<std::size_t> m_terms; ///< of each source
+    Diagnosis m_diagnosis;
+};
+
+} // namespace
+
+std::optional<Interval> SourceEstimate::interval() const {
+    if (!value || !u)
+        return std::nullopt;
+    constexpr double most = 1e6;
+    const double k = studentQuantile975(static_cast<int>(std::min(degreesOfFreedom, most)));
+    return Interval{*value - k * *u, *value + k * *u};
+}
+
+double shownUncertainty(const SourceEstimate &source) {
+    const double u = source.u.value_or(0);
+    const double unit = influence(source.id).unitsPerBase;
+    if (source.id != InfluenceId::commonLag || !(u > 0))
+        return u * unit;
+    const double root = std::sqrt(std::abs(source.value.value_or(0)));
+    return u / (2 * std::max(root, std::sqrt(u) / 2)) * unit;
+}
+
+const SourceEstimate *Diagnosis::find(InfluenceId id, PlaneAxis axis) const {
+    const auto found =
+        std::ranges::find_if(sources, [&](const SourceEstimate &s) { return s.id == id && s.axis == axis; });
+    return found == sources.end() ? nullptr : &*found;
+}
+
+DiagnosedCircle diagnosedCircle(const CircularMeasurement &measurement, const CircularResults &results) {
+    DiagnosedCircle circle;
+    circle.first = measurement.plane.first;
+    circle.second = measurement.plane.second;
+    circle.nominalRadius = measurement.nominalRadius;
+    constexpr double secondsPerMinute = 60;
+    if (measurement.feed)
+        circle.feed = *measurement.feed / secondsPerMinute;
+    circle.feedback = measurement.source == SignalSource::feedback;
+    for (const EvaluatedPath &path : results.paths) {
+        const Arc &arc = measurement.arcs[path.arc];
+        DiagnosedArc one{path.sense, path.points.view(), {}, arc.angleReference == AngleReference::commanded};
+        one.angles.reserve(path.source.size());
+        for (const std::size_t i : path.source)
+            one.angles.push_back(arc.angles[i]);
+        circle.arcs.push_back(std::move(one));
+    }
+    const CircleOf of = results.paths.size() == 2 ? CircleOf::both
+                        : !results.paths.empty() && results.paths.front().sense == Sense::clockwise
+                            ? CircleOf::clockwise
+                            : CircleOf::counterclockwise;
+    if (const CircleResult *fitted = results.circle(of, ReferenceCircle::leastSquares))
+        circle.centre = fitted->centre;
+    return circle;
+}
+
+bool areSeveralFeeds(std::span<const DiagnosedCircle> circles) {
+    if (circles.size() < 2)
+        return false;
+    const DiagnosedCircle &one = circles.front();
+    const auto same = [&](const DiagnosedCircle &c) {
+        return c.first == one.first && c.second == one.second && c.feed.has_value() &&
+               c.feedback == one.feedback && std::abs(c.nominalRadius - one.nominalRadius) <= 1e-6;
+    };
+    const auto other = [&](const DiagnosedCircle &c) {
+        return std::abs(*c.feed - *one.feed) > 0.01 * *one.feed;
+    };
+    return std::ranges::all_of(circles, same) && std::ranges::any_of(circles, other);
+}
+
+Diagnosis diagnose(const DiagnosedCircle &circle, const DiagnosisOptions &options) {
+    return diagnose(std::span(&circle, 1), options);
+}
+
+Diagnosis diagnose(std::span<const DiagnosedCircle> circles, const DiagnosisOptions &options) {
+    const bool severalFeeds = areSeveralFeeds(circles);
+    if (circles.empty() || (circles.size() > 1 && !severalFeeds) || !std::ranges::all_of(circles, isUsable))
+        return {};
+    std::vector<Point> centres;
+    bool commanded = false;
+    std::array<bool, 2> senses{};
+    for (const DiagnosedCircle &circle : circles) {
+        const auto centre = centreOf(circle);
+        if (!centre || !std::isfinite(centre->x) || !std::isfinite(centre->y))
+            return {};
+        centres.push_back(*centre);
+        for (const DiagnosedArc &arc : circle.arcs) {
+            commanded |= arc.commanded;
+            senses[arc.sense == Sense::clockwise] |= arc.points.size() > 0;
+        }
+    }
+    const bool bothSenses = senses[0] && senses[1];
+    const double pause = options.pause.value_or(0);
+    PathRows rows(circles, centres, 0, pause);
+    const std::vector<FitTerm> terms = basicTerms(circles.size(), severalFeeds, options, bothSenses);
+    if (rows.used() < std::max(fewestPoints, 2 * terms.size()) || !rows.deviations().allFinite())
+        return {};
+    double lagAngle = 0;
+    if (commanded) {
+        const PathRows far(circles, centres, 0, pause, lagReach);
+        if (far.used() >= std::max(fewestPoints, 2 * terms.size()))
+            lagAngle = lagOfSteps(circles, rows, InfluenceFit(far, terms));
+        if (lagAngle != 0)
+            rows = PathRows(circles, centres, lagAngle, pause);
+    }
+    InfluenceFit fit(rows, terms);
+    std::vector<FoundInfluence> found;
+    if (options.search)
+        found = searchInfluences(rows, options, fit);
+    Diagnosis result = Assembly(circles, rows, fit, centres).diagnosis(found);
+    result.first = circles.front().first;
+    result.second = circles.front().second;
+    result.lagAngle = lagAngle;
+    result.pause = pause;
+    result.remarks = diagnosisRemarks(circles, options, result);
+    return result;
+}
+
+} // namespace palmer

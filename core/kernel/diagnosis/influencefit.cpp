@@ -1,0 +1,289 @@
+#include "kernel/diagnosis/influencefit.h"
+
+#include "kernel/diagnosis/pitchscan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace palmer {
+
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double mostHidden = 1e-6;
+constexpr double mostInflated = 10;
+constexpr double leastAmplitude = 2e-5; ///< mm: no instrument for circles tells less
+constexpr double mostByChance = 1e-3;   ///< probability
+constexpr double worthATrial = 1e-2;    ///< probability, by the quick test
+
+/// Pitches of screws and racks, mm.
+constexpr std::array plausiblePitches{1.0,  2.0,  2.5,  3.0,  4.0,  5.0,  6.0,  8.0,  10.0, 12.0,
+                                      12.7, 15.0, 16.0, 20.0, 25.0, 25.4, 30.0, 32.0, 40.0, 50.0};
+/// Widths of spikes, degrees; each half of the one before.
+constexpr std::array plausibleWidths{8.0, 4.0, 2.0, 1.0, 0.5};
+
+struct Candidate {
+    std::vector<FitTerm> terms;
+    double score = 0; ///< explained part of the sum of squares by the variance of noise of its band
+};
+
+bool has(const std::vector<FitTerm> &terms, InfluenceId id, PlaneAxis axis) {
+    return std::ranges::any_of(terms, [&](const FitTerm &t) { return t.id == id && t.axis == axis; });
+}
+
+/// Of a narrower one too little lies between the readings, and beyond what the reversals hide, to tell its
+/// height. Degrees.
+double narrowestSpike(const PathRows &rows) {
+    constexpr double beyondReversals = 0.3;
+    return std::max(beyondReversals, 1.5 * rows.step() * 180 / std::numbers::pi);
+}
+
+constexpr std::array axes{PlaneAxis::first, PlaneAxis::second};
+
+double stated(const DiagnosisOptions &options, PlaneAxis axis) {
+    return options.pitch[axis == PlaneAxis::second].value_or(0);
+}
+
+/// All that is looked for, with how much of the residual it would explain.
+class Search {
+public:
+    Search(const PathRows &rows, const DiagnosisOptions &options)
+        : m_rows(rows)
+        , m_options(options)
+        , m_bothSenses(std::ranges::any_of(rows.positions(), [](const auto &p) { return p.sense > 0; }) &&
+                       std::ranges::any_of(rows.positions(), [](const auto &p) { return p.sense < 0; })) {}
+
+    /// The most conspicuous; score 0 if there is nothing to look for.
+    Candidate best(const InfluenceFit &fit) {
+        m_trials = 0;
+        Candidate result;
+        const auto keep = [&](Candidate candidate) {
+            ++m_trials;
+            if (candidate.score > result.score)
+                result = std::move(candidate);
+        };
+        for (const PlaneAxis axis : axes) {
+            if (!m_options.spikeWidth && !has(fit.terms, InfluenceId::reversalSpike, axis))
+                addSpikes(fit, axis, keep);
+            if (stated(m_options, axis) == 0 && !has(fit.terms, InfluenceId::cyclic, axis))
+                addPitches(fit, axis, keep);
+        }
+        if (!has(fit.terms, InfluenceId::radiusDrift, PlaneAxis::none))
+            addDrift(fit, keep);
+        return result;
+    }
+
+    [[nodiscard]] int trials() const { return m_trials; }
+
+private:
+    /// Noise in the band of something that takes `angle` (rad) for a wave.
+    [[nodiscard]] double noiseOf(const InfluenceFit &fit, double angle) const {
+        return fit.noise.variance(m_rows.step() / angle);
+    }
+    /// What is looked for counts as noise as yet. A few waves a turn long, it would hide itself: in a band
+    /// four times as wide it counts less.
+    [[nodiscard]] double noiseAround(const InfluenceFit &fit, double angle) const {
+        return noiseOf(fit, angle / 4);
+    }
+
+    /// The part of the residual that each column alone reaches beyond what is fitted already.
+    [[nodiscard]] static Vector explained(const InfluenceFit &fit, const Eigen::MatrixXd &columns) {
+        const Vector along = columns.transpose() * fit.fit.residual;
+        const Vector whole = columns.colwise().squaredNorm();
+        const Vector rest =
+            whole - Vector((fit.fit.basis.transpose() * columns).colwise().squaredNorm().transpose());
+        return (rest.array() > 1e-9 * whole.array()).select(along.array().square() / rest.array(), 0);
+    }
+
+    template <class Keep>
+    void addSpikes(const InfluenceFit &fit, PlaneAxis axis, const Keep &keep) const {
+        constexpr auto count = static_cast<Eigen::Index>(plausibleWidths.size());
+        Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(m_rows.size(), count);
+        for (Eigen::Index i = 0; i < m_rows.size(); ++i) {
+            if (!m_rows.counts(i))
+                continue;
+            // Every width is half of the one before: the square of its column.
+            double value =
+                std::exp(-sinceReversal(m_rows.positions()[std::size_t(i)], axis) / plausibleWidths[0]);
+            for (Eigen::Index k = 0; k < count; ++k, value *= value)
+                columns(i, k) = value;
+        }
+        const Vector scores = explained(fit, columns);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const double width = plausibleWidths[std::size_t(k)];
+            const double angle = width * std::numbers::pi / 180;
+            if (width >= narrowestSpike(m_rows))
+                keep({spikeTerms(axis, width, false),
+                      scores[k] / noiseAround(fit, 2 * std::numbers::pi * angle)});
+        }
+    }
+
+    template <class Keep>
+    void addPitches(const InfluenceFit &fit, PlaneAxis axis, const Keep &keep) const {
+        const std::size_t n = m_rows.positions().size();
+        std::vector<double> along(n);
+        std::vector<double> curve(n);
+        std::vector<double> squares(n);
+        double radius = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!m_rows.counts(Eigen::Index(i)))
+                continue;
+            const PathPosition &p = m_rows.positions()[i];
+            radius = p.radius;
+            along[i] = axis == PlaneAxis::first ? p.cosine : p.sine;
+            curve[i] = fit.fit.residual[Eigen::Index(i)] * along[i];
+            squares[i] = along[i] * along[i];
+        }
+        for (const double pitch : plausiblePitches) {
+            // Slower ones look like the shape of the guideway, faster ones fall between the readings.
+            if (pitch > radius / 4 || radius * m_rows.step() > pitch / 3)
+                continue;
+            const double noise = noiseOf(fit, pitch / radius);
+            keep({cyclicTerms(axis, pitch), explainedByPitch(along, curve, squares, radius / pitch) / noise});
+        }
+    }
+
+    template <class Keep>
+    void addDrift(const InfluenceFit &fit, const Keep &keep) const {
+        Vector column = Vector::Zero(m_rows.size());
+        for (Eigen::Index i = 0; i < column.size(); ++i) {
+            if (m_rows.counts(i))
+                column[i] = m_rows.positions()[std::size_t(i)].turns;
+        }
+        const std::vector<FitTerm> terms = driftTerms(m_options, m_bothSenses);
+        constexpr double eighth = std::numbers::pi / 4; // of a turn
+        keep({terms, explained(fit, column)[0] / noiseAround(fit, eighth)});
+    }
+
+    const PathRows &m_rows;
+    const DiagnosisOptions &m_options;
+    bool m_bothSenses;
+    int m_trials = 0;
+};
+
+/// Turns the width of each spike that is free until it stands.
+void refineWidths(const PathRows &rows, InfluenceFit &fit) {
+    constexpr int turns = 8;
+    for (int turn = 0; turn < turns; ++turn) {
+        std::vector<FitTerm> terms = fit.terms;
+        bool moved = false;
+        for (std::size_t j = 0; j + 1 < terms.size(); ++j) {
+            if (terms[j].id != InfluenceId::reversalSpike || terms[j].second || !terms[j + 1].second)
+                continue;
+            const double height = fit.factor(j);
+            const double width = terms[j].shape;
+            if (height == 0)
+                continue;
+            const double narrowest = narrowestSpike(rows);
+            constexpr double widest = 20;
+            const double wanted = width + fit.factor(j + 1) / height;
+            const double next = std::clamp(std::clamp(wanted, width * 0.7, width * 1.4), narrowest, widest);
+            moved |= std::abs(next - width) > 1e-4 * width;
+            terms[j].shape = terms[j + 1].shape = next;
+        }
+        if (!moved)
+            return;
+        fit = InfluenceFit(rows, std::move(terms));
+    }
+}
+
+/// How probable noise alone makes as much of the candidate, the last terms of the fit.
+double byChance(const InfluenceFit &fit, std::size_t firstTerm, int trials) {
+    const FitTerm &term = fit.terms[firstTerm];
+    double square = 0;
+    if (term.id == InfluenceId::cyclic) {
+        const double a = fit.factor(firstTerm) / fit.u(firstTerm);
+        const double b = fit.factor(firstTerm + 1) / fit.u(firstTerm + 1);
+        square = a * a + b * b;
+    } else {
+        square = std::pow(fit.factor(firstTerm) / fit.u(firstTerm), 2);
+    }
+    return std::min(1.0, trials * std::exp(-square / 2));
+}
+
+double amplitude(const InfluenceFit &fit, std::size_t firstTerm) {
+    if (fit.terms[firstTerm].id == InfluenceId::cyclic)
+        return std::hypot(fit.factor(firstTerm), fit.factor(firstTerm + 1));
+    return std::abs(fit.factor(firstTerm));
+}
+
+} // namespace
+
+InfluenceFit::InfluenceFit(const PathRows &rows, std::vector<FitTerm> fitted)
+    : terms(std::move(fitted))
+    , fit(columnFit(rows.columns(terms), rows.deviations()))
+    , noise(fit.basis, fit.residual, rows.records()) {
+    const double freedom = static_cast<double>(rows.used()) - fit.rank;
+    if (freedom > 0)
+        residual = fit.residual.norm() / std::sqrt(freedom);
+}
+
+Vector InfluenceFit::basisWeights(const Vector &weights) const {
+    return fit.toScaled.transpose() * weights.cwiseQuotient(fit.lengths);
+}
+
+double InfluenceFit::u(const Vector &weights) const {
+    return noise.standardUncertainty(basisWeights(weights));
+}
+
+double InfluenceFit::degreesOfFreedom(const Vector &weights) const {
+    return noise.degreesOfFreedom(basisWeights(weights));
+}
+
+double InfluenceFit::u(std::size_t term) const {
+    return u(Vector::Unit(Eigen::Index(terms.size()), Eigen::Index(term)));
+}
+
+bool InfluenceFit::isSeparable(std::size_t term) const {
+    const auto j = Eigen::Index(term);
+    return fit.hiddenPart(j) < mostHidden && fit.inflation(j) <= mostInflated;
+}
+
+std::vector<FitTerm> spikeTerms(PlaneAxis axis, double width, bool fixed) {
+    std::vector<FitTerm> result{{InfluenceId::reversalSpike, axis, false, width}};
+    if (!fixed)
+        result.push_back({InfluenceId::reversalSpike, axis, true, width});
+    return result;
+}
+
+std::vector<FitTerm> cyclicTerms(PlaneAxis axis, double pitch) {
+    return {{InfluenceId::cyclic, axis, false, pitch}, {InfluenceId::cyclic, axis, true, pitch}};
+}
+
+std::vector<FitTerm> driftTerms(const DiagnosisOptions &options, bool bothSenses) {
+    std::vector<FitTerm> result{{InfluenceId::radiusDrift, PlaneAxis::none, false, 0}};
+    if (!options.pause && bothSenses)
+        result.push_back({InfluenceId::radiusDrift, PlaneAxis::none, true, 0});
+    return result;
+}
+
+std::vector<FoundInfluence> searchInfluences(const PathRows &rows, const DiagnosisOptions &options,
+                                             InfluenceFit &fit) {
+    std::vector<FoundInfluence> result;
+    Search search(rows, options);
+    constexpr int most = 5; // both spikes, both screws, a drift
+    while (static_cast<int>(result.size()) < most && fit.residual > 0) {
+        const Candidate candidate = search.best(fit);
+        const int trials = search.trials();
+        if (candidate.terms.empty() || trials * std::exp(-candidate.score / 2) > worthATrial)
+            break;
+        std::vector<FitTerm> terms = fit.terms;
+        const std::size_t place = terms.size();
+        terms.insert(terms.end(), candidate.terms.begin(), candidate.terms.end());
+        InfluenceFit more(rows, std::move(terms));
+        refineWidths(rows, more);
+        const double chance = byChance(more, place, trials);
+        const bool significant =
+            chance <= mostByChance && amplitude(more, place) >= leastAmplitude && more.isSeparable(place);
+        if (!significant)
+            break;
+        result.push_back({more.terms[place].id, more.terms[place].axis, chance});
+        fit = std::move(more);
+    }
+    return result;
+}
+
+} // namespace palmer

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "kernel/diagnosis/diagnosis.h"
+#include "kernel/numerics/correlatednoise.h"
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace palmer {
+
+/// One column of the fit.
+struct FitTerm {
+    InfluenceId id = InfluenceId::centre;
+    PlaneAxis axis = PlaneAxis::none;
+    bool second = false;    ///< the second column of the influence
+    double shape = 0;       ///< pitch or width
+    std::size_t circle = 0; ///< of a centre: whose
+};
+
+[[nodiscard]] inline double columnValue(const FitTerm &term, const PathPosition &position) {
+    const Influence &row = influence(term.id);
+    return (term.second ? row.second : row.column)(position, term.axis, term.shape);
+}
+
+/// The least squares centre of all arcs together, each with equal weight; null where there is none.
+[[nodiscard]] std::optional<Point> centreOf(const DiagnosedCircle &circle);
+
+/// An arc and where its rows stand. `perRow` neighbouring points make one row, their mean.
+struct ArcRows {
+    std::size_t circle = 0;
+    std::size_t arc = 0;
+    std::size_t perRow = 1;
+    Record record;
+};
+
+/// Walks over the points of an arc as they are fitted.
+class ArcWalk {
+public:
+    ArcWalk(const DiagnosedCircle &circle, std::size_t arc, Point centre, double lagAngle, double pause);
+
+    [[nodiscard]] std::size_t size() const { return m_arc.points.size(); }
+    /// Distance from the centre, mm, and all a column looks at.
+    double at(std::size_t i, PathPosition &position) const {
+        const double x = m_arc.points.x[i] - m_centre.x;
+        const double y = m_arc.points.y[i] - m_centre.y;
+        const double r = std::sqrt(x * x + y * y);
+        const double cosine = r > 0 ? x / r : 1;
+        const double sine = r > 0 ? y / r : 0;
+        position = m_position;
+        position.cosine = cosine * m_lagCosine + sine * m_lagSine;
+        position.sine = sine * m_lagCosine - cosine * m_lagSine;
+        position.turns = m_start + std::abs(m_arc.angles[i] - m_arc.angles.front()) / 360;
+        return r;
+    }
+
+private:
+    const DiagnosedArc &m_arc;
+    Point m_centre;
+    PathPosition m_position;
+    double m_lagCosine = 1;
+    double m_lagSine = 0;
+    double m_start = 0;
+};
+
+/// The rows of a fit: every circle, every arc, in order.
+class PathRows {
+public:
+    /// `centres`: the least squares centre of each circle. What is nearer to a reversal than `reach`
+    /// (degrees, at least 0.1° and the angle of the largest deviation) does not count.
+    PathRows(std::span<const DiagnosedCircle> circles, std::span<const Point> centres, double lagAngle,
+             double pause, double reach = 0.1);
+
+    [[nodiscard]] Eigen::Index size() const { return m_deviations.size(); }
+    [[nodiscard]] const std::vector<ArcRows> &arcs() const { return m_arcs; }
+    [[nodiscard]] std::vector<Record> records() const;
+    [[nodiscard]] std::size_t used() const;
+    /// Distance − nominal radius; 0 in rows that do not count.
+    [[nodiscard]] const Eigen::VectorXd &deviations() const { return m_deviations; }
+    /// Whether a row counts.
+    [[nodiscard]] bool counts(Eigen::Index row) const { return m_weights[row] > 0; }
+    /// In the middle of each row, those that do not count too.
+    [[nodiscard]] const std::vector<PathPosition> &positions() const { return m_positions; }
+    /// The circle each row belongs to.
+    [[nodiscard]] std::size_t circleOf(Eigen::Index row) const;
+    /// Largest angle from a row to the next, rad.
+    [[nodiscard]] double step() const { return m_step; }
+
+    /// A column each of the terms; 0 in rows that do not count.
+    [[nodiscard]] Eigen::MatrixXd columns(std::span<const FitTerm> terms) const;
+
+private:
+    /// A column while its means are taken.
+    struct Column {
+        Influence::Column value;
+        PlaneAxis axis;
+        double shape;
+        double *row; ///< where the next mean goes
+        double sum = 0;
+    };
+    void addMeans(const ArcRows &arc, std::vector<Column> &columns) const;
+    /// From the mean distance of its arc, mm.
+    [[nodiscard]] double largestDeviation(std::size_t circle) const;
+    void fill(ArcRows &arc);
+    [[nodiscard]] bool isReversal(const PathPosition &position, std::size_t circle) const;
+
+    std::span<const DiagnosedCircle> m_circles;
+    std::vector<Point> m_centres;
+    double m_lagAngle;
+    double m_pause;
+    std::vector<double>
+        m_reversal; ///< per circle: sine of the angle from a reversal below which nothing counts
+    std::vector<ArcRows> m_arcs;
+    Eigen::VectorXd m_deviations;
+    Eigen::VectorXd m_weights; ///< 1 by the points that count
+    std::vector<PathPosition> m_positions;
+    double m_step = 0;
+};
+
+} // namespace palmer

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "kernel/diagnosis/diagnosis.h"
+
+namespace palmer {
+
+/// What a reader of the diagnosis has to know of it as a whole.
+[[nodiscard]] std::vector<Message> diagnosisRemarks(std::span<const DiagnosedCircle> circles,
+                                                    const DiagnosisOptions &options,
+                                                    const Diagnosis &diagnosis);
+
+} // namespace palmer

@@ -1,0 +1,115 @@
+#include "kernel/diagnosis/sourcewords.h"
+
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+/// %1 the axis (of the plane: the first), %2 the other one.
+struct Words {
+    InfluenceId id = InfluenceId::centre;
+    Text positive;
+    Text negative;
+    Text advice;
+    Text negativeAdvice = {}; ///< empty: the same
+};
+
+const std::array words{
+    Words{InfluenceId::scaleMismatch,
+          REPORT_TEXT("report", "%1 travels farther than %2: %1 is long or %2 short."),
+          REPORT_TEXT("report", "%1 travels less far than %2: %1 is short or %2 long."),
+          REPORT_TEXT("report", "Compare the scales, the pitch compensation and the temperatures of %1 and "
+                                "%2.")},
+    Words{InfluenceId::squareness, REPORT_TEXT("report", "The angle from +%1 to +%2 is larger than 90°."),
+          REPORT_TEXT("report", "The angle from +%1 to +%2 is smaller than 90°."),
+          REPORT_TEXT("report", "Check guideways and levelling, then the squareness compensation.")},
+    Words{InfluenceId::servoMismatch, REPORT_TEXT("report", "%1 follows later than %2."),
+          REPORT_TEXT("report", "%2 follows later than %1."),
+          REPORT_TEXT("report", "Match the position gains (Kv) of %1 and %2; the effect grows with the "
+                                "feed.")},
+    Words{InfluenceId::backlash, REPORT_TEXT("report", "%1 loses motion at each reversal."),
+          REPORT_TEXT("report", "%1 moves too far at each reversal: its backlash is compensated too much."),
+          REPORT_TEXT("report", "Check screw, bearings and coupling of %1, then its backlash compensation."),
+          REPORT_TEXT("report", "Reduce the backlash compensation of %1.")},
+    Words{InfluenceId::lateralPlay,
+          REPORT_TEXT("report", "%1 steps aside at each reversal: towards +%2 while it moves towards +."),
+          REPORT_TEXT("report", "%1 steps aside at each reversal: towards −%2 while it moves towards +."),
+          REPORT_TEXT("report", "Check gibs, guide shoes and preload of %1.")},
+    Words{InfluenceId::straightness, REPORT_TEXT("report", "%1 runs on a bow: its ends lie towards +%2."),
+          REPORT_TEXT("report", "%1 runs on a bow: its ends lie towards −%2."),
+          REPORT_TEXT("report", "Check guideway, supports and levelling of %1.")},
+    Words{InfluenceId::reversalSpike,
+          REPORT_TEXT("report", "%1 sticks when it reverses: the path bulges outwards and comes back."),
+          REPORT_TEXT("report", "%1 jumps when it reverses: the path dents inwards and comes back."),
+          REPORT_TEXT("report", "Check lubrication and friction of %1, then its friction compensation."),
+          REPORT_TEXT("report", "Reduce the friction compensation of %1.")},
+    Words{InfluenceId::cyclic,
+          REPORT_TEXT("report", "%1 deviates periodically along its travel."),
+          {},
+          REPORT_TEXT("report",
+                      "The pitch tells whether the screw, the rack or the measuring system of %1 is "
+                      "at fault.")},
+    Words{InfluenceId::commonLag, REPORT_TEXT("report", "%1 and %2 lag: the circle shrinks with the feed."),
+          REPORT_TEXT("report", "%1 and %2 overshoot: the circle grows with the feed."),
+          REPORT_TEXT("report", "Check the feed-forward and the position gains of %1 and %2.")},
+    Words{InfluenceId::lagMismatch,
+          REPORT_TEXT("report", "%1 loses more of its stroke with the feed than %2."),
+          REPORT_TEXT("report", "%2 loses more of its stroke with the feed than %1."),
+          REPORT_TEXT("report", "Check the feed-forward and the position gains of %1 and %2.")},
+    Words{InfluenceId::radiusDrift, REPORT_TEXT("report", "The circle grows during the test."),
+          REPORT_TEXT("report", "The circle shrinks during the test."),
+          REPORT_TEXT("report", "Check warm-up and temperatures of machine and instrument.")},
+};
+
+const Words *wordsOf(InfluenceId id) {
+    for (const Words &row : words) {
+        if (row.id == id)
+            return &row;
+    }
+    return nullptr;
+}
+
+/// The axis and the other one; of a plane both in order.
+std::vector<Argument> axesOf(const std::string &first, const std::string &second, PlaneAxis axis) {
+    if (axis == PlaneAxis::second)
+        return {second, first};
+    return {first, second};
+}
+
+} // namespace
+
+Message sourceName(const SourceEstimate &source) {
+    return {influence(source.id).name, {source.axisName}};
+}
+
+Message sourceMeaning(const Diagnosis &diagnosis, const SourceEstimate &source) {
+    if (!source.separable)
+        return source.with.empty()
+                   ? Message{REPORT_TEXT("report", "These arcs hardly tell it.")}
+                   : Message{REPORT_TEXT("report", "These arcs do not tell it from other sources.")};
+    const Words *row = wordsOf(source.id);
+    if (!row)
+        return {REPORT_TEXT("report", "Taken out before any deviation is stated.")};
+    const auto interval = source.interval();
+    if (interval && interval->from <= 0 && interval->to >= 0)
+        return {REPORT_TEXT("report", "Not seen: smaller than its uncertainty.")};
+    const bool negative = source.fitted[0] < 0 && !row->negative.empty();
+    return {negative ? row->negative : row->positive, axesOf(diagnosis.first, diagnosis.second, source.axis)};
+}
+
+Message sourceAdvice(const Diagnosis &diagnosis, const SourceEstimate &source) {
+    const Words *row = wordsOf(source.id);
+    if (!row)
+        return {};
+    const bool negative = source.fitted[0] < 0 && !row->negativeAdvice.empty();
+    return {negative ? row->negativeAdvice : row->advice,
+            axesOf(diagnosis.first, diagnosis.second, source.axis)};
+}
+
+std::string sourceId(const SourceEstimate &source) {
+    return std::string(influence(source.id).word) +
+           (source.axis == PlaneAxis::none ? std::string() : ":" + source.axisName);
+}
+
+} // namespace palmer
