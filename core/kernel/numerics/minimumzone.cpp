@@ -639,7 +639,8 @@ public:
         std::size_t n = 0;
         for (const RaysLook &part : points)
             n += part.rays->size();
-        // The same origin as that of the plain search: coordinates about it, and all after, are the same bits.
+        // The same origin as that of the plain search: coordinates about it, and all after, are the same
+        // bits.
         Point sum;
         std::size_t size = 0;
         const std::size_t stride = strideOfWorkingSet(n);
@@ -657,7 +658,7 @@ public:
 
     [[nodiscard]] Point origin() const { return m_origin; }
 
-    [[nodiscard]] std::optional<Ring> run(const std::array<std::size_t, 4> &first) {
+    [[nodiscard]] std::optional<Ring> run(const std::array<std::size_t, 4> &first) const {
         Contacts outer;
         Contacts inner;
         for (const std::size_t k : {0, 1})
@@ -669,7 +670,9 @@ public:
             const std::optional<Ring> ring = leastRing(outer, inner, m_tolerance);
             if (!ring || !std::isfinite(ring->greatest))
                 return std::nullopt;
-            const Beyond beyond = this->beyond(*ring);
+            Beyond beyond{likelyViolators(*ring)};
+            if (!beyond.violators.any())
+                beyond = this->beyond(*ring);
             if (!beyond.violators.any())
                 return beyond.close || !certify(*ring, m_tolerance, margin(*ring)) ? std::nullopt : ring;
             outer = {};
@@ -708,38 +711,81 @@ private:
 
     [[nodiscard]] Point about(Point p) const { return {p.x - m_origin.x, p.y - m_origin.y}; }
 
-    [[nodiscard]] Beyond beyond(const Ring &ring) const {
+    /// Squared distances: of the margins inside the ring, of the ring with its tolerance.
+    struct Borders {
+        double outerMargin;
+        double innerMargin;
+        double outer;
+        double inner;
+    };
+    [[nodiscard]] Borders bordersOf(const Ring &ring) const {
         const double allowance = m_tolerance * ring.outerRadius();
-        const double outer = ring.outerRadius() - margin(ring);
-        const double inner = ring.innerRadius() + margin(ring);
-        const double squaredOuter = outer * outer;
-        const double squaredInner = inner * inner;
+        const auto square = [](double r) { return r > 0 ? r * r : 0; };
+        return {square(ring.outerRadius() - margin(ring)), square(ring.innerRadius() + margin(ring)),
+                square(ring.outerRadius() + allowance), square(ring.innerRadius() - allowance)};
+    }
+
+    /// Notes the points of a part that are beyond; `reached` goes with the outermost.
+    [[nodiscard]] auto visitor(const Ring &ring, std::size_t k, const Borders &borders, Borders &reached,
+                               Beyond &result) const {
+        const std::size_t offset = k == 0 ? 0 : m_points[0].rays->size();
+        return [&, k, offset](std::size_t i) {
+            const Point p = about(m_points[k].rays->point(*m_points[k].look, i));
+            const double d = squaredDistance(p, ring.centre);
+            if (d <= borders.outerMargin && d >= borders.innerMargin)
+                return;
+            const Sample s{p, offset + i};
+            result.close = result.close || !isContact(ring, s.index);
+            if (d > reached.outer) {
+                reached.outer = d;
+                result.violators.farthest = s;
+            }
+            if (d < reached.inner) {
+                reached.inner = d;
+                result.violators.nearest = s;
+            }
+        };
+    }
+
+    /// The violators, from the sectors that may reach farthest out and in: as good to go on with as the
+    /// outermost of all, while many points are outside.
+    [[nodiscard]] Violators likelyViolators(const Ring &ring) const {
         const Point centre{m_origin.x + ring.centre.x, m_origin.y + ring.centre.y};
-        double greatest = ring.outerRadius() + allowance;
-        greatest *= greatest;
-        double least = std::max(0.0, ring.innerRadius() - allowance);
-        least *= least;
-        Beyond result;
-        std::size_t offset = 0;
-        for (const RaysLook &part : m_points) {
-            part.rays->visitBeyond(*part.look, centre, outer, inner, [&](std::size_t i) {
-                const Point p = about(part.rays->point(*part.look, i));
-                const double d = squaredDistance(p, ring.centre);
-                if (d <= squaredOuter && d >= squaredInner)
-                    return;
-                const Sample s{p, offset + i};
-                result.close = result.close || !isContact(ring, s.index);
-                if (d > greatest) {
-                    greatest = d;
-                    result.violators.farthest = s;
-                }
-                if (d < least) {
-                    least = d;
-                    result.violators.nearest = s;
-                }
-            });
-            offset += part.rays->size();
+        std::array<std::size_t, 2> in{};
+        Rays::Outermost all;
+        for (std::size_t k = 0; k < m_points.size(); ++k) {
+            const Rays::Outermost of = m_points[k].rays->outermost(*m_points[k].look, centre);
+            if (of.greatest > all.greatest) {
+                in[0] = k;
+                all.greatest = of.greatest;
+                all.farthest = of.farthest;
+            }
+            if (of.least < all.least) {
+                in[1] = k;
+                all.least = of.least;
+                all.nearest = of.nearest;
+            }
         }
+        Beyond result;
+        const Borders borders = bordersOf(ring);
+        Borders reached = borders;
+        if (all.greatest > ring.outerRadius())
+            m_points[in[0]].rays->visitSector(all.farthest, visitor(ring, in[0], borders, reached, result));
+        if (all.least < ring.innerRadius())
+            m_points[in[1]].rays->visitSector(all.nearest, visitor(ring, in[1], borders, reached, result));
+        return result.violators;
+    }
+
+    [[nodiscard]] Beyond beyond(const Ring &ring) const {
+        const Point centre{m_origin.x + ring.centre.x, m_origin.y + ring.centre.y};
+        const double margin = RaysSearch::margin(ring);
+        const Borders borders = bordersOf(ring);
+        Borders reached = borders;
+        Beyond result;
+        for (std::size_t k = 0; k < m_points.size(); ++k)
+            m_points[k].rays->visitBeyond(*m_points[k].look, centre, ring.outerRadius() - margin,
+                                          ring.innerRadius() + margin,
+                                          visitor(ring, k, borders, reached, result));
         return result;
     }
 
@@ -812,7 +858,7 @@ std::optional<MinimumZone> minimumZone(std::span<const RaysLook> points,
     for (const RaysLook &part : points)
         if (!part.rays->finite(*part.look))
             return std::nullopt;
-    RaysSearch search(points, options);
+    const RaysSearch search(points, options);
     const std::optional<Ring> ring = search.run(first);
     if (!ring)
         return std::nullopt;

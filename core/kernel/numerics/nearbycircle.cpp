@@ -1,11 +1,122 @@
 #include "kernel/numerics/nearbycircle.h"
 
-#include "kernel/numerics/lanes.h"
+#include "kernel/numerics/wideregisters.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace palmer {
+
+namespace {
+
+// Eight points go side by side, in one register or in several: the sums are the same on all processors.
+constexpr std::size_t together = 8;
+struct Narrow {
+    using Value = double __attribute__((vector_size(16)));
+};
+struct Wide {
+    using Value = double __attribute__((vector_size(32)));
+};
+struct Widest {
+    using Value = double __attribute__((vector_size(64)));
+};
+
+/// Sums of `n` terms of `number` sums each, of the columns of a table.
+template <class Register, class Terms>
+[[gnu::always_inline]] inline void sumUp(const Terms &terms, std::size_t n,
+                                         std::array<double, Terms::number> &sums) {
+    using Value = typename Register::Value;
+    constexpr std::size_t lanes = sizeof(Value) / sizeof(double);
+    Value all[Terms::number][together / lanes]{};
+    std::size_t i = 0;
+    for (; i + together <= n; i += together) {
+        for (std::size_t k = 0; k < together / lanes; ++k) {
+            Value columns[Terms::columns];
+            for (std::size_t c = 0; c < Terms::columns; ++c)
+                std::memcpy(&columns[c], terms.column[c] + i + k * lanes, sizeof(Value));
+            Value values[Terms::number];
+            terms.of(columns, values);
+            for (std::size_t s = 0; s < Terms::number; ++s)
+                all[s][k] += values[s];
+        }
+    }
+    for (std::size_t s = 0; s < Terms::number; ++s) {
+        std::array<double, together> lane;
+        std::memcpy(lane.data(), &all[s], sizeof(lane));
+        sums[s] = ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
+    }
+    for (; i < n; ++i) {
+        double columns[Terms::columns];
+        for (std::size_t c = 0; c < Terms::columns; ++c)
+            columns[c] = terms.column[c][i];
+        double values[Terms::number];
+        terms.of(columns, values);
+        for (std::size_t s = 0; s < Terms::number; ++s)
+            sums[s] += values[s];
+    }
+}
+
+template <class Terms>
+PALMER_WIDE void sumUpWide(const Terms &terms, std::size_t n, std::array<double, Terms::number> &sums) {
+    sumUp<Wide>(terms, n, sums);
+}
+
+template <class Terms>
+PALMER_WIDEST void sumUpWidest(const Terms &terms, std::size_t n, std::array<double, Terms::number> &sums) {
+    sumUp<Widest>(terms, n, sums);
+}
+
+template <class Terms>
+std::array<double, Terms::number> sumsOf(const Terms &terms, std::size_t n) {
+    std::array<double, Terms::number> sums;
+    if (hasWidestRegisters())
+        sumUpWidest(terms, n, sums);
+    else if (hasWideRegisters())
+        sumUpWide(terms, n, sums);
+    else
+        sumUp<Narrow>(terms, n, sums);
+    return sums;
+}
+
+/// The first step.
+struct FirstStep {
+    static constexpr std::size_t number = 2;
+    static constexpr std::size_t columns = 3;
+    const double *column[columns]; ///< change, step by it
+
+    template <class Value>
+    [[gnu::always_inline]] inline void of(const Value (&c)[columns], Value (&values)[number]) const {
+        values[0] = c[0] * c[1];
+        values[1] = c[0] * c[2];
+    }
+};
+
+/// f, u and f·u at a centre.
+struct Distances {
+    static constexpr std::size_t number = 5;
+    static constexpr std::size_t columns = 7;
+    const double *column[columns]; ///< change, then those of a set
+    Point delta;
+
+    template <class Value>
+    [[gnu::always_inline]] inline void of(const Value (&c)[columns], Value (&values)[number]) const {
+        const Value &wx = c[1];
+        const Value &wy = c[2];
+        const Value a = c[0] * c[3] - (delta.x * wx + delta.y * wy);
+        const Value b = c[0] * c[4] + (delta.x * wy - delta.y * wx);
+        const Value turn = b * c[6]; // of the direction
+        values[0] = (c[5] + a) + 0.5 * b * turn;
+        const Value sideways = turn - turn * (a * c[6]);
+        const Value shorter = 1.0 - 0.5 * turn * turn;
+        values[1] = wx * shorter - sideways * wy;
+        values[2] = wy * shorter + sideways * wx;
+        values[3] = values[0] * values[1];
+        values[4] = values[0] * values[2];
+    }
+};
+
+} // namespace
 
 NearbyCircle::NearbyCircle(std::span<const Rays *const> sets, Point centre)
     : m_centre(centre)
@@ -14,8 +125,8 @@ NearbyCircle::NearbyCircle(std::span<const Rays *const> sets, Point centre)
     for (const Rays *rays : sets) {
         const Points points = rays->reference();
         const std::size_t n = points.size();
-        Set set{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n),
-                std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+        const std::vector<double> empty(n);
+        Set set{empty, empty, empty, empty, empty, empty, empty, empty};
         for (std::size_t i = 0; i < n; ++i) {
             const double dx = points.x[i] - centre.x;
             const double dy = points.y[i] - centre.y;
@@ -62,58 +173,43 @@ NearbyCircle::NearbyCircle(std::span<const Rays *const> sets, Point centre)
     m_xx = yy / determinant;
     m_xy = -xy / determinant;
     m_yy = xx / determinant;
+    for (Set &set : m_sets) {
+        const double each = weight / static_cast<double>(set.wx.size());
+        for (std::size_t i = 0; i < set.wx.size(); ++i) {
+            // The derivative of the gradient by the change of a point.
+            const double sideways = set.residual[i] * set.across[i] * set.inverse[i];
+            const double gx = (set.along[i] * (set.wx[i] - ux) - sideways * set.wy[i]) * each;
+            const double gy = (set.along[i] * (set.wy[i] - uy) + sideways * set.wx[i]) * each;
+            set.stepX[i] = m_xx * gx + m_xy * gy;
+            set.stepY[i] = m_xy * gx + m_yy * gy;
+        }
+    }
 }
 
-NearbyCircle::Means NearbyCircle::meansOf(const Set &set, const std::vector<double> &changes, Point delta) {
-    // One after the other for each lane: the compiler keeps the sums in registers.
-    Lanes sums[5]{0, 0, 0, 0, 0};
-    const Lanes dx = delta.x;
-    const Lanes dy = delta.y;
-    const auto add = [&](auto &into, const auto &t, const auto &wx, const auto &wy, const auto &along,
-                         const auto &across, const auto &residual, const auto &inverse, const auto &x,
-                         const auto &y) {
-        const auto a = t * along - (x * wx + y * wy);
-        const auto b = t * across + (x * wy - y * wx);
-        const auto q = b * inverse;
-        const auto f = (residual + a) + 0.5 * b * q;
-        const auto turn = q * (1.0 - a * inverse);  // of the direction
-        const auto shorter = 1.0 - 0.5 * q * q;
-        const auto ux = wx * shorter - turn * wy;
-        const auto uy = wy * shorter + turn * wx;
-        into[0] += f;
-        into[1] += ux;
-        into[2] += uy;
-        into[3] += f * ux;
-        into[4] += f * uy;
-    };
-    const std::size_t n = set.wx.size();
-    std::size_t i = 0;
-    for (; i + Lanes::count <= n; i += Lanes::count)
-        add(sums, Lanes::from(&changes[i]), Lanes::from(&set.wx[i]), Lanes::from(&set.wy[i]),
-            Lanes::from(&set.along[i]), Lanes::from(&set.across[i]), Lanes::from(&set.residual[i]),
-            Lanes::from(&set.inverse[i]), dx, dy);
-    double rest[5]{};
-    for (; i < n; ++i)
-        add(rest, changes[i], set.wx[i], set.wy[i], set.along[i], set.across[i], set.residual[i],
-            set.inverse[i], delta.x, delta.y);
-    double mean[5];
-    for (std::size_t k = 0; k < 5; ++k) {
-        const auto v = sums[k].values();
-        mean[k] = ((v[0] + v[1]) + (v[2] + v[3]) + rest[k]) / static_cast<double>(n);
+Point NearbyCircle::firstStep(std::span<const Rays::Look *const> looks) const {
+    Point result;
+    for (std::size_t k = 0; k < m_sets.size(); ++k) {
+        const Set &set = m_sets[k];
+        const FirstStep step{{looks[k]->changes.data(), set.stepX.data(), set.stepY.data()}};
+        const auto [x, y] = sumsOf(step, set.wx.size());
+        result = {result.x + x, result.y + y};
     }
-    return {mean[0], mean[1], mean[2], mean[3], mean[4]};
+    return result;
 }
 
 NearbyCircle::Means NearbyCircle::means(std::span<const Rays::Look *const> looks, Point delta) const {
     Means all;
     const double weight = 1 / static_cast<double>(m_sets.size());
     for (std::size_t k = 0; k < m_sets.size(); ++k) {
-        const Means of = meansOf(m_sets[k], looks[k]->changes, delta);
-        all.f += of.f * weight;
-        all.ux += of.ux * weight;
-        all.uy += of.uy * weight;
-        all.fx += of.fx * weight;
-        all.fy += of.fy * weight;
+        const Set &set = m_sets[k];
+        const Distances distances{{looks[k]->changes.data(), set.wx.data(), set.wy.data(), set.along.data(),
+                                   set.across.data(), set.residual.data(), set.inverse.data()},
+                                  delta};
+        const std::size_t n = set.wx.size();
+        const auto [f, ux, uy, fx, fy] = sumsOf(distances, n);
+        const double each = weight / static_cast<double>(n);
+        all = {all.f + f * each, all.ux + ux * each, all.uy + uy * each, all.fx + fx * each,
+               all.fy + fy * each};
     }
     return all;
 }
@@ -127,7 +223,7 @@ std::optional<NearbyCircle::Fit> NearbyCircle::fit(std::span<const Rays::Look *c
     double largest = 0;
     for (const Rays::Look *look : looks)
         largest = std::max(largest, look->largest);
-    const Point first = step(means(looks, {}));
+    const Point first = firstStep(looks);
     const Means at = means(looks, first);
     const Point second = step(at);
     // What is left out, of the gradient and of the radius, and what a third step would be.

@@ -13,10 +13,11 @@ namespace palmer {
 /// About the least squares centre c₀ of the reference a point at c = c₀ + δ has the distance
 ///     r = (r₀ + a) + b²/(2·r₀) + …,   a = t·(u·w) − δ·w,   b = t·(u × w) + δ × w,
 /// t the change of its ρ, w its direction from c₀: no root, no quotient, and w, u·w, u × w, 1/r₀ are those of
-/// the reference. Two Newton steps with the second derivatives of the reference make the derivative of the sum
-/// of squares vanish, as leastSquaresCircle does with some seven looks and a root and a quotient a point; the
-/// first step leaves an error of second order in change/r₀, the second one of third. What is left out is of
-/// third order too: agreement with the plain way is its rounding, some 1e-14·R.
+/// the reference. Two Newton steps with the second derivatives of the reference make the derivative of the
+/// sum of squares vanish, as leastSquaresCircle does with some seven looks and a root and a quotient a point.
+/// The first step is linear in the changes: two sums. It leaves an error of second order in change/r₀, the
+/// second step one of third. What is left out is of third order too: agreement with the plain way is its
+/// rounding, some 1e-14·R.
 class NearbyCircle {
 public:
     /// `centre`: c₀.
@@ -37,6 +38,8 @@ private:
         std::vector<double> across;   ///< the part of u across w
         std::vector<double> residual; ///< r₀ − mean r₀
         std::vector<double> inverse;  ///< 1/r₀
+        std::vector<double> stepX;    ///< the first step by a change of 1
+        std::vector<double> stepY;
     };
     /// Weighted means: f = r − mean r₀, and its derivatives by the centre are −u.
     struct Means {
@@ -44,8 +47,8 @@ private:
 
         [[nodiscard]] Point gradient() const { return {fx - f * ux, fy - f * uy}; }
     };
-    static Means meansOf(const Set &set, const std::vector<double> &changes, Point delta);
     [[nodiscard]] Means means(std::span<const Rays::Look *const> looks, Point delta) const;
+    [[nodiscard]] Point firstStep(std::span<const Rays::Look *const> looks) const;
     [[nodiscard]] Point step(const Means &means) const;
 
     std::vector<Set> m_sets;

@@ -131,6 +131,22 @@ Rays::Bound Rays::boundOf(const Look &look, Point centre) const {
     return {delta, length, across * across / m_least + rounding, rounding};
 }
 
+Rays::Outermost Rays::outermost(const Look &look, Point centre) const {
+    const Bound bound = boundOf(look, centre);
+    Outermost result;
+    for (std::size_t s = 0; s < m_sectors.size(); ++s) {
+        if (const double r = farthest(look, s, bound); r > result.greatest) {
+            result.greatest = r;
+            result.farthest = s;
+        }
+        if (const double r = nearest(look, s, bound); r < result.least) {
+            result.least = r;
+            result.nearest = s;
+        }
+    }
+    return result;
+}
+
 Rays::Extremes Rays::extremes(const Look &look, Point centre) const {
     const Bound bound = boundOf(look, centre);
     // What one sector surely reaches, no other has to be looked into that surely does not.

@@ -10,8 +10,8 @@
 namespace palmer {
 
 /// Points on fixed rays from the origin, P_i = ρ_i·u_i, whose distances ρ_i change a little from one look to
-/// the next, as in the trials of a simulation. Which of them may lie beyond a circle is told from sectors of 16
-/// neighbours: what is in a sector is known to a bound, and only few sectors have to be looked into.
+/// the next, as in the trials of a simulation. Which of them may lie beyond a circle is told from sectors of
+/// 16 neighbours: what is in a sector is known to a bound, and only few sectors have to be looked into.
 class Rays {
 public:
     Rays() = default;
@@ -26,10 +26,11 @@ public:
 
     /// The distances of one look, and what follows from them.
     struct Look {
-        std::vector<double> radii;    ///< ρ, mm; to be set, then `prepare`
-        std::vector<double> changes;  ///< ρ − ρ of the reference
-        double largest = 0;           ///< of |changes|
-        std::vector<double> nearest;  ///< of every sector: distances from the centre of the reference, to a bound
+        std::vector<double> radii;   ///< ρ, mm; to be set, then `prepare`
+        std::vector<double> changes; ///< ρ − ρ of the reference
+        double largest = 0;          ///< of |changes|
+        std::vector<double>
+            nearest; ///< of every sector: distances from the centre of the reference, to a bound
         std::vector<double> farthest;
     };
     [[nodiscard]] Look look() const;
@@ -56,9 +57,23 @@ public:
         for (std::size_t s = 0; s < m_sectors.size(); ++s) {
             if (farthest(look, s, bound) <= outer && nearest(look, s, bound) >= inner)
                 continue;
-            for (std::size_t i = s * sectorSize; i < std::min(size(), (s + 1) * sectorSize); ++i)
-                visit(i);
+            visitSector(s, visit);
         }
+    }
+
+    /// The sectors that may hold the farthest and the nearest point from a centre, and how far these may be.
+    struct Outermost {
+        std::size_t farthest = 0;
+        std::size_t nearest = 0;
+        double greatest = -std::numeric_limits<double>::infinity();
+        double least = std::numeric_limits<double>::infinity();
+    };
+    [[nodiscard]] Outermost outermost(const Look &look, Point centre) const;
+    template <class Visit>
+    void visitSector(std::size_t sector, Visit visit) const {
+        const std::size_t end = std::min(size(), (sector + 1) * sectorSize);
+        for (std::size_t i = sector * sectorSize; i < end; ++i)
+            visit(i);
     }
 
 private:
@@ -96,9 +111,9 @@ private:
     std::vector<double> m_distances; ///< r₀ from the centre
     std::vector<double> m_along;     ///< u·w
     std::vector<Sector> m_sectors;
-    double m_least = 0;              ///< of the distances
+    double m_least = 0; ///< of the distances
     double m_greatest = 0;
-    double m_across = 0;             ///< the largest |u × w|
+    double m_across = 0; ///< the largest |u × w|
 };
 
 } // namespace palmer

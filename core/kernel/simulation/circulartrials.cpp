@@ -111,9 +111,8 @@ void CircularTrials::addParts() {
             part.deviations.push_back(arc.radialDeviations[i]);
             x.push_back(u.x);
             y.push_back(u.y);
-            radii.push_back(commanded && m_results.centringError
-                                ? rebuiltRadius(r, u, *m_results.centringError)
-                                : r);
+            radii.push_back(
+                commanded && m_results.centringError ? rebuiltRadius(r, u, *m_results.centringError) : r);
             low = points == 0 ? part.deviations.back() : std::min(low, part.deviations.back());
             high = points == 0 ? part.deviations.back() : std::max(high, part.deviations.back());
             ++points;
@@ -171,6 +170,9 @@ void CircularTrials::addReferences() {
             circle.nearby.emplace(sets, result->centre);
         } else {
             const MinimumZone zone = minimumZone(points.view());
+            // Where nothing but noise is to come any four points are as good.
+            const std::size_t quarter = points.size() / 4;
+            circle.contacts = {0, 2 * quarter, quarter, 3 * quarter};
             if (zone.valid() && zone.certified)
                 circle.contacts = {zone.outer[0], zone.outer[1], zone.inner[0], zone.inner[1]};
         }
@@ -270,7 +272,8 @@ void CircularTrials::setPoints(Workplace &place) const {
     }
 }
 
-std::optional<CircleResult> CircularTrials::minimumZoneOf(const Circle &circle, const Workplace &place) const {
+std::optional<CircleResult> CircularTrials::minimumZoneOf(const Circle &circle,
+                                                          const Workplace &place) const {
     if (!circle.contacts)
         return std::nullopt;
     std::array<RaysLook, 2> looks{};
@@ -279,8 +282,9 @@ std::optional<CircleResult> CircularTrials::minimumZoneOf(const Circle &circle, 
     const auto zone = minimumZone(std::span(looks).first(circle.parts.size()), *circle.contacts);
     if (!zone)
         return std::nullopt;
-    return CircleResult{circle.of,         circle.kind,       zone->centre, (zone->innerRadius + zone->outerRadius) / 2,
-                        zone->innerRadius, zone->outerRadius, zone->width,  zone->certified};
+    return CircleResult{
+        circle.of,         circle.kind,       zone->centre, (zone->innerRadius + zone->outerRadius) / 2,
+        zone->innerRadius, zone->outerRadius, zone->width,  zone->certified};
 }
 
 std::optional<CircleResult> CircularTrials::leastSquaresOf(const Circle &circle,

@@ -17,11 +17,11 @@ namespace palmer {
 /// The trials of a circular test: errors of measurement added to the radial deviations, then points, circles
 /// and results as they are evaluated themselves.
 ///
-/// Nearly all that a trial costs is saved by knowing the evaluation without errors: each trial is a little apart
-/// from it. The points stay on their rays (`Rays`: which of them can touch a circle is known without looking at
-/// all); minimum zones begin with its contacts, and are to the last bit those of the plain way; least squares
-/// circles are two steps away (`NearbyCircle`). Where a trial is too far off, or too close to a tie, the plain
-/// way is taken: what it costs is time.
+/// Nearly all that a trial costs is saved by knowing the evaluation without errors: each trial is a little
+/// apart from it. The points stay on their rays (`Rays`: which of them can touch a circle is known without
+/// looking at all); minimum zones begin with its contacts, and are to the last bit those of the plain way;
+/// least squares circles are two steps away (`NearbyCircle`). Where a trial is too far off, or too close to a
+/// tie, the plain way is taken: what it costs is time.
 class CircularTrials {
 public:
     /// `evaluation`: of the test; its parameters with a value and a U by the budget are simulated.
@@ -67,8 +67,8 @@ private:
     struct Circle {
         CircleOf of;
         ReferenceCircle kind;
-        bool radiusAlone;                                 ///< no distance of a point is asked for
-        std::vector<std::size_t> parts;                   ///< about whose points it is
+        bool radiusAlone;                                   ///< no distance of a point is asked for
+        std::vector<std::size_t> parts;                     ///< about whose points it is
         std::optional<std::array<std::size_t, 4>> contacts; ///< minimum zone: without errors
         std::optional<NearbyCircle> nearby;                 ///< least squares: about that without errors
     };
@@ -90,8 +90,10 @@ private:
     [[nodiscard]] std::optional<Point> centringErrorOf(const Workplace &place) const;
     void setPoints(Workplace &place) const;
     [[nodiscard]] bool evaluate(Workplace &place, const std::stop_token &stop) const;
-    [[nodiscard]] std::optional<CircleResult> minimumZoneOf(const Circle &circle, const Workplace &place) const;
-    [[nodiscard]] std::optional<CircleResult> leastSquaresOf(const Circle &circle, const Workplace &place) const;
+    [[nodiscard]] std::optional<CircleResult> minimumZoneOf(const Circle &circle,
+                                                            const Workplace &place) const;
+    [[nodiscard]] std::optional<CircleResult> leastSquaresOf(const Circle &circle,
+                                                             const Workplace &place) const;
 
     const Test &m_test;
     const CircularMeasurement &m_measurement;
@@ -114,8 +116,8 @@ private:
     double m_correction = 0;
     double m_centring = 0;
     PointErrors m_errors;
-    double m_drift = 0;      ///< E_VE, mm
-    double m_middle = 0;     ///< of the deviations, mm
+    double m_drift = 0;  ///< E_VE, mm
+    double m_middle = 0; ///< of the deviations, mm
 };
 
 } // namespace palmer

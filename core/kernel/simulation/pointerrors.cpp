@@ -1,7 +1,7 @@
 #include "kernel/simulation/pointerrors.h"
 
 #include "kernel/numerics/normalquantilecoefficients.h"
-#include "kernel/simulation/wideregisters.h"
+#include "kernel/numerics/wideregisters.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t pointsPerStep = 8;
 constexpr std::size_t placesPerStep = 4;
-constexpr std::size_t tile = 256; ///< points worked off in one go: what is kept of them stays in the nearest cache
+constexpr std::size_t tile =
+    256; ///< points worked off in one go: what is kept of them stays in the nearest cache
 constexpr std::size_t places = tile / 2;
 using Tile = std::array<double, tile>;
 
@@ -32,10 +33,11 @@ using Tile = std::array<double, tile>;
     const double s = f / (2 + f);
     const double z = s * s;
     const double w = z * z;
-    const double even = w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));
-    const double odd = z * (6.666666666666735130e-01 +
-                            w * (2.857142874366239149e-01 +
-                                 w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
+    const double even =
+        w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));
+    const double odd =
+        z * (6.666666666666735130e-01 +
+             w * (2.857142874366239149e-01 + w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
     const double half = 0.5 * f * f;
     constexpr double ln2High = 6.93147180369123816490e-01;
     constexpr double ln2Low = 1.90821492927058770002e-10;
@@ -75,7 +77,8 @@ using Tile = std::array<double, tile>;
 }
 
 /// Two words of each place as numbers: of the first four points of every step, and of its last four.
-[[gnu::always_inline]] inline void symmetric(const std::uint32_t *first, const std::uint32_t *second, Tile &q) {
+[[gnu::always_inline]] inline void symmetric(const std::uint32_t *first, const std::uint32_t *second,
+                                             Tile &q) {
     for (std::size_t step = 0; step < tile / pointsPerStep; ++step) {
         for (std::size_t k = 0; k < placesPerStep; ++k) {
             q[step * pointsPerStep + k] = RandomDraws::symmetric(first[step * placesPerStep + k]);

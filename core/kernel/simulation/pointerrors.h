@@ -15,8 +15,8 @@ struct PointErrors {
 /// Places of random numbers that so many points take: two words a point, eight points on four places.
 [[nodiscard]] std::uint32_t placesOfPoints(std::size_t points);
 
-/// Draws the errors of the points of a path, mm, from the places from `place` on. Wide registers are used where
-/// the processor has them; the numbers are the same on all.
+/// Draws the errors of the points of a path, mm, from the places from `place` on. Wide registers are used
+/// where the processor has them; the numbers are the same on all.
 void drawPointErrors(const RandomDraws &draws, long long trial, std::uint32_t place,
                      const PointErrors &errors, std::span<double> into);
 /// With the registers every processor has.

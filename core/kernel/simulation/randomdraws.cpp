@@ -1,6 +1,6 @@
 #include "kernel/simulation/randomdraws.h"
 
-#include "kernel/simulation/wideregisters.h"
+#include "kernel/numerics/wideregisters.h"
 
 namespace palmer {
 

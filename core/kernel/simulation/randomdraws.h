@@ -44,7 +44,8 @@ public:
     /// With the registers every processor has.
     void symmetricNarrow(long long first, std::uint32_t place, std::span<double> numbers) const;
 
-    /// Of one trial the `count` places from `place` on: the first words of all, then the second ones and so on.
+    /// Of one trial the `count` places from `place` on: the first words of all, then the second ones and so
+    /// on.
     template <std::size_t count>
     [[gnu::always_inline]] inline void fillPlaces(long long trial, std::uint32_t place,
                                                   std::uint32_t (&into)[4][count]) const {
