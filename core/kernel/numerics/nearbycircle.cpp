@@ -234,7 +234,7 @@ std::optional<NearbyCircle::Fit> NearbyCircle::fit(std::span<const Rays::Look *c
     const double stiffness = std::abs(m_xx) + std::abs(m_xy) + std::abs(m_yy);
     const double left = (b / m_least) * relative * (b + relative * (m_residual + a)) +
                         relative * std::hypot(second.x, second.y);
-    constexpr double allowed = 2e-15;
+    constexpr double allowed = 1e-14;
     if (!(left * stiffness <= allowed * m_radius))
         return std::nullopt;
     return Fit{{m_centre.x + first.x + second.x, m_centre.y + first.y + second.y},

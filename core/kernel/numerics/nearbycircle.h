@@ -27,7 +27,7 @@ public:
         Point centre;
         double radius;
     };
-    /// Looks at the same sets. Null where what is left out could exceed 2e-15·R: the plain way tells then.
+    /// Looks at the same sets. Null where what is left out could exceed 1e-14·R: the plain way tells then.
     [[nodiscard]] std::optional<Fit> fit(std::span<const Rays::Look *const> looks) const;
 
 private:

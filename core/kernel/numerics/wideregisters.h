@@ -3,8 +3,8 @@
 namespace palmer {
 
 /// Functions marked so are compiled for 32 or 64 bytes a register; call them where the processor has them.
-/// Their file is compiled without fused multiply-add: the numbers are those of the narrow function, to the
-/// last bit.
+/// Nothing of the project is compiled with fused multiply-add: the numbers are those of the narrow function,
+/// to the last bit.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define PALMER_WIDE __attribute__((target("avx2")))
 inline bool hasWideRegisters() {
