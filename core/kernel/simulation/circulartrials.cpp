@@ -150,6 +150,14 @@ void CircularTrials::addParts() {
 }
 
 void CircularTrials::addReferences() {
+    std::vector<std::vector<double>> distances(m_parts.size());
+    for (std::size_t k = 0; k < m_parts.size(); ++k) {
+        for (const double d : m_parts[k].deviations)
+            distances[k].push_back(m_measurement.nominalRadius + d);
+    }
+    const std::vector<CommandedArc> arcs = inOrderOfTime(distances);
+    if (const CentringError error = centringError(arcs); error.status == CentringError::Status::converged)
+        m_nearbyCentring.emplace(arcs, error);
     for (Circle &circle : m_circles) {
         Points points;
         std::vector<const Rays *> sets;
@@ -235,23 +243,34 @@ void CircularTrials::setReadings(std::size_t index, Workplace &place) const {
         deviations[source[i]] = place.errors[i];
 }
 
-std::optional<Point> CircularTrials::centringErrorOf(const Workplace &place) const {
-    // The arcs in the order of time, as `paths` takes them.
+std::vector<CommandedArc>
+CircularTrials::inOrderOfTime(std::span<const std::vector<double>> distances) const {
     std::vector<std::pair<std::size_t, CommandedArc>> inOrder;
     for (std::size_t k = 0; k < m_parts.size(); ++k) {
         if (m_parts[k].commanded)
-            inOrder.push_back(
-                {m_parts[k].arc, {m_parts[k].angles, place.distances[k], m_parts[k].directions}});
+            inOrder.push_back({m_parts[k].arc, {m_parts[k].angles, distances[k], m_parts[k].directions}});
     }
     for (const Part &part : m_repeated)
         inOrder.push_back({part.arc, {part.angles, part.deviations, part.directions}});
     std::ranges::sort(inOrder, {}, &std::pair<std::size_t, CommandedArc>::first);
-    std::vector<CommandedArc> commanded;
+    std::vector<CommandedArc> result;
     for (const auto &[arc, path] : inOrder)
-        commanded.push_back(path);
-    if (commanded.empty())
+        result.push_back(path);
+    return result;
+}
+
+std::optional<Point> CircularTrials::centringErrorOf(const Workplace &place) const {
+    const std::vector<CommandedArc> arcs = inOrderOfTime(place.distances);
+    if (arcs.empty())
         return std::nullopt;
-    const CentringError error = centringError(commanded);
+    if (m_nearbyCentring) {
+        std::vector<std::span<const double>> distances;
+        for (const CommandedArc &arc : arcs)
+            distances.push_back(arc.distances);
+        if (const auto e = m_nearbyCentring->centringError(distances))
+            return e;
+    }
+    const CentringError error = centringError(arcs);
     return error.valid() ? std::optional(error.e) : std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/evaluation/iso230_4/results.h"
+#include "kernel/numerics/nearbycentring.h"
 #include "kernel/numerics/nearbycircle.h"
 #include "kernel/simulation/pointerrors.h"
 #include "kernel/uncertainty/simulation.h"
@@ -87,6 +88,9 @@ private:
     void wantCircles(const CircularRow &row);
     void addParts();
     void addReferences();
+    /// The arcs of commanded angles in the order of time, as `paths` takes them.
+    [[nodiscard]] std::vector<CommandedArc>
+    inOrderOfTime(std::span<const std::vector<double>> distances) const;
     [[nodiscard]] std::optional<Point> centringErrorOf(const Workplace &place) const;
     void setPoints(Workplace &place) const;
     [[nodiscard]] bool evaluate(Workplace &place, const std::stop_token &stop) const;
@@ -106,9 +110,10 @@ private:
     std::vector<double> m_repeatability; ///< of each, standard deviation, mm
     std::vector<Part> m_parts;           ///< as the paths of the results
     std::vector<Part> m_repeated;        ///< of commanded angles: they too tell the centring error
-    std::vector<Circle> m_circles;       ///< that the parameters look at
-    bool m_readings = false;             ///< a parameter looks at the readings
-    bool m_points = false;               ///< one looks at the points
+    std::optional<NearbyCentring> m_nearbyCentring;
+    std::vector<Circle> m_circles; ///< that the parameters look at
+    bool m_readings = false;       ///< a parameter looks at the readings
+    bool m_points = false;         ///< one looks at the points
     int m_chunk = 1;
     double m_zero = 0; ///< standard deviations, mm
     double m_scale = 0;
