@@ -126,10 +126,7 @@ Points rebuildPoints(const CommandedArc &arc, Point e) {
     points.y.reserve(arc.angles.size());
     for (std::size_t i = 0; i < arc.angles.size(); ++i) {
         const Point u = arc.directions.empty() ? direction(arc.angles[i]) : arc.directions[i];
-        const double r = arc.distances[i];
-        const double across = e.x * u.y - e.y * u.x;
-        const double square = (r - across) * (r + across); // r² − (e × u)², without its cancellation
-        const double radius = e.x * u.x + e.y * u.y + std::sqrt(std::max(0.0, square));
+        const double radius = rebuiltRadius(arc.distances[i], u, e);
         points.x.push_back(radius * u.x);
         points.y.push_back(radius * u.y);
     }

@@ -2,6 +2,7 @@
 
 #include "kernel/numerics/points.h"
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -52,5 +53,11 @@ struct CentringError {
 /// centre of the commanded circle, mm. A ray that passes e farther off than r (r < |e × u|) gives the foot
 /// of the perpendicular, ρ = e·u: no reading of a circle does so.
 [[nodiscard]] Points rebuildPoints(const CommandedArc &arc, Point e);
+/// ρ of one of them.
+[[nodiscard]] inline double rebuiltRadius(double r, Point u, Point e) {
+    const double across = e.x * u.y - e.y * u.x;
+    const double square = (r - across) * (r + across); // r² − (e × u)², without its cancellation
+    return e.x * u.x + e.y * u.y + std::sqrt(square > 0 ? square : 0);
+}
 
 } // namespace palmer

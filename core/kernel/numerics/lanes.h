@@ -40,6 +40,13 @@ public:
         return {Pair{values[0], values[1]}, Pair{values[2], values[3]}};
     }
 
+    void store(double *values) const {
+        values[0] = m_low[0];
+        values[1] = m_low[1];
+        values[2] = m_high[0];
+        values[3] = m_high[1];
+    }
+
     Lanes &operator+=(const Lanes &b) { return *this = *this + b; }
     friend Lanes operator+(const Lanes &a, const Lanes &b) {
         return {a.m_low + b.m_low, a.m_high + b.m_high};

@@ -162,17 +162,18 @@ std::optional<Ring> intersect(const std::array<Sample, 4> &four, const Pairing &
     return intersect({four[p[0]], four[p[1]]}, {four[p[2]], four[p[3]]});
 }
 
-/// The O(1) certificate, see the header: proven from the four contacts alone.
-bool certify(const Ring &ring, double tolerance) {
+/// The O(1) certificate, see the header: proven from the four contacts alone. All other rings of the contacts
+/// are wider by `margin` at least.
+bool certify(const Ring &ring, double tolerance, double margin = 0) {
     if (!isMinimum(ring, tolerance))
         return false;
     const std::array<Sample, 4> contacts{ring.outer[0], ring.outer[1], ring.inner[0], ring.inner[1]};
     for (const Pairing &pairing : {pairings[1], pairings[2]}) {
         const std::optional<Ring> other = intersect(contacts, pairing);
-        if (other && other->bound(tolerance) < ring.width())
+        if (other && other->bound(tolerance) < ring.width() + margin)
             return false;
     }
-    return thinnestStrip(contacts).width > ring.bound(tolerance);
+    return thinnestStrip(contacts).width > ring.bound(tolerance) + margin;
 }
 
 /// Up to 8 points that may touch the circles.
@@ -248,6 +249,14 @@ struct Violators {
     [[nodiscard]] bool any() const { return farthest || nearest; }
 };
 
+constexpr std::size_t smallest = 256; ///< up to so many all points are the working set
+
+/// The working set begins with every so-manieth point: some 3·√n of them.
+std::size_t strideOfWorkingSet(std::size_t n) {
+    constexpr std::size_t sampleFactor = 3;
+    return n <= smallest ? 1 : static_cast<std::size_t>(std::sqrt(static_cast<double>(n))) / sampleFactor;
+}
+
 /// The data, and a small working set of its points that is looked at first. Looks at all points go block by
 /// block; a block is passed over while the movement of the centre since the first look cannot have brought
 /// any of its points outside the ring.
@@ -258,8 +267,7 @@ public:
         , m_tolerance(tolerance) {
         const std::size_t n = points.size();
         m_complete = n <= smallest;
-        const std::size_t stride =
-            m_complete ? 1 : static_cast<std::size_t>(std::sqrt(static_cast<double>(n))) / sampleFactor;
+        const std::size_t stride = strideOfWorkingSet(n);
         const std::size_t size = (n + stride - 1) / stride;
         m_index.reserve(size);
         m_x.reserve(size);
@@ -390,8 +398,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t smallest = 256;   // up to so many all points are the working set
-    static constexpr std::size_t sampleFactor = 3; // beyond, it begins with about sampleFactor·√n
     static constexpr std::size_t blockSize = 128;
 
     [[nodiscard]] Sample sample(std::size_t i) const {
@@ -624,6 +630,187 @@ private:
     double m_bound = infinity;  // of m_best
 };
 
+/// The exchange over points on rays.
+class RaysSearch {
+public:
+    RaysSearch(std::span<const RaysLook> points, const MinimumZoneOptions &options)
+        : m_points(points)
+        , m_tolerance(options.tolerance) {
+        std::size_t n = 0;
+        for (const RaysLook &part : points)
+            n += part.rays->size();
+        // The same origin as that of the plain search: coordinates about it, and all after, are the same
+        // bits.
+        Point sum;
+        std::size_t size = 0;
+        const std::size_t stride = strideOfWorkingSet(n);
+        std::size_t k = 0;
+        for (const RaysLook &part : points) {
+            for (; k < part.rays->size(); k += stride, ++size) {
+                const Point p = part.rays->point(*part.look, k);
+                sum.x += p.x;
+                sum.y += p.y;
+            }
+            k -= part.rays->size();
+        }
+        m_origin = {sum.x / static_cast<double>(size), sum.y / static_cast<double>(size)};
+    }
+
+    [[nodiscard]] Point origin() const { return m_origin; }
+
+    [[nodiscard]] std::optional<Ring> run(const std::array<std::size_t, 4> &first) const {
+        Contacts outer;
+        Contacts inner;
+        for (const std::size_t k : {0, 1})
+            outer.add(sample(first[k]));
+        for (const std::size_t k : {2, 3})
+            inner.add(sample(first[k]));
+        constexpr int mostExchanges = 50;
+        for (int step = 0; step < mostExchanges; ++step) {
+            const std::optional<Ring> ring = leastRing(outer, inner, m_tolerance);
+            if (!ring || !std::isfinite(ring->greatest))
+                return std::nullopt;
+            Beyond beyond{likelyViolators(*ring)};
+            if (!beyond.violators.any())
+                beyond = this->beyond(*ring);
+            if (!beyond.violators.any())
+                return beyond.close || !certify(*ring, m_tolerance, margin(*ring)) ? std::nullopt : ring;
+            outer = {};
+            inner = {};
+            for (const Sample &s : ring->outer)
+                outer.add(s);
+            for (const Sample &s : ring->inner)
+                inner.add(s);
+            if (beyond.violators.farthest)
+                outer.add(*beyond.violators.farthest);
+            if (beyond.violators.nearest)
+                inner.add(*beyond.violators.nearest);
+        }
+        return std::nullopt;
+    }
+
+private:
+    struct Beyond {
+        Violators violators;
+        bool close = false; ///< a point that is no contact lies beyond or within the margin
+    };
+
+    /// Far above all rounding, far below the distance of one point from the next.
+    static double margin(const Ring &ring) { return 1e-12 * ring.outerRadius(); }
+
+    [[nodiscard]] Sample sample(std::size_t i) const {
+        std::size_t k = i;
+        for (const RaysLook &part : m_points) {
+            if (k < part.rays->size())
+                return {about(part.rays->point(*part.look, k)), i};
+            k -= part.rays->size();
+        }
+        assert(false);
+        return {};
+    }
+
+    [[nodiscard]] Point about(Point p) const { return {p.x - m_origin.x, p.y - m_origin.y}; }
+
+    /// Squared distances: of the margins inside the ring, of the ring with its tolerance.
+    struct Borders {
+        double outerMargin;
+        double innerMargin;
+        double outer;
+        double inner;
+    };
+    [[nodiscard]] Borders bordersOf(const Ring &ring) const {
+        const double allowance = m_tolerance * ring.outerRadius();
+        const auto square = [](double r) { return r > 0 ? r * r : 0; };
+        return {square(ring.outerRadius() - margin(ring)), square(ring.innerRadius() + margin(ring)),
+                square(ring.outerRadius() + allowance), square(ring.innerRadius() - allowance)};
+    }
+
+    /// Notes the points of a part that are beyond; `reached` goes with the outermost.
+    [[nodiscard]] auto visitor(const Ring &ring, std::size_t k, const Borders &borders, Borders &reached,
+                               Beyond &result) const {
+        const std::size_t offset = k == 0 ? 0 : m_points[0].rays->size();
+        return [&, k, offset](std::size_t i) {
+            const Point p = about(m_points[k].rays->point(*m_points[k].look, i));
+            const double d = squaredDistance(p, ring.centre);
+            if (d <= borders.outerMargin && d >= borders.innerMargin)
+                return;
+            const Sample s{p, offset + i};
+            result.close = result.close || !isContact(ring, s.index);
+            if (d > reached.outer) {
+                reached.outer = d;
+                result.violators.farthest = s;
+            }
+            if (d < reached.inner) {
+                reached.inner = d;
+                result.violators.nearest = s;
+            }
+        };
+    }
+
+    /// The violators, from the sectors that may reach farthest out and in: as good to go on with as the
+    /// outermost of all, while many points are outside.
+    [[nodiscard]] Violators likelyViolators(const Ring &ring) const {
+        const Point centre{m_origin.x + ring.centre.x, m_origin.y + ring.centre.y};
+        std::array<std::size_t, 2> in{};
+        Rays::Outermost all;
+        for (std::size_t k = 0; k < m_points.size(); ++k) {
+            const Rays::Outermost of = m_points[k].rays->outermost(*m_points[k].look, centre);
+            if (of.greatest > all.greatest) {
+                in[0] = k;
+                all.greatest = of.greatest;
+                all.farthest = of.farthest;
+            }
+            if (of.least < all.least) {
+                in[1] = k;
+                all.least = of.least;
+                all.nearest = of.nearest;
+            }
+        }
+        Beyond result;
+        const Borders borders = bordersOf(ring);
+        Borders reached = borders;
+        if (all.greatest > ring.outerRadius())
+            m_points[in[0]].rays->visitSector(all.farthest, visitor(ring, in[0], borders, reached, result));
+        if (all.least < ring.innerRadius())
+            m_points[in[1]].rays->visitSector(all.nearest, visitor(ring, in[1], borders, reached, result));
+        return result.violators;
+    }
+
+    [[nodiscard]] Beyond beyond(const Ring &ring) const {
+        const Point centre{m_origin.x + ring.centre.x, m_origin.y + ring.centre.y};
+        const double margin = RaysSearch::margin(ring);
+        const Borders borders = bordersOf(ring);
+        Borders reached = borders;
+        Beyond result;
+        for (std::size_t k = 0; k < m_points.size(); ++k)
+            m_points[k].rays->visitBeyond(*m_points[k].look, centre, ring.outerRadius() - margin,
+                                          ring.innerRadius() + margin,
+                                          visitor(ring, k, borders, reached, result));
+        return result;
+    }
+
+    static bool isContact(const Ring &ring, std::size_t i) {
+        return ring.outer[0].index == i || ring.outer[1].index == i || ring.inner[0].index == i ||
+               ring.inner[1].index == i;
+    }
+
+    std::span<const RaysLook> m_points;
+    double m_tolerance;
+    Point m_origin;
+};
+
+MinimumZone zoneOf(const Ring &ring, Point origin) {
+    MinimumZone zone;
+    zone.status = Status::found;
+    zone.centre = {origin.x + ring.centre.x, origin.y + ring.centre.y};
+    zone.innerRadius = ring.innerRadius();
+    zone.outerRadius = ring.outerRadius();
+    zone.width = ring.width();
+    zone.outer = {ring.outer[0].index, ring.outer[1].index};
+    zone.inner = {ring.inner[0].index, ring.inner[1].index};
+    return zone;
+}
+
 } // namespace
 
 MinimumZone minimumZone(PointsView points, const MinimumZoneOptions &options) {
@@ -657,12 +844,26 @@ MinimumZone minimumZone(PointsView points, const MinimumZoneOptions &options) {
         zone.certified = false;
         return zone;
     }
-    zone.centre = {search.origin().x + ring.centre.x, search.origin().y + ring.centre.y};
-    zone.innerRadius = ring.innerRadius();
-    zone.outerRadius = ring.outerRadius();
-    zone.width = ring.width();
-    zone.outer = {ring.outer[0].index, ring.outer[1].index};
-    zone.inner = {ring.inner[0].index, ring.inner[1].index};
+    const bool certified = zone.certified;
+    const int scans = zone.scans;
+    zone = zoneOf(ring, search.origin());
+    zone.certified = certified;
+    zone.scans = scans;
+    return zone;
+}
+
+std::optional<MinimumZone> minimumZone(std::span<const RaysLook> points,
+                                       const std::array<std::size_t, 4> &first,
+                                       const MinimumZoneOptions &options) {
+    for (const RaysLook &part : points)
+        if (!part.rays->finite(*part.look))
+            return std::nullopt;
+    const RaysSearch search(points, options);
+    const std::optional<Ring> ring = search.run(first);
+    if (!ring)
+        return std::nullopt;
+    MinimumZone zone = zoneOf(*ring, search.origin());
+    zone.certified = true;
     return zone;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "kernel/numerics/points.h"
+#include "kernel/numerics/rays.h"
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 
 namespace palmer {
 
@@ -61,5 +64,21 @@ struct MinimumZone {
 };
 
 [[nodiscard]] MinimumZone minimumZone(PointsView points, const MinimumZoneOptions &options = {});
+
+/// The points of some rays at one look, one set behind the other.
+struct RaysLook {
+    const Rays *rays;
+    const Rays::Look *look;
+};
+
+/// The minimum zone circles of the points of one or two sets of rays near a reference, to the last bit those
+/// of the plain way; null where it cannot be told from so little: the plain way tells then. `first`: indices
+/// of the contacts to begin with, those of the reference, outer then inner, so that the result depends on no
+/// other look. The exchange needs the points beyond each ring alone, which Rays finds without looking at all.
+/// The result is taken only where no other ring can be as thin: the O(1) certificate holds, and no point but
+/// the contacts comes near the circles, both by more than all rounding.
+[[nodiscard]] std::optional<MinimumZone> minimumZone(std::span<const RaysLook> points,
+                                                     const std::array<std::size_t, 4> &first,
+                                                     const MinimumZoneOptions &options = {});
 
 } // namespace palmer

@@ -3,6 +3,7 @@
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/numerics/centringerror.h"
+#include "kernel/numerics/minimumzone.h"
 #include "kernel/uncertainty/circularbudget.h"
 
 #include <algorithm>
@@ -17,21 +18,6 @@ constexpr double rootOfTwelve = 3.4641016151377546; ///< width of a uniform dist
 
 /// Places of the random numbers of a trial.
 enum Place : std::uint32_t { commonPlace = 0, repeatabilityPlace = 4, firstPointPlace = 64 };
-
-constexpr std::size_t pointsPerStep = 8; ///< of four places: two words a point
-
-/// The circles a result looks at.
-std::vector<std::pair<CircleOf, ReferenceCircle>> circlesOf(const CircularRow &row,
-                                                            const CircularMeasurement &measurement) {
-    const std::string_view quantity = row.quantity;
-    const bool width = quantity.starts_with('G');
-    if (quantity == "F" && measurement.centring == Centring::instrument)
-        return {};
-    const ReferenceCircle kind = width ? measurement.referenceCircle : ReferenceCircle::leastSquares;
-    if (row.of == CircularRow::Of::pair)
-        return {{CircleOf::both, kind}};
-    return {{CircleOf::counterclockwise, kind}, {CircleOf::clockwise, kind}};
-}
 
 double deviation(const std::vector<Contribution> &contributions, std::string_view id) {
     const auto found = std::ranges::find(contributions, id, [](const Contribution &c) { return c.id; });
@@ -54,8 +40,8 @@ CircularTrials::CircularTrials(const Test &test, const CircularMeasurement &meas
     m_length = deviation(contributions, referenceLengthId);
     m_correction = deviation(contributions, correctionId);
     constexpr double micrometresPerMm = 1000;
-    m_noise = std::max(0.0, measurement.uncertainty.pointNoise.value_or(0)) / micrometresPerMm;
-    m_resolution = deviation(contributions, resolutionId) * rootOfTwelve;
+    m_errors.noise = std::max(0.0, measurement.uncertainty.pointNoise.value_or(0)) / micrometresPerMm;
+    m_errors.resolution = deviation(contributions, resolutionId) * rootOfTwelve;
     m_drift = deviation(contributions, driftId) * rootOfTwelve;
     if (measurement.centring == Centring::instrument)
         m_centring = deviation(contributions, centringId);
@@ -72,42 +58,86 @@ CircularTrials::CircularTrials(const Test &test, const CircularMeasurement &meas
         m_parameters.push_back({parameterId(parameter), *parameter.value, 0, 0, 0, 0, {}});
         m_listed.push_back(k);
         m_repeatability.push_back(repeated[k].value_or(deviation(contributions, repeatabilityId)));
-        for (const auto &circle : circlesOf(*listed[k].row, measurement)) {
-            if (std::ranges::find(m_circles, circle) == m_circles.end())
-                m_circles.push_back(circle);
-        }
+        wantCircles(*listed[k].row);
     }
 
+    addParts();
+    addReferences();
+}
+
+void CircularTrials::wantCircles(const CircularRow &row) {
+    const std::string_view quantity = row.quantity;
+    m_points = m_points || quantity == "H";
+    if (quantity == "F" && m_measurement.centring == Centring::instrument) {
+        m_readings = true;
+        return;
+    }
+    const bool width = quantity.starts_with('G');
+    const ReferenceCircle kind = width ? m_measurement.referenceCircle : ReferenceCircle::leastSquares;
+    const auto want = [&](CircleOf of) {
+        const auto found =
+            std::ranges::find_if(m_circles, [&](const Circle &c) { return c.of == of && c.kind == kind; });
+        const bool radiusAlone = row.of == CircularRow::Of::pair && !width;
+        if (found == m_circles.end())
+            m_circles.push_back({of, kind, radiusAlone, {}, {}, {}});
+        else
+            found->radiusAlone = found->radiusAlone && radiusAlone;
+    };
+    if (row.of == CircularRow::Of::pair) {
+        want(CircleOf::both);
+        return;
+    }
+    want(CircleOf::counterclockwise);
+    want(CircleOf::clockwise);
+}
+
+void CircularTrials::addParts() {
     std::uint32_t place = firstPointPlace;
     double low = 0;
     double high = 0;
     std::size_t points = 0;
     for (const EvaluatedPath &path : m_results.paths) {
-        const Arc &arc = measurement.arcs[path.arc];
-        Part part{path.arc, {}, {}, {}, place};
+        const Arc &arc = m_measurement.arcs[path.arc];
+        const bool commanded = arc.angleReference == AngleReference::commanded;
+        Part part{path.arc, {}, {}, {}, place, commanded, {}};
+        std::vector<double> x;
+        std::vector<double> y;
+        std::vector<double> radii;
         for (const std::size_t i : path.source) {
+            const Point u = direction(arc.angles[i]);
+            const double r = m_measurement.nominalRadius + arc.radialDeviations[i];
             part.angles.push_back(arc.angles[i]);
-            part.directions.push_back(direction(arc.angles[i]));
+            part.directions.push_back(u);
             part.deviations.push_back(arc.radialDeviations[i]);
+            x.push_back(u.x);
+            y.push_back(u.y);
+            radii.push_back(
+                commanded && m_results.centringError ? rebuiltRadius(r, u, *m_results.centringError) : r);
             low = points == 0 ? part.deviations.back() : std::min(low, part.deviations.back());
             high = points == 0 ? part.deviations.back() : std::max(high, part.deviations.back());
             ++points;
         }
-        place += static_cast<std::uint32_t>((part.angles.size() / pointsPerStep + 1) * 4);
+        const CircleOf of =
+            path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
+        const CircleResult *circle = m_results.circle(of, ReferenceCircle::leastSquares);
+        if (!circle)
+            circle = m_results.circle(of, ReferenceCircle::minimumZone);
+        part.rays = Rays(std::move(x), std::move(y), std::move(radii), circle ? circle->centre : Point{});
+        place += placesOfPoints(part.angles.size());
         m_parts.push_back(std::move(part));
     }
     for (const std::size_t k : m_results.repetitions) {
-        const Arc &arc = measurement.arcs[k];
+        const Arc &arc = m_measurement.arcs[k];
         const auto range = iso230_4::evaluatedRange(arc);
         if (arc.angleReference != AngleReference::commanded || !range)
             continue;
-        Part part{k, {}, {}, {}, 0};
+        Part part{k, {}, {}, {}, 0, true, {}};
         for (std::size_t i = 0; i < arc.angles.size(); ++i) {
             if (arc.angles[i] < range->from || arc.angles[i] > range->to)
                 continue;
             part.angles.push_back(arc.angles[i]);
             part.directions.push_back(direction(arc.angles[i]));
-            part.deviations.push_back(measurement.nominalRadius + arc.radialDeviations[i]);
+            part.deviations.push_back(m_measurement.nominalRadius + arc.radialDeviations[i]);
         }
         m_repeated.push_back(std::move(part));
     }
@@ -119,10 +149,54 @@ CircularTrials::CircularTrials(const Test &test, const CircularMeasurement &meas
         std::clamp<std::size_t>(pointsPerChunk / std::max<std::size_t>(points, 1), 1, mostOfChunk));
 }
 
+void CircularTrials::addReferences() {
+    std::vector<std::vector<double>> distances(m_parts.size());
+    for (std::size_t k = 0; k < m_parts.size(); ++k) {
+        for (const double d : m_parts[k].deviations)
+            distances[k].push_back(m_measurement.nominalRadius + d);
+    }
+    const std::vector<CommandedArc> arcs = inOrderOfTime(distances);
+    if (const CentringError error = centringError(arcs); error.status == CentringError::Status::converged)
+        m_nearbyCentring.emplace(arcs, error);
+    for (Circle &circle : m_circles) {
+        Points points;
+        std::vector<const Rays *> sets;
+        for (std::size_t k = 0; k < m_parts.size(); ++k) {
+            const CircleOf of = m_results.paths[k].sense == Sense::counterclockwise
+                                    ? CircleOf::counterclockwise
+                                    : CircleOf::clockwise;
+            if (circle.of != CircleOf::both && circle.of != of)
+                continue;
+            circle.parts.push_back(k);
+            sets.push_back(&m_parts[k].rays);
+            points.append(m_parts[k].rays.reference().view());
+        }
+        const CircleResult *result = m_results.circle(circle.of, circle.kind);
+        if (!result)
+            continue;
+        if (circle.kind == ReferenceCircle::leastSquares) {
+            circle.nearby.emplace(sets, result->centre);
+        } else {
+            const MinimumZone zone = minimumZone(points.view());
+            // Where nothing but noise is to come any four points are as good.
+            const std::size_t quarter = points.size() / 4;
+            circle.contacts = {0, 2 * quarter, quarter, 3 * quarter};
+            if (zone.valid() && zone.certified)
+                circle.contacts = {zone.outer[0], zone.outer[1], zone.inner[0], zone.inner[1]};
+        }
+    }
+}
+
 CircularTrials::Workplace CircularTrials::workplace() const {
     Workplace result{std::make_shared<CircularMeasurement>(m_measurement),
                      std::make_shared<CircularResults>(m_results),
+                     {},
+                     {},
                      {}};
+    for (const Part &part : m_parts) {
+        result.distances.emplace_back(part.deviations.size());
+        result.looks.push_back(part.rays.look());
+    }
     return result;
 }
 
@@ -145,82 +219,138 @@ void CircularTrials::perturb(long long trial, std::size_t index, const Common &a
     const Part &part = m_parts[index];
     const std::size_t n = part.deviations.size();
     std::vector<double> &errors = place.errors;
-    errors.assign(n + pointsPerStep, 0);
-    if (m_noise > 0 || m_resolution > 0) {
-        std::uint32_t next = part.place;
-        for (std::size_t i = 0; i < n; i += pointsPerStep, next += 4) {
-            const auto words = m_draws.places(trial, next);
-            for (std::size_t half = 0; half < 2; ++half) {
-                Lanes error = m_resolution / 2 * RandomDraws::symmetric(words[2 + half]);
-                if (m_noise > 0)
-                    error += m_noise * RandomDraws::normal(words[half]);
-                const auto values = error.values();
-                std::ranges::copy(values, errors.begin() + static_cast<std::ptrdiff_t>(i + half * 4));
-            }
-        }
-    }
+    errors.assign(n, 0);
+    if (m_errors.noise > 0 || m_errors.resolution > 0)
+        drawPointErrors(m_draws, trial, part.place, m_errors, errors);
     const double common = all.drift[index % 2] + all.zero;
-    auto &deviations = place.measurement->arcs[part.arc].radialDeviations;
+    const double *d = part.deviations.data();
+    const double *x = part.rays.x().data();
+    const double *y = part.rays.y().data();
+    for (std::size_t i = 0; i < n; ++i)
+        errors[i] = d[i] + (common + all.scale * (d[i] - m_middle) -
+                            (all.centring.x * x[i] + all.centring.y * y[i]) + errors[i]);
+    std::vector<double> &distances = place.distances[index];
+    for (std::size_t i = 0; i < n; ++i)
+        distances[i] = m_measurement.nominalRadius + errors[i];
+    if (m_readings)
+        setReadings(index, place);
+}
+
+void CircularTrials::setReadings(std::size_t index, Workplace &place) const {
+    auto &deviations = place.measurement->arcs[m_parts[index].arc].radialDeviations;
     const auto &source = m_results.paths[index].source;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double d = part.deviations[i];
-        const Point u = part.directions[i];
-        deviations[source[i]] = d + (common + all.scale * (d - m_middle) -
-                                     (all.centring.x * u.x + all.centring.y * u.y) + errors[i]);
-    }
+    for (std::size_t i = 0; i < source.size(); ++i)
+        deviations[source[i]] = place.errors[i];
 }
 
-bool CircularTrials::wanted(CircleOf of, ReferenceCircle kind) const {
-    return std::ranges::find(m_circles, std::pair{of, kind}) != m_circles.end();
-}
-
-bool CircularTrials::evaluate(Workplace &place, const std::stop_token &stop) const {
-    const double radius = m_measurement.nominalRadius;
-    std::vector<std::vector<double>> distances(m_parts.size());
-    std::vector<CommandedArc> commanded;
-    for (std::size_t k = 0; k < m_parts.size(); ++k) {
-        const Part &part = m_parts[k];
-        const auto &deviations = place.measurement->arcs[part.arc].radialDeviations;
-        distances[k].reserve(part.angles.size());
-        for (const std::size_t i : m_results.paths[k].source)
-            distances[k].push_back(radius + deviations[i]);
-    }
-    // The arcs in the order of time, as `paths` takes them.
+std::vector<CommandedArc>
+CircularTrials::inOrderOfTime(std::span<const std::vector<double>> distances) const {
     std::vector<std::pair<std::size_t, CommandedArc>> inOrder;
     for (std::size_t k = 0; k < m_parts.size(); ++k) {
-        if (m_measurement.arcs[m_parts[k].arc].angleReference == AngleReference::commanded)
+        if (m_parts[k].commanded)
             inOrder.push_back({m_parts[k].arc, {m_parts[k].angles, distances[k], m_parts[k].directions}});
     }
     for (const Part &part : m_repeated)
         inOrder.push_back({part.arc, {part.angles, part.deviations, part.directions}});
     std::ranges::sort(inOrder, {}, &std::pair<std::size_t, CommandedArc>::first);
+    std::vector<CommandedArc> result;
     for (const auto &[arc, path] : inOrder)
-        commanded.push_back(path);
-    CircularResults &results = *place.results;
-    results.centringError.reset();
-    if (!commanded.empty()) {
-        const CentringError error = centringError(commanded);
-        if (error.valid())
-            results.centringError = error.e;
+        result.push_back(path);
+    return result;
+}
+
+std::optional<Point> CircularTrials::centringErrorOf(const Workplace &place) const {
+    const std::vector<CommandedArc> arcs = inOrderOfTime(place.distances);
+    if (arcs.empty())
+        return std::nullopt;
+    if (m_nearbyCentring) {
+        std::vector<std::span<const double>> distances;
+        for (const CommandedArc &arc : arcs)
+            distances.push_back(arc.distances);
+        if (const auto e = m_nearbyCentring->centringError(distances))
+            return e;
     }
+    const CentringError error = centringError(arcs);
+    return error.valid() ? std::optional(error.e) : std::nullopt;
+}
+
+void CircularTrials::setPoints(Workplace &place) const {
     for (std::size_t k = 0; k < m_parts.size(); ++k) {
         const Part &part = m_parts[k];
-        Points &points = results.paths[k].points;
-        if (m_measurement.arcs[part.arc].angleReference == AngleReference::commanded &&
-            results.centringError) {
-            points = rebuildPoints({part.angles, distances[k], part.directions}, *results.centringError);
+        Rays::Look &look = place.looks[k];
+        const auto &e = place.results->centringError;
+        if (part.commanded && e) {
+            for (std::size_t i = 0; i < look.radii.size(); ++i)
+                look.radii[i] = rebuiltRadius(place.distances[k][i], part.rays.direction(i), *e);
+        } else {
+            look.radii = place.distances[k];
+        }
+        part.rays.prepare(look);
+        if (m_points)
+            part.rays.fill(look, place.results->paths[k].points);
+    }
+}
+
+std::optional<CircleResult> CircularTrials::minimumZoneOf(const Circle &circle,
+                                                          const Workplace &place) const {
+    if (!circle.contacts)
+        return std::nullopt;
+    std::array<RaysLook, 2> looks{};
+    for (std::size_t k = 0; k < circle.parts.size(); ++k)
+        looks[k] = {&m_parts[circle.parts[k]].rays, &place.looks[circle.parts[k]]};
+    const auto zone = minimumZone(std::span(looks).first(circle.parts.size()), *circle.contacts);
+    if (!zone)
+        return std::nullopt;
+    return CircleResult{
+        circle.of,         circle.kind,       zone->centre, (zone->innerRadius + zone->outerRadius) / 2,
+        zone->innerRadius, zone->outerRadius, zone->width,  zone->certified};
+}
+
+std::optional<CircleResult> CircularTrials::leastSquaresOf(const Circle &circle,
+                                                           const Workplace &place) const {
+    if (!circle.nearby)
+        return std::nullopt;
+    std::array<const Rays::Look *, 2> looks{};
+    for (std::size_t k = 0; k < circle.parts.size(); ++k)
+        looks[k] = &place.looks[circle.parts[k]];
+    const auto fit = circle.nearby->fit(std::span(looks).first(circle.parts.size()));
+    if (!fit)
+        return std::nullopt;
+    CircleResult result{circle.of, circle.kind, fit->centre, fit->radius, 0, 0, 0, std::nullopt};
+    if (circle.radiusAlone)
+        return result;
+    result.innerRadius = std::numeric_limits<double>::infinity();
+    for (const std::size_t k : circle.parts) {
+        const Rays::Extremes extremes = m_parts[k].rays.extremes(place.looks[k], fit->centre);
+        result.innerRadius = std::min(result.innerRadius, extremes.least);
+        result.outerRadius = std::max(result.outerRadius, extremes.greatest);
+    }
+    result.width = result.outerRadius - result.innerRadius;
+    return result;
+}
+
+bool CircularTrials::evaluate(Workplace &place, const std::stop_token &stop) const {
+    CircularResults &results = *place.results;
+    results.centringError = centringErrorOf(place);
+    setPoints(place);
+    results.circles.clear();
+    for (const Circle &circle : m_circles) {
+        if (stop.stop_requested())
+            return false;
+        const auto result = circle.kind == ReferenceCircle::minimumZone ? minimumZoneOf(circle, place)
+                                                                        : leastSquaresOf(circle, place);
+        if (result) {
+            results.circles.push_back(*result);
             continue;
         }
-        points.x.resize(part.angles.size());
-        points.y.resize(part.angles.size());
-        for (std::size_t i = 0; i < part.angles.size(); ++i) {
-            points.x[i] = distances[k][i] * part.directions[i].x;
-            points.y[i] = distances[k][i] * part.directions[i].y;
-        }
+        ++place.plain;
+        for (const std::size_t k : circle.parts)
+            m_parts[k].rays.fill(place.looks[k], results.paths[k].points);
+        const auto plain = iso230_4::circles(results.paths, [&](CircleOf of, ReferenceCircle kind) {
+            return of == circle.of && kind == circle.kind;
+        });
+        results.circles.insert(results.circles.end(), plain.begin(), plain.end());
     }
-    results.circles = iso230_4::circles(results.paths, [&](CircleOf of, ReferenceCircle kind) {
-        return !stop.stop_requested() && wanted(of, kind);
-    });
     return !stop.stop_requested();
 }
 
@@ -228,6 +358,7 @@ void CircularTrials::run(long long first, Workplace &place, std::span<double> va
                          const std::stop_token &stop) const {
     const auto trials = static_cast<std::size_t>(m_chunk);
     const CircularCase whole{m_test, *place.measurement, m_surroundings, m_edition, *place.results};
+    const auto listed = iso230_4::listedParameters(whole);
     for (std::size_t k = 0; k < trials; ++k) {
         const long long trial = first + static_cast<long long>(k);
         const Common all = common(trial);
@@ -236,7 +367,6 @@ void CircularTrials::run(long long first, Workplace &place, std::span<double> va
         if (!evaluate(place, stop))
             return;
         place.results->correction = m_results.correction.value_or(0) + all.correction;
-        const auto listed = iso230_4::listedParameters(whole);
         for (std::size_t p = 0; p < m_listed.size(); ++p) {
             const auto found = iso230_4::value(listed[m_listed[p]], whole);
             const RandomDraws::Words words =
@@ -251,8 +381,10 @@ void CircularTrials::run(long long first, Workplace &place, std::span<double> va
 CircularMeasurement CircularTrials::perturbed(long long trial) const {
     Workplace place = workplace();
     const Common all = common(trial);
-    for (std::size_t part = 0; part < m_parts.size(); ++part)
+    for (std::size_t part = 0; part < m_parts.size(); ++part) {
         perturb(trial, part, all, place);
+        setReadings(part, place);
+    }
     return *place.measurement;
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 
 #include "kernel/evaluation/iso230_4/results.h"
-#include "kernel/simulation/randomdraws.h"
+#include "kernel/numerics/nearbycentring.h"
+#include "kernel/numerics/nearbycircle.h"
+#include "kernel/simulation/pointerrors.h"
 #include "kernel/uncertainty/simulation.h"
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -13,6 +17,12 @@ namespace palmer {
 
 /// The trials of a circular test: errors of measurement added to the radial deviations, then points, circles
 /// and results as they are evaluated themselves.
+///
+/// Nearly all that a trial costs is saved by knowing the evaluation without errors: each trial is a little
+/// apart from it. The points stay on their rays (`Rays`: which of them can touch a circle is known without
+/// looking at all); minimum zones begin with its contacts, and are to the last bit those of the plain way;
+/// least squares circles are two steps away (`NearbyCircle`). Where a trial is too far off, or too close to a
+/// tie, the plain way is taken: what it costs is time.
 class CircularTrials {
 public:
     /// `evaluation`: of the test; its parameters with a value and a U by the budget are simulated.
@@ -28,7 +38,10 @@ public:
     struct Workplace {
         std::shared_ptr<CircularMeasurement> measurement; ///< perturbed
         std::shared_ptr<CircularResults> results;
-        std::vector<double> errors; ///< of the points of a path, mm
+        std::vector<double> errors;                 ///< of the points of a path, mm
+        std::vector<std::vector<double>> distances; ///< from the programmed centre, as read: of each path
+        std::vector<Rays::Look> looks;              ///< the points of each path
+        long long plain = 0;                        ///< circles that took the plain way
     };
     [[nodiscard]] Workplace workplace() const;
 
@@ -48,6 +61,17 @@ private:
         std::vector<Point> directions;
         std::vector<double> deviations; ///< as measured, mm
         std::uint32_t place;            ///< of the random numbers of its first points
+        bool commanded;
+        Rays rays; ///< of the points as evaluated without errors
+    };
+    /// A circle that the parameters look at.
+    struct Circle {
+        CircleOf of;
+        ReferenceCircle kind;
+        bool radiusAlone;                                   ///< no distance of a point is asked for
+        std::vector<std::size_t> parts;                     ///< about whose points it is
+        std::optional<std::array<std::size_t, 4>> contacts; ///< minimum zone: without errors
+        std::optional<NearbyCircle> nearby;                 ///< least squares: about that without errors
     };
     /// What is drawn once a trial.
     struct Common {
@@ -60,8 +84,20 @@ private:
 
     [[nodiscard]] Common common(long long trial) const;
     void perturb(long long trial, std::size_t part, const Common &all, Workplace &place) const;
+    void setReadings(std::size_t part, Workplace &place) const;
+    void wantCircles(const CircularRow &row);
+    void addParts();
+    void addReferences();
+    /// The arcs of commanded angles in the order of time, as `paths` takes them.
+    [[nodiscard]] std::vector<CommandedArc>
+    inOrderOfTime(std::span<const std::vector<double>> distances) const;
+    [[nodiscard]] std::optional<Point> centringErrorOf(const Workplace &place) const;
+    void setPoints(Workplace &place) const;
     [[nodiscard]] bool evaluate(Workplace &place, const std::stop_token &stop) const;
-    [[nodiscard]] bool wanted(CircleOf of, ReferenceCircle kind) const;
+    [[nodiscard]] std::optional<CircleResult> minimumZoneOf(const Circle &circle,
+                                                            const Workplace &place) const;
+    [[nodiscard]] std::optional<CircleResult> leastSquaresOf(const Circle &circle,
+                                                             const Workplace &place) const;
 
     const Test &m_test;
     const CircularMeasurement &m_measurement;
@@ -74,17 +110,19 @@ private:
     std::vector<double> m_repeatability; ///< of each, standard deviation, mm
     std::vector<Part> m_parts;           ///< as the paths of the results
     std::vector<Part> m_repeated;        ///< of commanded angles: they too tell the centring error
-    std::vector<std::pair<CircleOf, ReferenceCircle>> m_circles; ///< that the parameters look at
+    std::optional<NearbyCentring> m_nearbyCentring;
+    std::vector<Circle> m_circles; ///< that the parameters look at
+    bool m_readings = false;       ///< a parameter looks at the readings
+    bool m_points = false;         ///< one looks at the points
     int m_chunk = 1;
     double m_zero = 0; ///< standard deviations, mm
     double m_scale = 0;
     double m_length = 0;
     double m_correction = 0;
     double m_centring = 0;
-    double m_noise = 0;
-    double m_resolution = 0; ///< step, mm
-    double m_drift = 0;      ///< E_VE, mm
-    double m_middle = 0;     ///< of the deviations, mm
+    PointErrors m_errors;
+    double m_drift = 0;  ///< E_VE, mm
+    double m_middle = 0; ///< of the deviations, mm
 };
 
 } // namespace palmer

@@ -1,24 +1,8 @@
 #include "kernel/simulation/randomdraws.h"
 
+#include "kernel/numerics/wideregisters.h"
+
 namespace palmer {
-
-namespace {
-
-// One function compiled twice, for 16 and 32 bytes a register. There is no fused multiply-add in either.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define PALMER_WIDE __attribute__((target("avx2")))
-bool hasWideRegisters() {
-    static const bool has = __builtin_cpu_supports("avx2");
-    return has;
-}
-#else
-#define PALMER_WIDE
-bool hasWideRegisters() {
-    return false;
-}
-#endif
-
-} // namespace
 
 /// Plain loops over eight counters, which the compiler turns into vectors of the function it is inlined into.
 __attribute__((always_inline)) inline void RandomDraws::fill(long long first, std::uint32_t place,

@@ -44,13 +44,19 @@ public:
     /// With the registers every processor has.
     void symmetricNarrow(long long first, std::uint32_t place, std::span<double> numbers) const;
 
-    /// Of one trial the four places from `place` on: four words, the places side by side.
-    [[nodiscard]] std::array<WordLanes, 4> places(long long trial, std::uint32_t place) const {
+    /// Of one trial the `count` places from `place` on: the first words of all, then the second ones and so
+    /// on.
+    template <std::size_t count>
+    [[gnu::always_inline]] inline void fillPlaces(long long trial, std::uint32_t place,
+                                                  std::uint32_t (&into)[4][count]) const {
         const std::uint32_t low = word(trial, 0);
         const std::uint32_t high = word(trial, 1);
-        return Threefry<WordLanes>::words({WordLanes{low, low, low, low}, WordLanes{high, high, high, high},
-                                           WordLanes{place, place + 1, place + 2, place + 3}, WordLanes{}},
-                                          m_key);
+        const auto key = m_key;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const Words x = Threefry<std::uint32_t>::words({low, high, place + k, 0}, key);
+            for (std::size_t w = 0; w < x.size(); ++w)
+                into[w][k] = x[w];
+        }
     }
 
     /// Uniform in (−1, 1), symmetric: the word as a signed number.

@@ -1,0 +1,172 @@
+#include "kernel/numerics/rays.h"
+
+#include "kernel/numerics/lanes.h"
+#include "kernel/numerics/radiusextremes.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double largestOf(const Lanes &a) {
+    const auto v = a.values();
+    return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
+}
+
+double smallestOf(const Lanes &a) {
+    const auto v = a.values();
+    return std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
+}
+
+} // namespace
+
+Rays::Rays(std::vector<double> ux, std::vector<double> uy, std::vector<double> radii, Point centre)
+    : m_ux(std::move(ux))
+    , m_uy(std::move(uy))
+    , m_radii(std::move(radii))
+    , m_centre(centre)
+    , m_distances(m_radii.size())
+    , m_along(m_radii.size())
+    , m_sectors((m_radii.size() + sectorSize - 1) / sectorSize)
+    , m_least(infinity) {
+    std::vector<Point> w(size());
+    for (std::size_t i = 0; i < size(); ++i) {
+        const Point d{m_radii[i] * m_ux[i] - centre.x, m_radii[i] * m_uy[i] - centre.y};
+        const double r = std::sqrt(d.x * d.x + d.y * d.y);
+        w[i] = r > 0 ? Point{d.x / r, d.y / r} : Point{};
+        m_distances[i] = r;
+        m_along[i] = m_ux[i] * w[i].x + m_uy[i] * w[i].y;
+        m_across = std::max(m_across, std::abs(m_ux[i] * w[i].y - m_uy[i] * w[i].x));
+        m_least = std::min(m_least, r);
+        m_greatest = std::max(m_greatest, r);
+    }
+    for (std::size_t s = 0; s < m_sectors.size(); ++s) {
+        const std::size_t begin = s * sectorSize;
+        const std::size_t end = std::min(size(), begin + sectorSize);
+        Sector &sector = m_sectors[s];
+        for (std::size_t i = begin; i < end; ++i) {
+            sector.w.x += w[i].x / static_cast<double>(end - begin);
+            sector.w.y += w[i].y / static_cast<double>(end - begin);
+        }
+        for (std::size_t i = begin; i < end; ++i)
+            sector.spread = std::max(sector.spread, std::hypot(w[i].x - sector.w.x, w[i].y - sector.w.y));
+    }
+}
+
+Points Rays::reference() const {
+    Points points;
+    Look same = look();
+    same.radii = m_radii;
+    fill(same, points);
+    return points;
+}
+
+Rays::Look Rays::look() const {
+    return {std::vector<double>(size()), std::vector<double>(size()), 0,
+            std::vector<double>(m_sectors.size()), std::vector<double>(m_sectors.size())};
+}
+
+void Rays::prepare(Look &look) const {
+    look.largest = 0;
+    double sum = 0; // not finite where a change is not: comparisons pass over it
+    Lanes largest = 0;
+    const std::size_t whole = size() / sectorSize;
+    for (std::size_t s = 0; s < whole; ++s) {
+        Lanes least = infinity;
+        Lanes greatest = -infinity;
+        Lanes all = 0;
+        for (std::size_t i = s * sectorSize; i < (s + 1) * sectorSize; i += Lanes::count) {
+            const Lanes change = Lanes::from(&look.radii[i]) - Lanes::from(&m_radii[i]);
+            change.store(&look.changes[i]);
+            const Lanes size = magnitude(change);
+            all += size;
+            largest = larger(largest, size);
+            const Lanes r = Lanes::from(&m_distances[i]) + Lanes::from(&m_along[i]) * change;
+            least = smaller(least, r);
+            greatest = larger(greatest, r);
+        }
+        look.nearest[s] = smallestOf(least);
+        look.farthest[s] = largestOf(greatest);
+        const auto v = all.values();
+        sum += (v[0] + v[1]) + (v[2] + v[3]);
+    }
+    look.largest = largestOf(largest);
+    if (whole < m_sectors.size()) {
+        look.nearest[whole] = infinity;
+        look.farthest[whole] = -infinity;
+    }
+    for (std::size_t i = whole * sectorSize; i < size(); ++i) {
+        const double change = look.radii[i] - m_radii[i];
+        look.changes[i] = change;
+        sum += std::abs(change);
+        look.largest = std::max(look.largest, std::abs(change));
+        const double r = m_distances[i] + m_along[i] * change;
+        look.nearest[whole] = std::min(look.nearest[whole], r);
+        look.farthest[whole] = std::max(look.farthest[whole], r);
+    }
+    if (!std::isfinite(sum))
+        look.largest = infinity;
+}
+
+void Rays::fill(const Look &look, Points &points) const {
+    points.x.resize(size());
+    points.y.resize(size());
+    for (std::size_t i = 0; i < size(); ++i) {
+        const Point p = point(look, i);
+        points.x[i] = p.x;
+        points.y[i] = p.y;
+    }
+}
+
+Rays::Bound Rays::boundOf(const Look &look, Point centre) const {
+    const Point delta{centre.x - m_centre.x, centre.y - m_centre.y};
+    const double length = std::hypot(delta.x, delta.y);
+    if (!(look.largest + length < m_least / 2))
+        return {delta, 0, infinity, infinity};
+    const double across = look.largest * m_across + length;
+    const double rounding = 1e-13 * (m_greatest + look.largest);
+    return {delta, length, across * across / m_least + rounding, rounding};
+}
+
+Rays::Outermost Rays::outermost(const Look &look, Point centre) const {
+    const Bound bound = boundOf(look, centre);
+    Outermost result;
+    for (std::size_t s = 0; s < m_sectors.size(); ++s) {
+        if (const double r = farthest(look, s, bound); r > result.greatest) {
+            result.greatest = r;
+            result.farthest = s;
+        }
+        if (const double r = nearest(look, s, bound); r < result.least) {
+            result.least = r;
+            result.nearest = s;
+        }
+    }
+    return result;
+}
+
+Rays::Extremes Rays::extremes(const Look &look, Point centre) const {
+    const Bound bound = boundOf(look, centre);
+    // What one sector surely reaches, no other has to be looked into that surely does not.
+    double reached = -infinity;
+    double near = infinity;
+    for (std::size_t s = 0; s < m_sectors.size(); ++s) {
+        const double wide = 2 * bound.length * m_sectors[s].spread;
+        reached = std::max(reached, farthest(look, s, bound) - wide - bound.above - bound.below);
+        near = std::min(near, nearest(look, s, bound) + wide + bound.above + bound.below);
+    }
+    double least = infinity;
+    double greatest = 0;
+    visitBeyond(look, centre, std::isfinite(reached) ? reached : -infinity,
+                std::isfinite(near) ? near : infinity, [&](std::size_t i) {
+                    const Point p = point(look, i);
+                    const double d = squaredDistance(p.x, p.y, {}, centre);
+                    least = std::min(least, d);
+                    greatest = std::max(greatest, d);
+                });
+    return {std::sqrt(least), std::sqrt(greatest)};
+}
+
+} // namespace palmer

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "kernel/numerics/points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace palmer {
+
+/// Points on fixed rays from the origin, P_i = ρ_i·u_i, whose distances ρ_i change a little from one look to
+/// the next, as in the trials of a simulation. Which of them may lie beyond a circle is told from sectors of
+/// 16 neighbours: what is in a sector is known to a bound, and only few sectors have to be looked into.
+class Rays {
+public:
+    Rays() = default;
+    /// `radii`: the distances of the reference, mm; `centre`: a point that circles about them are near to.
+    Rays(std::vector<double> ux, std::vector<double> uy, std::vector<double> radii, Point centre);
+
+    [[nodiscard]] std::size_t size() const { return m_radii.size(); }
+    [[nodiscard]] Point direction(std::size_t i) const { return {m_ux[i], m_uy[i]}; }
+    [[nodiscard]] const std::vector<double> &x() const { return m_ux; }
+    [[nodiscard]] const std::vector<double> &y() const { return m_uy; }
+    [[nodiscard]] Points reference() const;
+
+    /// The distances of one look, and what follows from them.
+    struct Look {
+        std::vector<double> radii;   ///< ρ, mm; to be set, then `prepare`
+        std::vector<double> changes; ///< ρ − ρ of the reference
+        double largest = 0;          ///< of |changes|
+        std::vector<double>
+            nearest; ///< of every sector: distances from the centre of the reference, to a bound
+        std::vector<double> farthest;
+    };
+    [[nodiscard]] Look look() const;
+    void prepare(Look &look) const;
+    [[nodiscard]] bool finite(const Look &look) const { return std::isfinite(look.largest); }
+    [[nodiscard]] Point point(const Look &look, std::size_t i) const {
+        return {look.radii[i] * m_ux[i], look.radii[i] * m_uy[i]};
+    }
+    void fill(const Look &look, Points &points) const;
+
+    /// Least and greatest distance of the points from a centre, mm: computed as √((x − x_c)² + (y − y_c)²) of
+    /// those that can be it.
+    struct Extremes {
+        double least;
+        double greatest;
+    };
+    [[nodiscard]] Extremes extremes(const Look &look, Point centre) const;
+
+    /// Calls visit(i) for every point that may be farther than `outer` from a centre or nearer than `inner`,
+    /// and for some more.
+    template <class Visit>
+    void visitBeyond(const Look &look, Point centre, double outer, double inner, Visit visit) const {
+        const Bound bound = boundOf(look, centre);
+        for (std::size_t s = 0; s < m_sectors.size(); ++s) {
+            if (farthest(look, s, bound) <= outer && nearest(look, s, bound) >= inner)
+                continue;
+            visitSector(s, visit);
+        }
+    }
+
+    /// The sectors that may hold the farthest and the nearest point from a centre, and how far these may be.
+    struct Outermost {
+        std::size_t farthest = 0;
+        std::size_t nearest = 0;
+        double greatest = -std::numeric_limits<double>::infinity();
+        double least = std::numeric_limits<double>::infinity();
+    };
+    [[nodiscard]] Outermost outermost(const Look &look, Point centre) const;
+    template <class Visit>
+    void visitSector(std::size_t sector, Visit visit) const {
+        const std::size_t end = std::min(size(), (sector + 1) * sectorSize);
+        for (std::size_t i = sector * sectorSize; i < end; ++i)
+            visit(i);
+    }
+
+private:
+    static constexpr std::size_t sectorSize = 16;
+
+    /// With P − c_reference = r₀·w + t·u, t the change: |P − c| = √((r₀ + a)² + b²), a = t·(u·w) − δ·w,
+    /// |b| ≤ |t|·|u × w| + |δ|, δ = c − c_reference. So it lies between r₀ + a and r₀ + a + b²/r₀ as long as
+    /// |a| ≤ r₀/2; and δ·w differs from that of the mean direction of the sector by |δ|·spread at most.
+    struct Sector {
+        Point w;
+        double spread = 0;
+    };
+    struct Bound {
+        Point delta;
+        double length;
+        double above; ///< b²/r₀ and rounding
+        double below; ///< rounding
+    };
+    [[nodiscard]] Bound boundOf(const Look &look, Point centre) const;
+    [[nodiscard]] double farthest(const Look &look, std::size_t s, const Bound &bound) const {
+        const Sector &sector = m_sectors[s];
+        return look.farthest[s] - (bound.delta.x * sector.w.x + bound.delta.y * sector.w.y) +
+               bound.length * sector.spread + bound.above;
+    }
+    [[nodiscard]] double nearest(const Look &look, std::size_t s, const Bound &bound) const {
+        const Sector &sector = m_sectors[s];
+        return look.nearest[s] - (bound.delta.x * sector.w.x + bound.delta.y * sector.w.y) -
+               bound.length * sector.spread - bound.below;
+    }
+
+    std::vector<double> m_ux;
+    std::vector<double> m_uy;
+    std::vector<double> m_radii;
+    Point m_centre;
+    std::vector<double> m_distances; ///< r₀ from the centre
+    std::vector<double> m_along;     ///< u·w
+    std::vector<Sector> m_sectors;
+    double m_least = 0; ///< of the distances
+    double m_greatest = 0;
+    double m_across = 0; ///< the largest |u × w|
+};
+
+} // namespace palmer

@@ -1,0 +1,35 @@
+#pragma once
+
+namespace palmer {
+
+/// Functions marked so are compiled for 32 or 64 bytes a register; call them where the processor has them.
+/// Nothing of the project is compiled with fused multiply-add: the numbers are those of the narrow function,
+/// to the last bit.
+#if defined(__x86_64__) && defined(__GNUC__)
+#define PALMER_WIDE __attribute__((target("avx2")))
+inline bool hasWideRegisters() {
+    static const bool has = __builtin_cpu_supports("avx2");
+    return has;
+}
+#else
+#define PALMER_WIDE
+inline bool hasWideRegisters() {
+    return false;
+}
+#endif
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define PALMER_WIDEST __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,prefer-vector-width=512")))
+inline bool hasWidestRegisters() {
+    static const bool has = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                            __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+    return has;
+}
+#else
+#define PALMER_WIDEST PALMER_WIDE
+inline bool hasWidestRegisters() {
+    return false;
+}
+#endif
+
+} // namespace palmer
