@@ -482,10 +482,11 @@ private:
     template <class T>
     static void read(const json &value, std::vector<T> &member, const Place &place, unsigned = nothing) {
         demandArray(value, place);
+        const auto &entries = value.get_ref<const json::array_t &>();
         member.clear();
-        member.reserve(value.size());
-        for (std::size_t i = 0; i < value.size(); ++i)
-            read(value[i], member.emplace_back(), Place(place, i));
+        member.reserve(entries.size());
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            read(entries[i], member.emplace_back(), Place(place, i));
         if constexpr (std::is_enum_v<T>)
             for (std::size_t i = 0; i < member.size(); ++i)
                 if (std::find(member.begin(), member.begin() + static_cast<std::ptrdiff_t>(i), member[i]) !=
@@ -563,6 +564,19 @@ void migrate(json &file) {
         step(file);
 }
 
+/// Frees lists at once; the library would carry each value to a stack first.
+void release(json &value) {
+    if (auto *const object = value.get_ptr<json::object_t *>()) {
+        for (auto &[key, entry] : *object)
+            release(entry);
+    } else if (auto *const array = value.get_ptr<json::array_t *>()) {
+        for (json &entry : *array)
+            if (entry.is_structured())
+                release(entry);
+        array->clear();
+    }
+}
+
 /// Programs that save text may make UTF-16 or UTF-32 of it, with or without a byte order mark; the text is
 /// the same.
 QByteArray inUtf8(const QByteArray &bytes) {
@@ -587,6 +601,7 @@ Document readUnbounded(const QByteArray &bytes) {
     migrate(file);
     Document document;
     ObjectReader::readStruct(file, document, {}, {"format", "version"});
+    release(file);
     return document;
 }
 

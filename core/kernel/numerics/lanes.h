@@ -1,13 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 namespace palmer {
 
@@ -75,14 +72,9 @@ public:
     /// Whole numbers of 32 bits, one a lane, as doubles.
     using Integers = std::int32_t __attribute__((vector_size(16)));
     static Lanes of(Integers integers) {
-#ifdef __SSE2__
-        const auto all = reinterpret_cast<__m128i>(integers);
-        return {reinterpret_cast<Pair>(_mm_cvtepi32_pd(all)),
-                reinterpret_cast<Pair>(_mm_cvtepi32_pd(_mm_unpackhi_epi64(all, all)))};
-#else
-        return {Pair{double(integers[0]), double(integers[1])},
-                Pair{double(integers[2]), double(integers[3])}};
-#endif
+        const Eigen::Array4i all(integers[0], integers[1], integers[2], integers[3]);
+        const Eigen::Array4d values = all.cast<double>();
+        return from(values.data());
     }
 
 private:
@@ -92,11 +84,8 @@ private:
         return reinterpret_cast<Pair>(reinterpret_cast<Bits>(a) & Bits{allButSign, allButSign});
     }
     static Pair root(Pair a) {
-#ifdef __SSE2__
-        return reinterpret_cast<Pair>(_mm_sqrt_pd(reinterpret_cast<__m128d>(a)));
-#else
-        return {std::sqrt(a[0]), std::sqrt(a[1])};
-#endif
+        const Eigen::Array2d roots = Eigen::Array2d(a[0], a[1]).sqrt();
+        return Pair{roots[0], roots[1]};
     }
 
     Pair m_low{};

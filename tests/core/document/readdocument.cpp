@@ -1,9 +1,14 @@
 #include "document/readdocument.h"
 
 #include "core/document/completefile.h"
+#include "document/bounds.h"
 #include "document/writedocument.h"
 
 #include <QTest>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
 
 using namespace palmer;
 
@@ -111,6 +116,22 @@ private slots:
         QTest::newRow("smallest subnormal") << QByteArray("5e-324") << 5e-324;
         QTest::newRow("nearer to zero than a double can be") << QByteArray("1e-999") << 0.0;
         QTest::newRow("a zero with a large exponent") << QByteArray("0e999") << 0.0;
+        QTest::newRow("half way between zero and the smallest subnormal")
+            << QByteArray("2.4703282292062327208e-324") << 0.0;
+        QTest::newRow("a little more than half way") << QByteArray("2.4703282292062327209e-324") << 5e-324;
+        QTest::newRow("minus zero") << QByteArray("-0.0") << -0.0;
+        QTest::newRow("minus zero with an exponent") << QByteArray("-0e5") << -0.0;
+        QTest::newRow("exponent beyond 32 bits") << QByteArray("1e-2147483649") << 0.0;
+        QTest::newRow("exponent and decimals beyond 32 bits together")
+            << QByteArray("0.0000001234567890123456789e-2147483639") << 0.0;
+        QTest::newRow("subnormal with many decimals")
+            << QByteArray("0.0000001234567890123456789e-310") << 1.2345678901234568e-317;
+        QTest::newRow("exponent beyond 64 bits") << QByteArray("0e99999999999999999999") << 0.0;
+        QTest::newRow("digits of 2⁵³") << QByteArray("9007199254.740992") << 9007199254.740992;
+        QTest::newRow("digits of 2⁵³ + 1") << QByteArray("9007199254.740993") << 9007199254.740993;
+        QTest::newRow("digits that wrap 64 bits") // 2⁶⁴ + 10⁶
+            << QByteArray("18446744073710.551616") << 18446744073710.551616;
+        QTest::newRow("whole number with a point") << QByteArray("100000000000000000.0") << 1e17;
         QTest::newRow("largest double") << QByteArray("1.7976931348623157e308") << 1.7976931348623157e308;
     }
     void numbersAreReadExactly() {
@@ -118,13 +139,61 @@ private slots:
         QFETCH(double, value);
         const Document document =
             readDocument(positioningFile(R"("targets": [)" + text + R"(], "runs": [])"));
-        QVERIFY(std::get<PositioningMeasurement>(document.tests[0]->measurement).targets[0] == value);
+        const double found = std::get<PositioningMeasurement>(document.tests[0]->measurement).targets[0];
+        QVERIFY2(found == value && std::signbit(found) == std::signbit(value),
+                 qPrintable(QString::number(found, 'g', 17)));
+    }
+
+    // Against the C library: all counts of digits on both sides of the point, with zeros and nines in plenty.
+    void numbersOfAllLengthsAreReadExactly() {
+        std::mt19937 random(7);
+        QByteArrayList numbers;
+        for (int round = 0; round < 8; ++round) {
+            for (std::size_t whole = 0; whole <= 22; ++whole) {
+                for (std::size_t decimals = 0; decimals <= 25; ++decimals) {
+                    const auto digit = [&] {
+                        const auto drawn = static_cast<char>('0' + random() % 14);
+                        return drawn <= '9' ? drawn : drawn % 2 == 0 ? '0' : '9';
+                    };
+                    QByteArray number = random() % 2 == 0 ? "-" : "";
+                    number += whole == 0 ? '0' : std::max('1', digit());
+                    for (std::size_t i = 1; i < whole; ++i)
+                        number += digit();
+                    for (std::size_t i = 0; i < decimals; ++i)
+                        number += (i == 0 ? QByteArray(".") : QByteArray()) + digit();
+                    if (random() % 4 == 0)
+                        number += "e" + QByteArray::number(static_cast<int>(random() % 660) - 340);
+                    if (std::isfinite(std::strtod(number, nullptr)))
+                        numbers += number;
+                }
+            }
+        }
+        const Document document =
+            readUnbounded(head + R"(, "tests": [{"kind": "drift", "times": [)" + numbers.join(", ") +
+                          R"(], "deviations": [)" + numbers.join(",\n") + "]}]}");
+        const auto &drift = std::get<DriftMeasurement>(document.tests[0]->measurement);
+        QCOMPARE(drift.times.size(), static_cast<std::size_t>(numbers.size()));
+        QVERIFY(drift.times == drift.deviations);
+        for (qsizetype i = 0; i < numbers.size(); ++i)
+            QVERIFY2(drift.times[static_cast<std::size_t>(i)] == std::strtod(numbers[i], nullptr),
+                     numbers[i].constData());
     }
 
     void escapesAreRead() {
         const Document document = readDocument(
             head + ", \"writtenBy\": \"\\\"\\\\\\/\\b\\f\\n\\r\\t\\u00e9\\u20AC\\uD83D\\uDE00é€😀\"}");
         QCOMPARE(document.writtenBy, std::string("\"\\/\b\f\n\r\té€😀é€😀"));
+    }
+
+    void bordersOfUnicodeAreRead() {
+        const Document document = readDocument(
+            head +
+            R"(, "writtenBy": "\u0000\u001F\u007f\u0080\u07FF\u0800\uD7FF\uE000\uFFFF\uD800\uDC00\uDBFF\uDFFF")"
+            "}");
+        QCOMPARE(document.writtenBy,
+                 QString::fromUcs4(U"\0\x1F\x7F\x80\x7FF\x800\xD7FF\xE000\xFFFF\x10000\x10FFFF", 11)
+                     .toStdString());
+        QVERIFY(readDocument(writeDocument(document)) == document);
     }
 
     void extensionsAreKept() {
@@ -177,6 +246,42 @@ private slots:
             "this is no character of UTF-8; expected a test file in UTF-8");
         row("unknown escape", "{\"a\": \"\\x\"}", syntax, "1:8",
             "unknown escape in a text; expected one that JSON knows");
+        row("second half of a surrogate pair", R"({"a": "b\udc00"})", syntax, "1:9",
+            "unknown escape in a text; expected one that JSON knows");
+        row("first half twice", R"({"a": "\ud83d\ud83d"})", syntax, "1:8",
+            "unknown escape in a text; expected one that JSON knows");
+        row("first half before a letter", R"({"a": "\ud83dx\ude00"})", syntax, "1:8",
+            "unknown escape in a text; expected one that JSON knows");
+        row("escape without four digits", R"({"a": "\u12g4"})", syntax, "1:8",
+            "unknown escape in a text; expected one that JSON knows");
+        row("escape with a sign", R"({"a": "\u-123"})", syntax, "1:8",
+            "unknown escape in a text; expected one that JSON knows");
+        row("escape in a key", R"({"\q": 1})", syntax, "1:3",
+            "unknown escape in a text; expected one that JSON knows");
+        row("escaped quotation mark at the end", R"({"a": "\"})", syntax, "1:7",
+            "the file ends inside this text; expected a quotation mark");
+        row("NUL in a text", QByteArray("{\"a\": \"\0\"}", 10), syntax, "1:8",
+            "a text cannot hold this character; expected UTF-8 without line breaks and control characters");
+        row("a character beyond Unicode", "{\"a\": \"\xF4\x90\x80\x80\"}", syntax, "1:8",
+            "a text cannot hold this character; expected UTF-8 without line breaks and control characters");
+        row("character cut off at the end", "{\"a\": \"\xE2\x82", syntax, "1:8",
+            "a text cannot hold this character; expected UTF-8 without line breaks and control characters");
+        row("byte order mark twice", "\xEF\xBB\xBF\xEF\xBB\xBF{}", syntax, "1:1", "found “%1”; expected %2");
+        row("byte order mark alone", "\xEF\xBB\xBF", syntax, "1:1", "the file ends here; expected %1");
+        row("byte order mark, and a fault", "\xEF\xBB\xBF{\r\n\t\"é\": 1 1}", syntax, "2:9",
+            "found “%1”; expected %2");
+        // Where the number begins, or where what is one ends.
+        const QList<std::pair<const char *, const char *>> noNumbers{
+            {"-", "1:15"},     {"-.5", "1:15"},  {".5", "1:15"},   {"1.e5", "1:15"},  {"1e", "1:15"},
+            {"1e+", "1:15"},   {"1E-", "1:15"},  {"--1", "1:15"},  {"inf", "1:15"},   {"-nan", "1:15"},
+            {"00", "1:16"},    {"-01", "1:17"},  {"0x10", "1:16"}, {"1.5.2", "1:18"}, {"1e5.5", "1:18"},
+            {"1_000", "1:16"}, {"0.10f", "1:19"}};
+        for (const auto &[number, place] : noNumbers)
+            row((QByteArray("no number: ") + number).constData(),
+                QByteArray("{\"a\": [0.001, ") + number + "]}", syntax, place, "found “%1”; expected %2");
+        row("number cut off", "{\"a\": 1.", syntax, "1:7", "found “%1”; expected %2");
+        row("list cut off behind a number", "{\"a\": [1.5", syntax, "1:11",
+            "the file ends here; expected %1");
         row("half a surrogate pair", "{\"a\": \"\\ud83d\"}", syntax, "1:8",
             "unknown escape in a text; expected one that JSON knows");
 
@@ -219,6 +324,16 @@ private slots:
             "tests[0].targets", "this key stands here twice; expected it once");
         row("duplicate key in extensions", head + R"(, "extensions": {"a": [1, {"b": 1, "b": 1}]}})", content,
             "extensions.a[1].b", "this key stands here twice; expected it once");
+
+        row("duplicate key, written in two ways", head + R"(, "extensions": {"a": {"b": 1, "\u0062": 1}}})",
+            content, "extensions.a.b", "this key stands here twice; expected it once");
+        row("duplicate key of objects in a list",
+            head + R"(, "extensions": {"a": [[{"": 0}, {"": 0, "b": {}, "": 0}]]}})", content,
+            "extensions.a[0][1][\"\"]", "this key stands here twice; expected it once");
+        row("duplicate deviations",
+            positioningFile(
+                R"("targets": [0], "runs": [{"approach": "positive", "deviations": [0], "deviations": [1]}])"),
+            content, "tests[0].runs[0].deviations", "this key stands here twice; expected it once");
 
         row("missing kind", head + R"(, "tests": [{}]})", content, "tests[0]", "the key “%1” is missing");
         row("missing edition", head + R"(, "tests": [{"kind": "positioning", "targets": [], "runs": []}]})",
@@ -269,6 +384,15 @@ private slots:
             "expected an object, in braces");
         row("a number that is not finite", positioningFile(R"("targets": [0, 1e999], "runs": [])"), content,
             "tests[0].targets[1]", "this number is too large; expected a finite number");
+        row("a reading that is not finite",
+            positioningFile(
+                R"("targets": [0, 1], "runs": [{"approach": "positive", "deviations": [null, -1E+400]}])"),
+            content, "tests[0].runs[0].deviations[1]", "this number is too large; expected a finite number");
+        row("an exponent beyond 64 bits", head + R"(, "extensions": {"a": 0.001e99999999999999999999}})",
+            content, "extensions.a", "this number is too large; expected a finite number");
+        row("the first number that rounds to infinity",
+            head + R"(, "extensions": {"a": 1.7976931348623159e308}})", content, "extensions.a",
+            "this number is too large; expected a finite number");
         row("a long number that is not finite",
             positioningFile("\"targets\": [-" + QByteArray(400, '9') + "]"), content, "tests[0].targets[0]",
             "this number is too large; expected a finite number");
