@@ -2884,6 +2884,10 @@
         <translation>Europe occidentale (Windows-1252)</translation>
     </message>
     <message>
+        <source>Chinese (GB18030, GBK)</source>
+        <translation>Chinois (GB18030, GBK)</translation>
+    </message>
+    <message>
         <source>tab</source>
         <translation>tabulation</translation>
     </message>
@@ -3236,6 +3240,14 @@
         <translation>ce n’est un caractère ni d’UTF-8 ni de Windows-1252 ; un fichier texte est attendu</translation>
     </message>
     <message>
+        <source>this Qt does not know the encoding GB18030; save the text as UTF-8</source>
+        <translation>cette version de Qt ne connaît pas le codage GB18030 ; enregistrer le texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>this is no character of GB18030; expected a text file</source>
+        <translation>ce n’est pas un caractère de GB18030 ; un fichier texte est attendu</translation>
+    </message>
+    <message>
         <source>this is binary data; expected a text file, a workbook or an instrument file that can be read</source>
         <translation>ce sont des données binaires ; un fichier texte, un classeur ou un fichier d’instrument lisible est attendu</translation>
     </message>
@@ -3550,6 +3562,14 @@
     <message>
         <source>Encoding: the text is not UTF-8; read as Windows-1252.</source>
         <translation>Codage&#xa0;: le texte n’est pas en UTF-8 ; lu en Windows-1252.</translation>
+    </message>
+    <message>
+        <source>Encoding: the text is not UTF-8; read as Chinese (GB18030).</source>
+        <translation>Codage&#xa0;: le texte n’est pas en UTF-8 ; lu comme du chinois (GB18030).</translation>
+    </message>
+    <message>
+        <source>Encoding: %1, as the file says.</source>
+        <translation>Codage&#xa0;: %1, selon le fichier.</translation>
     </message>
     <message>
         <source>Decimal mark: the numbers can be read in several ways; the comma is taken as decimal mark.</source>

@@ -88,6 +88,7 @@ RemarkList::RemarkList(QWidget *parent)
     : QWidget(parent)
     , m_rows(new QVBoxLayout(this)) {
     setProperty("ground", QStringLiteral("base"));
+    setAttribute(Qt::WA_StyledBackground);
     m_rows->setContentsMargins(12, 0, 12, 4);
     m_rows->setSpacing(0);
 }
