@@ -328,6 +328,18 @@ private slots:
         QVERIFY(importButton(dialog)->isEnabled());
     }
 
+    void unknownColumnsAreNamedAboveThem() {
+        ImportAssistant dialog("Target (mm);Std (mm)\n1;2\n2;3\n3;5\n", "file.csv", nullptr);
+        dialog.show();
+        QVERIFY(dialog.findChild<QLabel *>("importRefusal"));
+        QVERIFY(dialog.findChild<QTableView *>("importColumns")->isVisible());
+        pickRole(dialog, 1, "run+");
+        QVERIFY(!dialog.findChild<QLabel *>("importRefusal"));
+        QCOMPARE(positioning(*dialog.imported().test).targets, (std::vector<double>{1, 2, 3}));
+        answerAll(dialog);
+        QVERIFY(importButton(dialog)->isEnabled());
+    }
+
     void textsBeyondATestFileAreRefused() {
         // One character more than a line may have; the limit itself comes in.
         const auto file = [](int length) {
