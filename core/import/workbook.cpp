@@ -466,7 +466,7 @@ private:
     }
 
     void settle() {
-        const SheetName &sheet = m_sheets[*m_best];
+        const SheetName &sheet = m_sheets[m_best.value_or(0)];
         const bool doubtful = m_measurements > 1 || sheet.isHidden;
         const auto choice = m_choices.settle("sheet", sheet.name.toStdString(),
                                              doubtful ? Origin::guessed : Origin::recognised);
