@@ -444,21 +444,23 @@ public:
                 take(i, sheet.take(m_choices));
             }
         }
-        if (m_best)
+        if (hasTable())
             settle();
         std::ranges::stable_sort(m.sheets, {}, &ImportSheet::isHidden);
     }
 
-    [[nodiscard]] bool hasTable() const { return m_best.has_value(); }
+    [[nodiscard]] bool hasTable() const { return m_best != none; }
 
 private:
+    static constexpr std::size_t none = -1;
+
     void take(std::size_t i, CellTable table) {
         if (table.rows().empty())
             return;
         const std::size_t readings = readingsIn(table, m_choices.options());
         m.sheets[i].hasMeasurement = readings > 0;
         m_measurements += readings > 0 ? 1 : 0;
-        if (m_best && readings <= m_most)
+        if (hasTable() && readings <= m_most)
             return;
         m_best = i;
         m_most = readings;
@@ -466,7 +468,7 @@ private:
     }
 
     void settle() {
-        const SheetName &sheet = m_sheets[m_best.value_or(0)];
+        const SheetName &sheet = m_sheets[m_best];
         const bool doubtful = m_measurements > 1 || sheet.isHidden;
         const auto choice = m_choices.settle("sheet", sheet.name.toStdString(),
                                              doubtful ? Origin::guessed : Origin::recognised);
@@ -493,7 +495,7 @@ private:
     const std::vector<SheetName> &m_sheets;
     Choices &m_choices;
     Imported &m;
-    std::optional<std::size_t> m_best;
+    std::size_t m_best = none; ///< index of a sheet
     std::size_t m_most = 0;
     std::size_t m_measurements = 0;
 };
