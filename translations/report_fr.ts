@@ -3364,10 +3364,6 @@
         <translation>Disposition&#xa0;: la première ligne est lue comme les points visés, chaque suivante comme une passe.</translation>
     </message>
     <message>
-        <source>there is one column of numbers only; expected target positions and readings</source>
-        <translation>il n’y a qu’une colonne de nombres ; des points visés et des relevés sont attendus</translation>
-    </message>
-    <message>
         <source>The targets stand in no order; they were sorted.</source>
         <translation>Les points visés ne sont pas dans l’ordre ; ils ont été triés.</translation>
     </message>
@@ -3526,10 +3522,6 @@
     <message>
         <source>The series is shorter than an hour: no gradient per hour.</source>
         <translation>La série dure moins d’une heure&#xa0;: pas de gradient horaire.</translation>
-    </message>
-    <message>
-        <source>Columns read: the times and “%1”; %2 further ones are not read.</source>
-        <translation>Colonnes lues&#xa0;: les temps et «&#xa0;%1&#xa0;» ; %2 autres ne sont pas lues.</translation>
     </message>
     <message>
         <source>there are no readings in it; expected times and deviations</source>
@@ -4911,10 +4903,6 @@
         <translation>les choix conservés sous ce nom</translation>
     </message>
     <message>
-        <source>a choice of the import (unit=um, decimalMark=comma, axis=X, …); may stand several times</source>
-        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, …) ; peut être répété</translation>
-    </message>
-    <message>
         <source>keep the bytes of the files in the test file</source>
         <translation>garder les fichiers d’origine dans le fichier d’essai</translation>
     </message>
@@ -5197,10 +5185,6 @@
         <translation>Tirages</translation>
     </message>
     <message>
-        <source>How many times the test is evaluated anew with other errors; empty: as many as two digits of the uncertainty need.</source>
-        <translation>Combien de fois l’essai est évalué à nouveau avec d’autres erreurs ; vide&#xa0;: autant qu’il en faut pour deux chiffres de l’incertitude.</translation>
-    </message>
-    <message>
         <source>Seed</source>
         <comment>of a simulation</comment>
         <translation>Germe</translation>
@@ -5320,10 +5304,6 @@
     <message>
         <source>All readings are zero: was anything measured at all?</source>
         <translation>Tous les relevés sont nuls&#xa0;: a-t-on mesuré quelque chose&#x202f;?</translation>
-    </message>
-    <message>
-        <source>the file is larger than 256 MiB</source>
-        <translation>le fichier dépasse 256 Mio</translation>
     </message>
     <message>
         <source>%1 targets and %2 runs are no positioning test; look at the kind and the columns</source>
@@ -5635,7 +5615,7 @@
     </message>
     <message>
         <source>expected a reading between −%1 and %1 mm (rotary axis: degrees)</source>
-        <translation>attendu&#xa0;: un relevé compris entre −%1 et %1 mm (axe rotatif&#xa0;: degrés)</translation>
+        <translation>attendu&#xa0;: un relevé compris entre −%1 et %1&#xa0;mm (axe rotatif&#xa0;: degrés)</translation>
     </message>
     <message>
         <source>a reading beyond any machine</source>
