@@ -2884,6 +2884,10 @@
         <translation>Europe occidentale (Windows-1252)</translation>
     </message>
     <message>
+        <source>Chinese (GB18030, GBK)</source>
+        <translation>Chinois (GB18030, GBK)</translation>
+    </message>
+    <message>
         <source>tab</source>
         <translation>tabulation</translation>
     </message>
@@ -3236,6 +3240,14 @@
         <translation>ce n’est un caractère ni d’UTF-8 ni de Windows-1252 ; un fichier texte est attendu</translation>
     </message>
     <message>
+        <source>this Qt does not know the encoding GB18030; save the text as UTF-8</source>
+        <translation>cette version de Qt ne connaît pas le codage GB18030 ; enregistrer le texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>this is no character of GB18030; expected a text file</source>
+        <translation>ce n’est pas un caractère de GB18030 ; un fichier texte est attendu</translation>
+    </message>
+    <message>
         <source>this is binary data; expected a text file, a workbook or an instrument file that can be read</source>
         <translation>ce sont des données binaires ; un fichier texte, un classeur ou un fichier d’instrument lisible est attendu</translation>
     </message>
@@ -3350,10 +3362,6 @@
     <message>
         <source>Layout: the first line is read as the targets, each further one as a run.</source>
         <translation>Disposition&#xa0;: la première ligne est lue comme les points visés, chaque suivante comme une passe.</translation>
-    </message>
-    <message>
-        <source>there is one column of numbers only; expected target positions and readings</source>
-        <translation>il n’y a qu’une colonne de nombres ; des points visés et des relevés sont attendus</translation>
     </message>
     <message>
         <source>The targets stand in no order; they were sorted.</source>
@@ -3516,10 +3524,6 @@
         <translation>La série dure moins d’une heure&#xa0;: pas de gradient horaire.</translation>
     </message>
     <message>
-        <source>Columns read: the times and “%1”; %2 further ones are not read.</source>
-        <translation>Colonnes lues&#xa0;: les temps et «&#xa0;%1&#xa0;» ; %2 autres ne sont pas lues.</translation>
-    </message>
-    <message>
         <source>there are no readings in it; expected times and deviations</source>
         <translation>il ne contient aucun relevé ; des temps et des écarts sont attendus</translation>
     </message>
@@ -3550,6 +3554,14 @@
     <message>
         <source>Encoding: the text is not UTF-8; read as Windows-1252.</source>
         <translation>Codage&#xa0;: le texte n’est pas en UTF-8 ; lu en Windows-1252.</translation>
+    </message>
+    <message>
+        <source>Encoding: the text is not UTF-8; read as Chinese (GB18030).</source>
+        <translation>Codage&#xa0;: le texte n’est pas en UTF-8 ; lu comme du chinois (GB18030).</translation>
+    </message>
+    <message>
+        <source>Encoding: %1, as the file says.</source>
+        <translation>Codage&#xa0;: %1, selon le fichier.</translation>
     </message>
     <message>
         <source>Decimal mark: the numbers can be read in several ways; the comma is taken as decimal mark.</source>
@@ -4891,10 +4903,6 @@
         <translation>les choix conservés sous ce nom</translation>
     </message>
     <message>
-        <source>a choice of the import (unit=um, decimalMark=comma, axis=X, …); may stand several times</source>
-        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, …) ; peut être répété</translation>
-    </message>
-    <message>
         <source>keep the bytes of the files in the test file</source>
         <translation>garder les fichiers d’origine dans le fichier d’essai</translation>
     </message>
@@ -5175,10 +5183,6 @@
     <message>
         <source>Trials</source>
         <translation>Tirages</translation>
-    </message>
-    <message>
-        <source>How many times the test is evaluated anew with other errors; empty: as many as two digits of the uncertainty need.</source>
-        <translation>Combien de fois l’essai est évalué à nouveau avec d’autres erreurs ; vide&#xa0;: autant qu’il en faut pour deux chiffres de l’incertitude.</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -5651,10 +5655,6 @@
         <translation>Tous les relevés sont nuls&#xa0;: a-t-on mesuré quelque chose&#x202f;?</translation>
     </message>
     <message>
-        <source>the file is larger than 256 MiB</source>
-        <translation>le fichier dépasse 256 Mio</translation>
-    </message>
-    <message>
         <source>%1 targets and %2 runs are no positioning test; look at the kind and the columns</source>
         <translation>%1 points visés et %2 passes ne font pas un essai de positionnement&#x202f;; vérifiez la nature et les colonnes</translation>
     </message>
@@ -5964,7 +5964,7 @@
     </message>
     <message>
         <source>expected a reading between −%1 and %1 mm (rotary axis: degrees)</source>
-        <translation>attendu&#xa0;: un relevé compris entre −%1 et %1 mm (axe rotatif&#xa0;: degrés)</translation>
+        <translation>attendu&#xa0;: un relevé compris entre −%1 et %1&#xa0;mm (axe rotatif&#xa0;: degrés)</translation>
     </message>
     <message>
         <source>a reading beyond any machine</source>

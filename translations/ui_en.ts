@@ -117,11 +117,6 @@
 <context>
     <name>palmer::ui::ImportAssistant</name>
     <message numerus="yes">
-        <source>… and %n more remark(s)</source>
-        <translation>
-            <numerusform>… and %n more remark</numerusform><numerusform>… and %n more remarks</numerusform></translation>
-    </message>
-    <message numerus="yes">
         <source>%n line(s)</source>
         <translation>
             <numerusform>%n line</numerusform><numerusform>%n lines</numerusform></translation>
@@ -162,9 +157,14 @@
             <numerusform>%n missing reading</numerusform><numerusform>%n missing readings</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>%n assumption(s)</source>
+        <source>%n question(s) to answer, and remarks</source>
         <translation>
-            <numerusform>%n assumption</numerusform><numerusform>%n assumptions</numerusform></translation>
+            <numerusform>%n question to answer, and remarks</numerusform><numerusform>%n questions to answer, and remarks</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) to answer</source>
+        <translation>
+            <numerusform>%n question to answer</numerusform><numerusform>%n questions to answer</numerusform></translation>
     </message>
 </context>
 <context>
@@ -203,6 +203,14 @@
         <source>%n target(s)</source>
         <translation>
             <numerusform>%n target</numerusform><numerusform>%n targets</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::RemarkList</name>
+    <message numerus="yes">
+        <source>… and %n more remark(s)</source>
+        <translation>
+            <numerusform>… and %n more remark</numerusform><numerusform>… and %n more remarks</numerusform></translation>
     </message>
 </context>
 <context>

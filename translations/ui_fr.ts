@@ -790,6 +790,77 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::ColumnRoles</name>
+    <message>
+        <source>not read</source>
+        <translation>non lue</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>point visé</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>position</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>écart</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>passe</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>sens</translation>
+    </message>
+    <message>
+        <source>run number</source>
+        <translation>n° de passe</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>angle</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>rayon</translation>
+    </message>
+    <message>
+        <source>x coordinate</source>
+        <translation>coordonnée x</translation>
+    </message>
+    <message>
+        <source>y coordinate</source>
+        <translation>coordonnée y</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>température</translation>
+    </message>
+    <message>
+        <source>nominal value</source>
+        <translation>valeur nominale</translation>
+    </message>
+    <message>
+        <source>statistic</source>
+        <translation>statistique</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>colonne %1</translation>
+    </message>
+    <message>
+        <source>What the column “%1” is; click to change it</source>
+        <translation>Ce qu’est la colonne « %1 » ; cliquer pour le changer</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::CompareDialog</name>
     <message>
         <source>Reason</source>
@@ -1997,27 +2068,6 @@
         <translation>deviné</translation>
     </message>
     <message>
-        <source>Line %1, column %2: %3</source>
-        <translation>Ligne %1, colonne %2 : %3</translation>
-    </message>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Ligne %1 : %2</translation>
-    </message>
-    <message>
-        <source>go to the line</source>
-        <translation>aller à la ligne</translation>
-    </message>
-    <message>
-        <source>confirm</source>
-        <translation>confirmer</translation>
-    </message>
-    <message numerus="yes">
-        <source>… and %n more remark(s)</source>
-        <translation>
-            <numerusform>… et %n autre remarque</numerusform><numerusform>… et %n autres remarques</numerusform></translation>
-    </message>
-    <message>
         <source>There is no curve of this measurement.</source>
         <translation>Cette mesure n’a pas de courbe.</translation>
     </message>
@@ -2106,10 +2156,6 @@
         <translation>Courbe</translation>
     </message>
     <message>
-        <source>Remarks, to be read before the import</source>
-        <translation>Remarques, à lire avant d’importer</translation>
-    </message>
-    <message>
         <source>&amp;Keep the original in the file</source>
         <translation>&amp;Garder l’original dans le fichier</translation>
     </message>
@@ -2121,10 +2167,43 @@
         <source>&amp;Cancel</source>
         <translation>&amp;Annuler</translation>
     </message>
+    <message>
+        <source>%1 (hidden)</source>
+        <translation>%1 (masquée)</translation>
+    </message>
     <message numerus="yes">
-        <source>%n assumption(s)</source>
+        <source>%n question(s) to answer, and remarks</source>
         <translation>
-            <numerusform>%n supposition</numerusform><numerusform>%n suppositions</numerusform></translation>
+            <numerusform>%n question en attente de réponse, et remarques</numerusform><numerusform>%n questions en attente de réponse, et remarques</numerusform></translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>No measurement can be read yet: what is missing is said below.</source>
+        <translation>Aucune mesure ne peut encore être lue : ce qui manque est indiqué ci-dessous.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) to answer</source>
+        <translation>
+            <numerusform>%n question en attente de réponse</numerusform><numerusform>%n questions en attente de réponse</numerusform></translation>
+    </message>
+    <message>
+        <source>Roles of the columns</source>
+        <translation>Rôles des colonnes</translation>
+    </message>
+    <message>
+        <source>Questions and remarks</source>
+        <translation>Questions et remarques</translation>
+    </message>
+    <message>
+        <source>Confirm &amp;all</source>
+        <translation>&amp;Tout confirmer</translation>
+    </message>
+    <message>
+        <source>Takes what is proposed to each question; data left unread are asked one by one</source>
+        <translation>Retient la proposition de chaque question ; les données non lues sont demandées une à une</translation>
     </message>
 </context>
 <context>
@@ -3470,6 +3549,42 @@
     <message>
         <source>&amp;Later</source>
         <translation>&amp;Plus tard</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::RemarkList</name>
+    <message>
+        <source>confirm</source>
+        <translation>confirmer</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more remark(s)</source>
+        <translation>
+            <numerusform>… et %n autre remarque</numerusform><numerusform>… et %n autres remarques</numerusform></translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3</source>
+        <translation>Ligne %1, colonne %2 : %3</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>go to the line</source>
+        <translation>aller à la ligne</translation>
+    </message>
+    <message>
+        <source>confirm: %1</source>
+        <translation>confirmer : %1</translation>
+    </message>
+    <message>
+        <source>another answer</source>
+        <translation>autre réponse</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>répondre</translation>
     </message>
 </context>
 <context>

@@ -427,6 +427,16 @@ private:
     const Unit *m_unit = nullptr;
 };
 
+void remarkEncoding(QByteArrayView bytes, Imported &imported) {
+    QXmlStreamReader xml(bytes.first(std::min<qsizetype>(bytes.size(), 256)).toByteArray());
+    xml.readNext();
+    const QStringView encoding = xml.documentEncoding();
+    if (!encoding.isEmpty() && encoding.compare(u"UTF-8", Qt::CaseInsensitive) != 0)
+        imported.remarks.push_back({RemarkGrade::note,
+                                    {REPORT_TEXT("report", "Encoding: %1, as the file says."),
+                                     {excerpt(encoding.toString().toStdString())}}});
+}
+
 } // namespace
 
 bool isBallbarXml(QByteArrayView bytes) {
@@ -440,6 +450,7 @@ bool isBallbarXml(QByteArrayView bytes) {
 
 void readBallbarXml(const ImportSource &source, Choices &choices, Imported &imported) {
     BallbarReader(source.bytes, choices, imported).read();
+    remarkEncoding(source.bytes, imported);
     try {
         imported.text = decodeText(source.bytes).text;
     } catch (const Error &) {

@@ -28,6 +28,7 @@ constexpr std::array encodingWords{
     ImportWord{"UTF-16LE", REPORT_TEXT("report", "UTF-16, little end first")},
     ImportWord{"UTF-16BE", REPORT_TEXT("report", "UTF-16, big end first")},
     ImportWord{"Windows-1252", REPORT_TEXT("report", "Western Europe (Windows-1252)")},
+    ImportWord{"GB18030", REPORT_TEXT("report", "Chinese (GB18030, GBK)")},
 };
 constexpr std::array delimiterWords{
     ImportWord{"tab", REPORT_TEXT("report", "tab")},

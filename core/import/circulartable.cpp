@@ -382,7 +382,17 @@ private:
                      0, "nominalRadius");
     }
 
-    void convertAngles(CircularMeasurement &measurement, bool radii) {
+    /// What the numbers of a list of angles are.
+    struct AngleForm {
+        bool radii = false; ///< else radial deviations
+        const Unit *angle = nullptr;
+        const Unit *reading = nullptr;
+        double radius = 0;     ///< nominal, mm
+        bool inverted = false; ///< deviations that are positive inwards
+        AngleReference reference = AngleReference::polar;
+    };
+
+    void settleAngleUnits(AngleForm &form) {
         double largest = 0;
         double mean = 0;
         double size = 0;
@@ -395,39 +405,43 @@ private:
             }
         }
         mean /= static_cast<double>(std::max<std::size_t>(n, 1));
-        const Unit *angleUnit =
+        form.angle =
             settleUnit("positionUnit", m.body.columns[m_first].unit, UnitKind::angle,
                        largest < 7 && n > 20 ? "rad" : "deg",
                        REPORT_TEXT("report", "Unit of the angles: nothing in the file says it; read as %1."));
         const TableColumn &second = m.body.columns[m_seconds.front()];
-        const Unit *unit = settleUnit(
+        form.reading = settleUnit(
             "unit", second.unit ? second.unit : m.notes.unit, UnitKind::length,
-            radii || size < 0.5 ? "mm" : "um",
+            form.radii || size < 0.5 ? "mm" : "um",
             REPORT_TEXT("report", "Unit of the radial deviations: nothing in the file says it; read as %1."));
         constexpr double anyRadius = 150; // the deviations hold for any
-        const double radius =
-            settleRadius(radii ? nominalOf(unit->toBase(mean)) : anyRadius, Origin::guessed);
-        if (radii) {
-            remarkRadius(radius);
-        } else if (!m.choices.isChosen("nominalRadius") && !m.notes.radius) {
+        form.radius =
+            settleRadius(form.radii ? nominalOf(form.reading->toBase(mean)) : anyRadius, Origin::guessed);
+        if (form.radii)
+            remarkRadius(form.radius);
+        else if (!m.choices.isChosen("nominalRadius") && !m.notes.radius)
             m.remark(RemarkGrade::problem,
                      {REPORT_TEXT("report",
                                   "The nominal radius is not in the file: %1 is put in its place; set it."),
-                      {Number{radius, Quantity::position}}},
+                      {Number{form.radius, Quantity::position}}},
                      0, "nominalRadius");
-        }
-        measurement.nominalRadius = radius;
-        bool inverted = false;
-        if (!radii) {
-            // Outwards positive is what a radial deviation is; the other sign is a choice.
-            const auto sign = m.choices.settle("sign", "actualMinusTarget", Origin::guessed);
-            inverted = sign.value == "targetMinusActual";
-            if (sign.origin == Origin::guessed)
-                m.remark(RemarkGrade::assumption,
-                         {REPORT_TEXT("report", "Sign: radial deviations are read as positive outwards.")}, 0,
-                         "sign");
-        }
+    }
+
+    /// Outwards positive is what a radial deviation is; the other sign is a choice.
+    void settleRadialSign(AngleForm &form) {
+        if (form.radii)
+            return;
+        const auto sign = m.choices.settle("sign", "actualMinusTarget", Origin::guessed);
+        form.inverted = sign.value == "targetMinusActual";
+        if (sign.origin == Origin::guessed)
+            m.remark(RemarkGrade::assumption,
+                     {REPORT_TEXT("report", "Sign: radial deviations are read as positive outwards.")}, 0,
+                     "sign");
+    }
+
+    void settleReference(AngleForm &form) {
         const auto reference = m.choices.settle("angleReference", "polar", Origin::guessed);
+        form.reference = reference.value == "commanded" ? AngleReference::commanded : AngleReference::polar;
         if (reference.origin == Origin::guessed)
             m.remark(
                 RemarkGrade::assumption,
@@ -435,14 +449,23 @@ private:
                     "report",
                     "Angles: read as those of the measured point, not of the programmed path (a ballbar).")},
                 0, "angleReference");
+    }
+
+    void convertAngles(CircularMeasurement &measurement, bool radii) {
+        AngleForm form{radii};
+        settleAngleUnits(form);
+        settleRadialSign(form);
+        settleReference(form);
+        measurement.nominalRadius = form.radius;
         for (RawPath &path : m_paths) {
             Arc arc;
-            arc.angleReference =
-                reference.value == "commanded" ? AngleReference::commanded : AngleReference::polar;
+            arc.angleReference = form.reference;
             for (std::size_t i = 0; i < path.first.size(); ++i) {
-                arc.angles.push_back(angleUnit->toBase(path.first[i]));
-                const double value = unit->toBase(path.second[i]);
-                arc.radialDeviations.push_back(radii ? value - radius : inverted ? 0 - value : value);
+                arc.angles.push_back(form.angle->toBase(path.first[i]));
+                const double value = form.reading->toBase(path.second[i]);
+                arc.radialDeviations.push_back(radii           ? value - form.radius
+                                               : form.inverted ? 0 - value
+                                                               : value);
             }
             unwrap(arc.angles);
             addArcs(measurement, std::move(arc), path.stated);

@@ -2,6 +2,7 @@
 
 #include "import/numbercell.h"
 
+#include <QStringDecoder>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -118,6 +119,41 @@ std::string fromWindows1252(std::string_view bytes) {
     return text;
 }
 
+// Chinese text: bytes beyond ASCII come in pairs of GB2312, the characters of all common words and units. In
+// Western text such a letter stands alone as a rule, so one pair proves nothing.
+bool looksChinese(std::string_view bytes) {
+    constexpr std::size_t fewest = 2;
+    const auto within = [&](std::size_t i, unsigned low, unsigned high) {
+        const auto byte = i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
+        return byte >= low && byte <= high;
+    };
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (static_cast<unsigned char>(bytes[i]) < 0x80)
+            continue;
+        if (!within(i, 0xA1, 0xF7) || !within(i + 1, 0xA1, 0xFE))
+            return false;
+        ++pairs;
+        ++i;
+    }
+    return pairs >= fewest;
+}
+
+// By the tables of ICU, which Qt of the distributions is built with.
+std::string fromGb18030(std::string_view bytes) {
+    QStringDecoder decode("GB18030", QStringConverter::Flag::Stateless);
+    if (!decode.isValid())
+        throw Error(
+            Error::Kind::content,
+            {REPORT_TEXT("report", "this Qt does not know the encoding GB18030; save the text as UTF-8")});
+    const QString text = decode(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
+    const std::string utf8 = text.toStdString();
+    if (decode.hasError() || text.contains(QChar::ReplacementCharacter))
+        refuse(REPORT_TEXT("report", "this is no character of GB18030; expected a text file"), utf8,
+               std::min(utf8.find("\xEF\xBF\xBD"), utf8.size()));
+    return utf8;
+}
+
 // A text has no control characters but tab, line breaks, form feed, and the end mark of old systems at its
 // end.
 void demandText(std::string &text) {
@@ -175,7 +211,7 @@ DecodedText decodeText(QByteArrayView bytes, std::optional<Encoding> chosen) {
     } else {
         invalid = firstInvalid(data);
         if (invalid != std::string_view::npos)
-            encoding = {Encoding::windows1252, Origin::guessed};
+            encoding = {looksChinese(data) ? Encoding::gb18030 : Encoding::windows1252, Origin::guessed};
     }
     if (chosen)
         encoding = {*chosen, Origin::chosen};
@@ -197,6 +233,9 @@ DecodedText decodeText(QByteArrayView bytes, std::optional<Encoding> chosen) {
         break;
     case Encoding::windows1252:
         result.text = fromWindows1252(data);
+        break;
+    case Encoding::gb18030:
+        result.text = fromGb18030(data);
         break;
     }
     demandText(result.text);

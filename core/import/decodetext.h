@@ -9,7 +9,7 @@
 
 namespace palmer {
 
-enum class Encoding { utf8, utf16LittleEndian, utf16BigEndian, windows1252 };
+enum class Encoding { utf8, utf16LittleEndian, utf16BigEndian, windows1252, gb18030 };
 
 /// A text file as UTF-8, without byte order mark.
 struct DecodedText {
@@ -18,7 +18,8 @@ struct DecodedText {
 };
 
 /// The text that bytes stand for: UTF-16 by its byte order mark; UTF-8 where the bytes are valid UTF-8;
-/// Windows-1252 else, which is a guess. `chosen` overrules the bytes. Throws Error: nothing there, binary
+/// GB18030 (GBK) where all that is not ASCII are pairs of bytes of Chinese characters and signs, Windows-1252
+/// else, which are guesses. `chosen` overrules the bytes. Throws Error: nothing there, binary
 /// data (with line and column), bytes the chosen encoding does not know, more than 1 GiB.
 [[nodiscard]] DecodedText decodeText(QByteArrayView bytes, std::optional<Encoding> chosen = {});
 

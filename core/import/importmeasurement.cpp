@@ -1,5 +1,6 @@
 #include "import/importmeasurement.h"
 
+#include "document/bounds.h"
 #include "document/edits.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
@@ -149,6 +150,18 @@ std::string sha256(QByteArrayView bytes) {
 
 namespace {
 
+/// A test file has to hold all that comes in: texts and readings keep to its bounds.
+void demandStorable(const Imported &imported) {
+    Document document;
+    document.machine = imported.machine;
+    document.report.operatorName = imported.operatorName;
+    if (imported.instrument)
+        document.instruments.push_back(*imported.instrument);
+    if (imported.test) // looked at, not kept
+        document.tests.push_back(std::shared_ptr<const Test>(std::shared_ptr<const Test>(), &*imported.test));
+    demandBounds(document);
+}
+
 /// What the reader of the format makes of the bytes; what it finds before it has to give up stays.
 void readInto(Imported &imported, QByteArrayView bytes, const ImportFormat &format, Choices &choices) {
     try {
@@ -156,6 +169,7 @@ void readInto(Imported &imported, QByteArrayView bytes, const ImportFormat &form
         if (imported.test)
             demandSense(*imported.test);
         settleCorrection(imported, choices);
+        demandStorable(imported);
         if (imported.test)
             questionNumbers(*imported.test, imported.remarks);
     } catch (const Error &error) {

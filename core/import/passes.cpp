@@ -54,16 +54,38 @@ void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &
 
 } // namespace
 
-PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const PassForm &form,
-                                     std::vector<Remark> &remarks) {
-    PositioningMeasurement result;
+namespace {
+
+/// The positions of all passes, each once, rising. Most files list the same ones for each pass, in order.
+std::vector<double> positionsOf(const std::vector<Pass> &passes) {
     std::vector<double> positions;
     for (const Pass &pass : passes) {
+        if (std::ranges::equal(pass.readings, passes.front().readings, {}, &PassReading::position,
+                               &PassReading::position) &&
+            &pass != &passes.front())
+            continue;
         for (const PassReading &reading : pass.readings)
             positions.push_back(reading.position + 0.0); // −0 is 0
     }
-    std::ranges::sort(positions);
+    if (!std::ranges::is_sorted(positions))
+        std::ranges::sort(positions);
     positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+    return positions;
+}
+
+/// Where a position stands among all; `next` is looked at first.
+std::size_t placeOf(double position, const std::vector<double> &positions, std::size_t next) {
+    if (next < positions.size() && positions[next] == position)
+        return next;
+    return static_cast<std::size_t>(std::ranges::lower_bound(positions, position) - positions.begin());
+}
+
+} // namespace
+
+PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const PassForm &form,
+                                     std::vector<Remark> &remarks) {
+    PositioningMeasurement result;
+    std::vector<double> positions = positionsOf(passes);
     if (positions.empty() || passes.empty())
         throw Error(
             Error::Kind::content,
@@ -79,9 +101,10 @@ PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const Pass
     for (const Pass &pass : passes) {
         Run run{pass.direction, std::vector<std::optional<double>>(positions.size())};
         std::vector<bool> taken(positions.size());
+        std::size_t next = 0;
         for (const PassReading &reading : pass.readings) {
-            const auto at = static_cast<std::size_t>(std::ranges::lower_bound(positions, reading.position) -
-                                                     positions.begin());
+            const std::size_t at = placeOf(reading.position, positions, next);
+            next = at + 1;
             if (taken[at]) {
                 firstRepeated = repeated++ == 0 ? reading.line : firstRepeated;
                 continue;

@@ -45,7 +45,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     if (mark == std::string_view::npos)
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "the section %1 is missing"), {std::string(dataMark)}});
-    imported.text = decodeText(source.bytes.first(static_cast<qsizetype>(mark))).text;
+    imported.text = decodedText(source.bytes.first(static_cast<qsizetype>(mark)), choices, imported);
     const std::vector<Section> sections = sectionsOf(imported.text);
     const Section *header = findSection(sections, "HEADER");
     const auto text = [&](std::string_view key) {

@@ -318,11 +318,14 @@ private:
         }
         if (rows.empty())
             return pieces;
-        std::vector<double> sorted = positions;
-        std::ranges::sort(sorted);
-        const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
-        if (distinct) {
-            shuffled |= !isStrictlyMonotone(positions);
+        const bool isOrdered = isStrictlyMonotone(positions);
+        std::vector<double> sorted;
+        if (!isOrdered) {
+            sorted = positions;
+            std::ranges::sort(sorted);
+        }
+        if (isOrdered || std::ranges::adjacent_find(sorted) == sorted.end()) {
+            shuffled |= !isOrdered;
             pieces.push_back(std::move(rows));
             return pieces;
         }

@@ -12,7 +12,7 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array encodings{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252"};
+constexpr std::array encodings{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252", "GB18030"};
 constexpr std::array delimiters{"tab", "semicolon", "comma", "bar", "blanks"};
 constexpr std::array marks{"point", "comma"};
 
@@ -109,7 +109,9 @@ std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &import
     if (decoded.encoding.origin == Origin::guessed)
         imported.remarks.push_back(
             {RemarkGrade::assumption,
-             {REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
+             {decoded.encoding.value == Encoding::gb18030
+                  ? REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Chinese (GB18030).")
+                  : REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
              0,
              0,
              "encoding"});

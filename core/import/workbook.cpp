@@ -242,101 +242,125 @@ void readXlsxSheet(const QByteArray &bytes, const std::vector<QString> &strings,
 
 // ---- .ods
 
-/// Reads the sheet of that number (from 0); collects the names of all.
-void readOdsSheet(const QByteArray &bytes, int wanted, std::vector<SheetName> &names, Sheet &sheet) {
-    int index = -1;
-    std::size_t line = 0;
-    std::size_t rowRepeats = 1;
+/// Reads the sheet of that number (from 0) out of content.xml; collects the names of all.
+class OdsReader {
+public:
+    OdsReader(int wanted, std::vector<SheetName> &names, Sheet &sheet)
+        : m_wanted(wanted)
+        , m_names(names)
+        , m_sheet(sheet) {}
+
+    void read(const QByteArray &bytes) {
+        walk(
+            bytes, [this](const QXmlStreamReader &xml) { begin(xml); },
+            [this](const QXmlStreamReader &xml) { end(xml.name()); },
+            [this](QStringView text) { add(text); });
+    }
+
+private:
     struct OdsCell {
         int column = 0;
         QString text;
         std::optional<double> number;
         int repeats = 1;
     };
-    QString style;
-    QStringList hidden;
-    std::vector<OdsCell> cells;
-    OdsCell cell;
-    int column = 0;
-    bool inCell = false;
-    int paragraphs = 0;
-    int annotation = 0;
-    walk(
-        bytes,
-        [&](const QXmlStreamReader &xml) {
-            const QStringView name = xml.name();
-            if (name == QLatin1StringView("style")) {
-                style = attribute(xml, "name");
-            } else if (name == QLatin1StringView("table-properties")) {
-                if (attribute(xml, "display") == QLatin1StringView("false"))
-                    hidden << style;
-            } else if (name == QLatin1StringView("table")) {
-                ++index;
-                names.push_back({attribute(xml, "name"), {}, hidden.contains(attribute(xml, "style-name"))});
-                line = 0;
-            } else if (index == wanted && name == QLatin1StringView("table-row")) {
-                rowRepeats = std::clamp<std::size_t>(attribute(xml, "number-rows-repeated").toULongLong(), 1,
-                                                     100'000'000);
-                cells.clear();
-                column = 0;
-            } else if (index == wanted && (name == QLatin1StringView("table-cell") ||
-                                           name == QLatin1StringView("covered-table-cell"))) {
-                cell = {column,
-                        {},
-                        {},
-                        std::clamp(attribute(xml, "number-columns-repeated").toInt(), 1, 1'000'000)};
-                const QString type = attribute(xml, "value-type");
-                if (type == QLatin1StringView("float") || type == QLatin1StringView("percentage") ||
-                    type == QLatin1StringView("currency"))
-                    cell.number = finiteNumber(attribute(xml, "value"));
-                inCell = true;
-                paragraphs = 0;
-            } else if (name == QLatin1StringView("annotation")) {
-                ++annotation;
-            } else if (inCell && annotation == 0 && name == QLatin1StringView("p")) {
-                if (paragraphs++ > 0)
-                    cell.text += u' ';
-            }
-        },
-        [&](const QXmlStreamReader &xml) {
-            const QStringView name = xml.name();
-            if (name == QLatin1StringView("annotation")) {
-                --annotation;
-            } else if (index == wanted && inCell &&
-                       (name == QLatin1StringView("table-cell") ||
-                        name == QLatin1StringView("covered-table-cell"))) {
-                inCell = false;
-                column = std::min(column + cell.repeats, 10'000'000);
-                if (!cell.text.isEmpty() || cell.number)
-                    cells.push_back(cell);
-            } else if (index == wanted && name == QLatin1StringView("table-row")) {
-                if (cells.empty()) {
-                    line += rowRepeats;
-                    return;
-                }
-                // What is repeated is counted before it is written out.
-                std::size_t repeated = 0;
-                for (const OdsCell &each : cells)
-                    repeated += static_cast<std::size_t>(each.repeats);
-                if (repeated > mostRepeated / rowRepeats)
-                    throw Error(
-                        Error::Kind::tooLarge,
+
+    [[nodiscard]] bool isWanted() const { return m_index == m_wanted; }
+    [[nodiscard]] static bool isCell(QStringView name) {
+        return name == QLatin1StringView("table-cell") || name == QLatin1StringView("covered-table-cell");
+    }
+
+    void begin(const QXmlStreamReader &xml) {
+        const QStringView name = xml.name();
+        if (name == QLatin1StringView("style")) {
+            m_style = attribute(xml, "name");
+        } else if (name == QLatin1StringView("table-properties")) {
+            if (attribute(xml, "display") == QLatin1StringView("false"))
+                m_hidden << m_style;
+        } else if (name == QLatin1StringView("table")) {
+            ++m_index;
+            m_names.push_back({attribute(xml, "name"), {}, m_hidden.contains(attribute(xml, "style-name"))});
+            m_line = 0;
+        } else if (isWanted() && name == QLatin1StringView("table-row")) {
+            m_rowRepeats =
+                std::clamp<std::size_t>(attribute(xml, "number-rows-repeated").toULongLong(), 1, 100'000'000);
+            m_cells.clear();
+            m_column = 0;
+        } else if (isWanted() && isCell(name)) {
+            beginCell(xml);
+        } else if (name == QLatin1StringView("annotation")) {
+            ++m_annotation;
+        } else if (m_inCell && m_annotation == 0 && name == QLatin1StringView("p")) {
+            if (m_paragraphs++ > 0)
+                m_cell.text += u' ';
+        }
+    }
+
+    void beginCell(const QXmlStreamReader &xml) {
+        m_cell = {
+            m_column, {}, {}, std::clamp(attribute(xml, "number-columns-repeated").toInt(), 1, 1'000'000)};
+        const QString type = attribute(xml, "value-type");
+        if (type == QLatin1StringView("float") || type == QLatin1StringView("percentage") ||
+            type == QLatin1StringView("currency"))
+            m_cell.number = finiteNumber(attribute(xml, "value"));
+        m_inCell = true;
+        m_paragraphs = 0;
+    }
+
+    void end(QStringView name) {
+        if (name == QLatin1StringView("annotation")) {
+            --m_annotation;
+        } else if (isWanted() && m_inCell && isCell(name)) {
+            m_inCell = false;
+            m_column = std::min(m_column + m_cell.repeats, 10'000'000);
+            if (!m_cell.text.isEmpty() || m_cell.number)
+                m_cells.push_back(m_cell);
+        } else if (isWanted() && name == QLatin1StringView("table-row")) {
+            if (m_cells.empty())
+                m_line += m_rowRepeats;
+            else
+                addRows();
+        }
+    }
+
+    void addRows() {
+        // What is repeated is counted before it is written out.
+        std::size_t repeated = 0;
+        for (const OdsCell &each : m_cells)
+            repeated += static_cast<std::size_t>(each.repeats);
+        if (repeated > mostRepeated / m_rowRepeats)
+            throw Error(Error::Kind::tooLarge,
                         {REPORT_TEXT("report", "more rows or cells than a table of readings can have")},
-                        std::to_string(line + 1) + ":1");
-                for (std::size_t i = 0; i < rowRepeats; ++i) {
-                    sheet.beginRow(++line);
-                    for (const OdsCell &each : cells) {
-                        for (int k = 0; k < each.repeats; ++k)
-                            sheet.add(each.column + k, each.text, each.number);
-                    }
-                }
+                        std::to_string(m_line + 1) + ":1");
+        for (std::size_t i = 0; i < m_rowRepeats; ++i) {
+            m_sheet.beginRow(++m_line);
+            for (const OdsCell &each : m_cells) {
+                for (int k = 0; k < each.repeats; ++k)
+                    m_sheet.add(each.column + k, each.text, each.number);
             }
-        },
-        [&](QStringView text) {
-            if (inCell && annotation == 0 && paragraphs > 0 && cell.text.size() < longestCell)
-                cell.text += text;
-        });
-}
+        }
+    }
+
+    void add(QStringView text) {
+        if (m_inCell && m_annotation == 0 && m_paragraphs > 0 && m_cell.text.size() < longestCell)
+            m_cell.text += text;
+    }
+
+    int m_wanted;
+    std::vector<SheetName> &m_names;
+    Sheet &m_sheet;
+    int m_index = -1;
+    std::size_t m_line = 0;
+    std::size_t m_rowRepeats = 1;
+    QString m_style;
+    QStringList m_hidden;
+    std::vector<OdsCell> m_cells;
+    OdsCell m_cell;
+    int m_column = 0;
+    bool m_inCell = false;
+    int m_paragraphs = 0;
+    int m_annotation = 0;
+};
 
 /// Which sheet: its name, or its number from 1; −1 where nothing is chosen.
 int chosenSheet(const std::vector<SheetName> &sheets, const Choices &choices) {
@@ -420,21 +444,23 @@ public:
                 take(i, sheet.take(m_choices));
             }
         }
-        if (m_best)
+        if (hasTable())
             settle();
         std::ranges::stable_sort(m.sheets, {}, &ImportSheet::isHidden);
     }
 
-    [[nodiscard]] bool hasTable() const { return m_best.has_value(); }
+    [[nodiscard]] bool hasTable() const { return m_best != none; }
 
 private:
+    static constexpr std::size_t none = -1;
+
     void take(std::size_t i, CellTable table) {
         if (table.rows().empty())
             return;
         const std::size_t readings = readingsIn(table, m_choices.options());
         m.sheets[i].hasMeasurement = readings > 0;
         m_measurements += readings > 0 ? 1 : 0;
-        if (m_best && readings <= m_most)
+        if (hasTable() && readings <= m_most)
             return;
         m_best = i;
         m_most = readings;
@@ -442,7 +468,7 @@ private:
     }
 
     void settle() {
-        const SheetName &sheet = m_sheets[*m_best];
+        const SheetName &sheet = m_sheets[m_best];
         const bool doubtful = m_measurements > 1 || sheet.isHidden;
         const auto choice = m_choices.settle("sheet", sheet.name.toStdString(),
                                              doubtful ? Origin::guessed : Origin::recognised);
@@ -469,7 +495,7 @@ private:
     const std::vector<SheetName> &m_sheets;
     Choices &m_choices;
     Imported &m;
-    std::optional<std::size_t> m_best;
+    std::size_t m_best = none; ///< index of a sheet
     std::size_t m_most = 0;
     std::size_t m_measurements = 0;
 };
@@ -492,7 +518,7 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
     } else if (zip.contains("content.xml")) {
         content = zip.member(QStringLiteral("content.xml"));
         Sheet none;
-        readOdsSheet(content, -2, sheets, none);
+        OdsReader(-2, sheets, none).read(content);
     } else {
         throw Error(Error::Kind::format,
                     {REPORT_TEXT("report", "this archive is no workbook; expected .xlsx or .ods")});
@@ -503,7 +529,7 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
         if (isXlsx)
             readXlsxSheet(zip.member(sheets[static_cast<std::size_t>(i)].member), strings, sheet);
         else
-            readOdsSheet(content, i, names, sheet);
+            OdsReader(i, names, sheet).read(content);
     });
     if (!chooser.hasTable())
         throw Error(

@@ -7,6 +7,8 @@
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/figures/lineview.h"
+#include "ui/import/columnroles.h"
+#include "ui/import/remarklist.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -26,7 +28,6 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QMessageBox>
-#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -44,7 +45,6 @@ namespace {
 constexpr int boxColumns = 6;
 constexpr int rowHeight = 26;
 constexpr int remarksHeight = 150;
-constexpr std::size_t remarksShown = 200; ///< a file of a million broken cells has as many remarks
 
 /// A title over a part, what is said of its size at the right, and the part.
 QWidget *part(QWidget *parent, QLabel *title, QLabel *size, QWidget *content) {
@@ -65,47 +65,6 @@ QWidget *part(QWidget *parent, QLabel *title, QLabel *size, QWidget *content) {
     return whole;
 }
 
-/// The mark before a remark: its shape says what its colour says.
-class GradeIcon : public QWidget {
-public:
-    GradeIcon(RemarkGrade grade, QWidget *parent)
-        : QWidget(parent)
-        , m_grade(grade) {
-        setFixedSize(16, 16);
-    }
-
-protected:
-    void paintEvent(QPaintEvent *) override {
-        QPainter painter(this);
-        const auto draw = [&](const char *icon, Token colour) {
-            drawLineIcon(painter, rect(), QLatin1StringView(icon), token(colour, palette()));
-        };
-        switch (m_grade) {
-        case RemarkGrade::problem:
-            draw("miss", Token::bad);
-            break;
-        case RemarkGrade::assumption:
-            draw("warn", Token::unsure);
-            break;
-        case RemarkGrade::note:
-            draw("info", Token::secondaryText);
-            break;
-        }
-    }
-
-private:
-    RemarkGrade m_grade;
-};
-
-QPushButton *addLink(QHBoxLayout &row, const QString &words, const QString &sentence) {
-    auto *button = new QPushButton(words);
-    button->setProperty("link", true);
-    button->setAutoDefault(false);
-    button->setAccessibleName(QStringLiteral("%1 – %2").arg(words, sentence));
-    row.addWidget(button);
-    return button;
-}
-
 QString profileSetting(const QString &fileName) {
     return QStringLiteral("import/profiles/") + QFileInfo(fileName).suffix().toLower();
 }
@@ -117,7 +76,7 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
     : QDialog(parent)
     , m_bytes(std::move(bytes))
     , m_fileName(QFileInfo(fileName).fileName())
-    , m_imported(importMeasurement(m_bytes, m_fileName))
+    , m_imported(showMeasurement(m_bytes, m_fileName))
     , m_title(new QLabel(this))
     , m_origin(new QLabel(this))
     , m_other(new QPushButton(this))
@@ -132,6 +91,7 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
     , m_rawView(new QListView(this))
     , m_tableTitle(new QLabel(this))
     , m_tableSize(new QLabel(this))
+    , m_columns(new ColumnRoles(this))
     , m_table(new QTableView(this))
     , m_curveTitle(new QLabel(this))
     , m_curves(new QStackedWidget(this))
@@ -140,7 +100,8 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
     , m_lineView(new LineView(m_curves))
     , m_noCurve(new QLabel(m_curves))
     , m_remarksTitle(new QLabel(this))
-    , m_remarks(new QVBoxLayout)
+    , m_confirmAll(new QPushButton(this))
+    , m_remarks(new RemarkList(this))
     , m_keep(new QCheckBox(this))
     , m_saveProfile(new QPushButton(this))
     , m_open(new QLabel(this))
@@ -179,6 +140,33 @@ void ImportAssistant::makeLayout() {
 
     m_destination->setObjectName(QStringLiteral("import.destination"));
     m_profile->setObjectName(QStringLiteral("import.profile"));
+    m_keep->setObjectName(QStringLiteral("keepBytes"));
+    m_saveProfile->setObjectName(QStringLiteral("saveProfile"));
+    m_open->setObjectName(QStringLiteral("importOpen"));
+    m_cancel->setObjectName(QStringLiteral("cancelImport"));
+    m_import->setObjectName(QStringLiteral("acceptImport"));
+    m_import->setProperty("primary", true);
+    auto *foot = new QHBoxLayout;
+    foot->addWidget(m_keep);
+    foot->addSpacing(24);
+    foot->addWidget(m_saveProfile);
+    foot->addStretch();
+    foot->addWidget(m_open);
+    foot->addWidget(m_cancel);
+    foot->addWidget(m_import);
+    for (QPushButton *button : {m_other, m_paste, m_saveProfile, m_cancel, m_import})
+        button->setAutoDefault(false);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(head);
+    layout->addLayout(m_choices);
+    layout->addWidget(makeMiddle(), 1);
+    layout->addWidget(makeRemarks());
+    layout->addLayout(foot);
+    connectAll();
+}
+
+QWidget *ImportAssistant::makeMiddle() {
     m_rawView->setObjectName(QStringLiteral("importRaw"));
     m_rawView->setModel(&m_raw);
     m_rawView->setItemDelegate(new RawTextDelegate(m_rawView));
@@ -201,55 +189,54 @@ void ImportAssistant::makeLayout() {
     m_noCurve->setAlignment(Qt::AlignCenter);
     m_noCurve->setWordWrap(true);
     m_noCurve->setProperty("secondary", true);
-    m_curves->addWidget(m_curveCanvas);
-    m_curves->addWidget(m_circleCanvas);
-    m_curves->addWidget(m_lineView);
-    m_curves->addWidget(m_noCurve);
+    for (QWidget *curve :
+         std::initializer_list<QWidget *>{m_curveCanvas, m_circleCanvas, m_lineView, m_noCurve})
+        m_curves->addWidget(curve);
+    auto *table = new QWidget(this);
+    auto *column = new QVBoxLayout(table);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(m_columns);
+    column->addWidget(m_table, 1);
     auto *middle = new QSplitter(this);
     middle->setChildrenCollapsible(false);
     middle->addWidget(part(middle, m_rawTitle, m_rawSize, m_rawView));
-    middle->addWidget(part(middle, m_tableTitle, m_tableSize, m_table));
+    middle->addWidget(part(middle, m_tableTitle, m_tableSize, table));
     middle->addWidget(part(middle, m_curveTitle, nullptr, m_curves));
     middle->setSizes({427, 427, 427});
+    return middle;
+}
 
-    auto *remarks = new QWidget(this);
-    remarks->setProperty("ground", QStringLiteral("base"));
-    m_remarks->setContentsMargins(12, 0, 12, 4);
-    m_remarks->setSpacing(0);
-    remarks->setLayout(m_remarks);
+QWidget *ImportAssistant::makeRemarks() {
     auto *scroll = new QScrollArea(this);
     scroll->setObjectName(QStringLiteral("importRemarks"));
-    scroll->setWidget(remarks);
+    scroll->setWidget(m_remarks);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFixedHeight(remarksHeight);
     m_remarksTitle->setFont(themeFont(TextSize::head));
+    m_confirmAll->setObjectName(QStringLiteral("confirmAll"));
+    m_confirmAll->setAutoDefault(false);
+    auto *whole = new QWidget(this);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_remarksTitle, 1);
+    head->addWidget(m_confirmAll);
+    auto *column = new QVBoxLayout(whole);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(head);
+    column->addWidget(scroll);
+    return whole;
+}
 
-    m_keep->setObjectName(QStringLiteral("keepBytes"));
-    m_saveProfile->setObjectName(QStringLiteral("saveProfile"));
-    m_open->setObjectName(QStringLiteral("importOpen"));
-    m_cancel->setObjectName(QStringLiteral("cancelImport"));
-    m_import->setObjectName(QStringLiteral("acceptImport"));
-    m_import->setProperty("primary", true);
-    auto *foot = new QHBoxLayout;
-    foot->addWidget(m_keep);
-    foot->addSpacing(24);
-    foot->addWidget(m_saveProfile);
-    foot->addStretch();
-    foot->addWidget(m_open);
-    foot->addWidget(m_cancel);
-    foot->addWidget(m_import);
-    for (QPushButton *button : {m_other, m_paste, m_saveProfile, m_cancel, m_import})
-        button->setAutoDefault(false);
-
-    auto *layout = new QVBoxLayout(this);
-    layout->addLayout(head);
-    layout->addLayout(m_choices);
-    layout->addWidget(middle, 1);
-    layout->addWidget(m_remarksTitle);
-    layout->addWidget(scroll);
-    layout->addLayout(foot);
-
+void ImportAssistant::connectAll() {
+    connect(m_columns, &ColumnRoles::rolesChosen, this,
+            [this](const QString &columns) { choose("columns", columns.toStdString()); });
+    connect(m_remarks, &RemarkList::answered, this, [this](const QString &key, const QString &word) {
+        choose(key.toStdString(), word.toStdString());
+    });
+    connect(m_remarks, &RemarkList::answerWanted, this, &ImportAssistant::showAnswerOf);
+    connect(m_remarks, &RemarkList::lineWanted, this, &ImportAssistant::showLine);
+    connect(m_confirmAll, &QPushButton::clicked, this, &ImportAssistant::confirmAll);
     connect(m_profile, &QComboBox::activated, this, [this](int index) {
         if (index == 0)
             takeOptions({});
@@ -287,12 +274,8 @@ void ImportAssistant::addTo(Document &document) const {
 
 void ImportAssistant::takeFile(const QByteArray &bytes, const QString &fileName) {
     const QString name = QFileInfo(fileName).fileName();
-    m_refusal.reset();
     try {
-        Imported imported = importMeasurement(bytes, name);
-        m_raw.show(nullptr);
-        m_recognised.show(nullptr);
-        m_imported = std::move(imported);
+        takeRead(showMeasurement(bytes, name));
         m_bytes = bytes;
         m_fileName = name;
         m_options.clear();
@@ -335,23 +318,34 @@ void ImportAssistant::choose(const std::string &key, const std::string &value) {
     takeOptions(std::move(options));
 }
 
-void ImportAssistant::confirm(const std::string &key) {
-    const auto found = std::ranges::find(m_imported.choices, key, &ImportChoice::key);
-    if (found != m_imported.choices.end())
-        choose(key, found->value);
+void ImportAssistant::confirmAll() {
+    // An answer may raise the next question, which has to be read before it is confirmed: once is enough.
+    ImportOptions options = m_options;
+    for (const Question &question : m_imported.questions) {
+        if (canBeConfirmed(question))
+            options[question.id] = question.proposal;
+    }
+    takeOptions(std::move(options));
 }
 
-/// Reads the file anew. Choices under which it cannot be read stay visible with the reason, beside what was
-/// read last; they can be changed, but not accepted.
+/// What was read takes the place of what is shown, with the reason where there is no measurement in it.
+void ImportAssistant::takeRead(Imported imported) {
+    m_raw.show(nullptr);
+    m_recognised.show(nullptr);
+    m_imported = std::move(imported);
+    m_refusal.reset();
+    if (m_imported.refusal)
+        refuse(*m_imported.refusal, {});
+}
+
+/// Reads the file anew. Choices under which it cannot be read stay visible with the reason; they can be
+/// changed, but not accepted.
 void ImportAssistant::takeOptions(ImportOptions options) {
     m_options = std::move(options);
-    m_refusal.reset();
     try {
-        Imported imported = importMeasurement(m_bytes, m_fileName, m_options);
-        m_raw.show(nullptr);
-        m_imported = std::move(imported);
+        takeRead(showMeasurement(m_bytes, m_fileName, m_options));
     } catch (const Error &error) {
-        refuse(error, {});
+        refuse(error, {}); // nothing to show: beside what was read last
     }
     refresh();
 }
@@ -404,7 +398,7 @@ void ImportAssistant::askProfileName() {
 bool ImportAssistant::saveProfile(const QString &name) {
     ImportOptions options;
     for (const ImportChoice &choice : m_imported.choices) {
-        if (choice.origin != Origin::recognised && !choice.value.empty())
+        if (choice.origin == Origin::chosen && !choice.value.empty())
             options[choice.key] = choice.value;
     }
     try {
@@ -425,15 +419,32 @@ bool ImportAssistant::saveProfile(const QString &name) {
     return true;
 }
 
-/// Those that matter for the file, in the order in which choices are shown.
+/// Those that matter for the file, in the order in which choices are shown; the roles of columns stand above
+/// these. Of a file that cannot be read, all that were chosen, and the sheets: one of them may be why.
 std::vector<ImportChoice> ImportAssistant::shownChoices() const {
     std::vector<ImportChoice> shown;
     for (const ImportKey &key : importKeys()) {
         const auto found = std::ranges::find(m_imported.choices, key.key, &ImportChoice::key);
+        const auto chosen = m_options.find(key.key);
+        const bool isSheet = key.key == std::string_view("sheet") && !m_imported.sheets.empty();
+        if (key.key == std::string_view("columns"))
+            continue;
         if (found != m_imported.choices.end())
             shown.push_back(*found);
+        else if (m_refusal && chosen != m_options.end())
+            shown.push_back({key.key, chosen->second, Origin::chosen});
+        else if (m_refusal && isSheet)
+            shown.push_back({key.key, {}, Origin::recognised});
     }
     return shown;
+}
+
+/// The sheets of the workbook, the hidden ones last and said so.
+void ImportAssistant::fillSheets(QComboBox &sheets) const {
+    for (const ImportSheet &sheet : m_imported.sheets) {
+        const QString name = QString::fromStdString(sheet.name);
+        sheets.addItem(sheet.isHidden ? tr("%1 (hidden)").arg(name) : name, name);
+    }
 }
 
 void ImportAssistant::makeBoxes() {
@@ -456,10 +467,13 @@ void ImportAssistant::makeBoxes() {
         box.badge = new QLabel(tr("guessed"), box.cell);
         box.badge->setObjectName(QStringLiteral("guessed.") + QString::fromStdString(choice.key));
         QWidget *control = nullptr;
-        if (key->value == ImportValue::word) {
+        const bool isSheet = choice.key == "sheet" && !m_imported.sheets.empty();
+        if (key->value == ImportValue::word || isSheet) {
             box.words = new QComboBox(box.cell);
             box.words->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
             box.words->setMinimumContentsLength(12);
+            if (isSheet)
+                fillSheets(*box.words);
             for (const ImportWord &word : key->words)
                 box.words->addItem(windowLanguage().text(word.name), QString::fromLatin1(word.word));
             connect(box.words, &QComboBox::activated, this, [this, words = box.words, name = choice.key] {
@@ -502,13 +516,14 @@ void ImportAssistant::makeBoxes() {
 }
 
 void ImportAssistant::showChoices() {
-    const bool same = std::ranges::equal(shownChoices(), m_boxes, {}, &ImportChoice::key, &Box::key);
+    const std::vector<ImportChoice> shown = shownChoices();
+    const bool same = std::ranges::equal(shown, m_boxes, {}, &ImportChoice::key, &Box::key);
     if (!same)
         makeBoxes();
     const QString unsure = token(Token::unsure, palette()).name();
     const QString ground = token(Token::unsureGround, palette()).name();
     for (const Box &box : m_boxes) {
-        const auto choice = std::ranges::find(m_imported.choices, box.key, &ImportChoice::key);
+        const auto choice = std::ranges::find(shown, box.key, &ImportChoice::key);
         const auto chosen = m_options.find(box.key);
         const QString value =
             QString::fromStdString(chosen != m_options.end() ? chosen->second : choice->value);
@@ -527,85 +542,36 @@ void ImportAssistant::showChoices() {
     }
 }
 
-QHBoxLayout *ImportAssistant::addRow(RemarkGrade grade, QString sentence, std::size_t line,
-                                     std::size_t column, std::size_t times) {
-    auto *row = new QWidget;
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 2, 0, 2);
-    auto *icon = new GradeIcon(grade, row);
-    if (times > 1)
-        sentence += QStringLiteral(" (× %1)").arg(times);
-    if (line > 0 && column > 0)
-        sentence = tr("Line %1, column %2: %3").arg(line).arg(column).arg(sentence);
-    else if (line > 0)
-        sentence = tr("Line %1: %2").arg(line).arg(sentence);
-    auto *text = new QLabel(sentence, row);
-    text->setTextFormat(Qt::PlainText);
-    text->setWordWrap(true);
-    layout->addWidget(icon);
-    layout->addWidget(text, 1);
-    if (const int at = m_raw.rowOf(line); at >= 0)
-        connect(addLink(*layout, tr("go to the line"), sentence), &QPushButton::clicked, this, [this, at] {
-            m_rawView->setCurrentIndex(m_raw.index(at));
-            m_rawView->scrollTo(m_raw.index(at));
-        });
-    m_remarks->addWidget(row);
-    return layout;
+void ImportAssistant::showLine(std::size_t line) {
+    const QModelIndex at = m_raw.index(m_raw.rowOf(line));
+    m_rawView->setCurrentIndex(at);
+    m_rawView->scrollTo(at);
 }
 
-void ImportAssistant::addQuestion(const Question &question) {
-    const QString sentence = windowLanguage().sentence(question.sentence);
-    QHBoxLayout *row =
-        addRow(question.grade == QuestionGrade::red ? RemarkGrade::problem : RemarkGrade::assumption,
-               sentence, question.line, question.column, question.further.size() + 1);
-    const auto choice = std::ranges::find(m_imported.choices, question.id, &ImportChoice::key);
-    if (choice == m_imported.choices.end() || choice->origin != Origin::guessed)
-        return;
-    QPushButton *button = addLink(*row, tr("confirm"), sentence);
-    button->setObjectName(QStringLiteral("confirm.") + QString::fromStdString(question.id));
-    connect(button, &QPushButton::clicked, this, [this, key = question.id] { confirm(key); });
-}
-
-void ImportAssistant::addRemark(const Remark &remark) {
-    const QString sentence = windowLanguage().sentence(remark.message);
-    QHBoxLayout *row = addRow(remark.grade, sentence, remark.line, remark.column, remark.times);
-    const auto choice = std::ranges::find(m_imported.choices, remark.choice, &ImportChoice::key);
-    if (remark.choice.empty() || choice == m_imported.choices.end() || choice->origin != Origin::guessed)
-        return;
-    QPushButton *button = addLink(*row, tr("confirm"), sentence);
-    button->setObjectName(QStringLiteral("confirm.") + QString::fromStdString(remark.choice));
-    connect(button, &QPushButton::clicked, this, [this, key = remark.choice] { confirm(key); });
+/// Leads to where a question is answered that has no list of answers.
+void ImportAssistant::showAnswerOf(const QString &key) {
+    const auto box = std::ranges::find(m_boxes, key.toStdString(), &Box::key);
+    QWidget *field = m_columns;
+    if (box != m_boxes.end())
+        field = box->words ? static_cast<QWidget *>(box->words) : box->edit;
+    field->setFocus();
+    if (auto *edit = qobject_cast<QLineEdit *>(field))
+        edit->selectAll();
 }
 
 void ImportAssistant::showRemarks() {
-    while (QLayoutItem *item = m_remarks->takeAt(0)) {
-        if (item->widget()) {
-            item->widget()->hide();
-            item->widget()->deleteLater();
-        }
-        delete item;
-    }
-    if (m_refusal) {
-        auto *reason = new QLabel(*m_refusal);
-        reason->setObjectName(QStringLiteral("importRefusal"));
-        reason->setProperty("reason", true);
-        reason->setTextFormat(Qt::PlainText);
-        reason->setWordWrap(true);
-        m_remarks->addWidget(reason);
-    }
-    for (const Question &question : m_imported.questions)
-        addQuestion(question);
-    for (std::size_t i = 0; i < std::min(m_imported.remarks.size(), remarksShown); ++i)
-        addRemark(m_imported.remarks[i]);
-    if (m_imported.remarks.size() > remarksShown)
-        m_remarks->addWidget(new QLabel(tr("… and %n more remark(s)", nullptr,
-                                           static_cast<int>(m_imported.remarks.size() - remarksShown))));
-    m_remarks->addStretch();
+    m_remarks->showRemarks(m_imported, m_refusal,
+                           [this](std::size_t line) { return m_raw.rowOf(line) >= 0; });
+    const auto questions = static_cast<int>(m_imported.questions.size());
+    m_remarksTitle->setText(questions > 0 ? tr("%n question(s) to answer, and remarks", nullptr, questions)
+                                          : tr("Remarks"));
+    m_confirmAll->setVisible(std::ranges::count_if(m_imported.questions, canBeConfirmed) > 0);
 }
 
 void ImportAssistant::showCurve() {
     m_curve.reset();
-    m_noCurve->setText(tr("There is no curve of this measurement."));
+    m_noCurve->setText(m_refusal ? tr("No measurement can be read yet: what is missing is said below.")
+                                 : tr("There is no curve of this measurement."));
     m_curves->setCurrentWidget(m_noCurve);
     if (!m_imported.test) {
         const LineFigure temperatures = temperatureFigure(m_imported.sensors, windowLanguage());
@@ -652,7 +618,7 @@ void ImportAssistant::showSizes() {
         } else {
             sizes << tr("%n point(s)", nullptr, readingsOf(m_imported));
         }
-    } else {
+    } else if (!m_imported.refusal) {
         sizes << tr("%n sensor(s)", nullptr, static_cast<int>(m_imported.sensors.size()));
     }
     m_tableSize->setText(sizes.join(QStringLiteral(" · ")));
@@ -661,22 +627,29 @@ void ImportAssistant::showSizes() {
 void ImportAssistant::refresh() {
     m_raw.show(&m_imported);
     m_recognised.show(&m_imported);
+    m_columns->showColumns(m_imported.columns);
     showSizes();
     showChoices();
     showRemarks();
     showCurve();
+    showState();
+}
+
+/// How many readings come in, or what hinders them.
+void ImportAssistant::showState() {
     const int readings = readingsOf(m_imported);
+    const auto questions = static_cast<int>(m_imported.questions.size());
     m_import->setText(tr("&Import %n reading(s)", nullptr, readings));
-    m_import->setEnabled(!m_refusal && readings > 0);
-    const auto guesses = std::ranges::count(m_imported.choices, Origin::guessed, &ImportChoice::origin);
+    m_import->setEnabled(!m_refusal && readings > 0 && questions == 0);
     const int missing = missingOf(m_imported);
     QStringList open;
     if (missing > 0)
         open << tr("%n missing reading(s)", nullptr, missing);
-    if (guesses > 0)
-        open << tr("%n assumption(s)", nullptr, static_cast<int>(guesses));
+    if (questions > 0 && !m_refusal)
+        open << tr("%n question(s) to answer", nullptr, questions);
     m_open->setText(open.join(QStringLiteral(" · ")));
     m_open->setStyleSheet(QStringLiteral("color: %1;").arg(token(Token::unsure, palette()).name()));
+    m_import->setAccessibleDescription(m_open->text());
 }
 
 /// What still is in a field was meant, too: a mnemonic does not leave the field.
@@ -742,10 +715,16 @@ void ImportAssistant::retranslate() {
     m_curveCanvas->setAccessibleName(m_curveTitle->text());
     m_circleCanvas->setAccessibleName(m_curveTitle->text());
     m_lineView->setAccessibleName(m_curveTitle->text());
-    m_remarksTitle->setText(tr("Remarks, to be read before the import"));
+    m_columns->setAccessibleName(tr("Roles of the columns"));
+    m_remarks->setAccessibleName(tr("Questions and remarks"));
+    m_confirmAll->setText(tr("Confirm &all"));
+    m_confirmAll->setToolTip(
+        tr("Takes what is proposed to each question; data left unread are asked one by one"));
     m_keep->setText(tr("&Keep the original in the file"));
     m_saveProfile->setText(tr("&Save these choices as a profile…"));
     m_cancel->setText(tr("&Cancel"));
+    if (m_imported.refusal)
+        refuse(*m_imported.refusal, {});
     makeBoxes(); // in the language, and with it
     refresh();
 }

@@ -14,30 +14,32 @@
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
-class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListView;
 class QPushButton;
 class QStackedWidget;
 class QTableView;
-class QVBoxLayout;
 
 namespace palmer::ui {
 
 class CircleCanvas;
+class ColumnRoles;
 class FigureCanvas;
 class LineView;
+class RemarkList;
 
-/// "Import…": what a measurement file says, before anything is accepted. The text as it was read, the table
-/// and the curve that come of it, every choice with how it came about, and the remarks. Another choice reads
-/// the file anew. Changes no document: whoever opened it puts in what was read, with addTo().
+/// "Import…": what a measurement file says, before anything is accepted. The text as it was read, the roles
+/// of its columns, the table and the curve that come of it, every choice with how it came about, the
+/// questions and the remarks. Another choice reads the file anew; nothing comes in before each question is
+/// answered. A file of which no measurement can be read is shown with what is missing. Changes no document:
+/// whoever opened it puts in what was read, with addTo().
 class ImportAssistant : public QDialog {
     Q_OBJECT
 
 public:
     /// `open`: the document that is open, to put the measurement into; null for none. Throws Error for bytes
-    /// that cannot be imported.
+    /// of which nothing can be shown.
     ImportAssistant(QByteArray bytes, const QString &fileName, const Document *open,
                     QWidget *parent = nullptr);
 
@@ -48,14 +50,14 @@ public:
 
     /// Chooses a word, number or text for a choice, as its box does; empty: what is found in the file.
     void choose(const std::string &key, const std::string &value);
-    /// Takes what was guessed for a choice as said.
-    void confirm(const std::string &key);
+    /// Takes what is proposed to every question but those about data that were not read.
+    void confirmAll();
     /// Reads other bytes in the place of those at hand; what cannot be read is said, and nothing changes.
     void takeFile(const QByteArray &bytes, const QString &fileName);
     void pasteText();
 
-    /// Keeps the choices under a name; those that the file itself says are not among them. False, and a
-    /// message, when that fails.
+    /// Keeps what was chosen under a name: neither what the file itself says nor a guess that nobody has
+    /// confirmed. False, and a message, when that fails.
     bool saveProfile(const QString &name);
 
     void accept() override;
@@ -74,6 +76,9 @@ private:
     };
 
     void makeLayout();
+    QWidget *makeMiddle();
+    QWidget *makeRemarks();
+    void connectAll();
     void useLastProfile();
     void chooseOther();
     void takeTyped();
@@ -84,14 +89,15 @@ private:
     [[nodiscard]] std::vector<ImportChoice> shownChoices() const;
     void makeBoxes();
     void showChoices();
+    void fillSheets(QComboBox &sheets) const;
+    void showLine(std::size_t line);
+    void showAnswerOf(const QString &key);
     void showRemarks();
-    void addQuestion(const Question &question);
-    void addRemark(const Remark &remark);
-    QHBoxLayout *addRow(RemarkGrade grade, QString sentence, std::size_t line, std::size_t column,
-                        std::size_t times);
     void showCurve();
     void showSizes();
+    void showState();
     void refresh();
+    void takeRead(Imported imported);
     void refuse(const Error &error, const QString &file);
     void retranslate();
 
@@ -122,6 +128,7 @@ private:
     QListView *m_rawView;
     QLabel *m_tableTitle;
     QLabel *m_tableSize;
+    ColumnRoles *m_columns;
     QTableView *m_table;
     QLabel *m_curveTitle;
     QStackedWidget *m_curves;
@@ -130,7 +137,8 @@ private:
     LineView *m_lineView;
     QLabel *m_noCurve;
     QLabel *m_remarksTitle;
-    QVBoxLayout *m_remarks;
+    QPushButton *m_confirmAll;
+    RemarkList *m_remarks;
     QCheckBox *m_keep;
     QPushButton *m_saveProfile;
     QLabel *m_open;

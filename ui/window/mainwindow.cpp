@@ -501,8 +501,10 @@ void MainWindow::takeImport(const ImportAssistant &assistant) {
         const std::size_t before = m_model.document()->tests.size();
         m_model.edit(QT_TRANSLATE_NOOP("edits", "import a measurement file"),
                      [&](Document &document) { assistant.addTo(document); });
-        if (m_model.document()->tests.size() > before)
+        if (m_model.document()->tests.size() > before) {
             m_workplace->showTest(before);
+            m_workplace->showPage(Page::readings);
+        }
         return;
     }
     Document document;
@@ -510,7 +512,7 @@ void MainWindow::takeImport(const ImportAssistant &assistant) {
     document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
                                                                                : ReportLanguage::en};
     assistant.addTo(document);
-    take(std::move(document), {}, true);
+    take(std::move(document), {}, true)->m_workplace->showPage(Page::readings);
 }
 
 void MainWindow::openFile(const QString &path) {

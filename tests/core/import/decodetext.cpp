@@ -12,6 +12,8 @@ class DecodeTextTest : public QObject {
 private slots:
     void readsEncodings_data();
     void readsEncodings();
+    void tellsChineseFromWesternText_data();
+    void tellsChineseFromWesternText();
     void refusesWhatIsNoText_data();
     void refusesWhatIsNoText();
     void countsLinesOfAllKinds();
@@ -41,6 +43,32 @@ void DecodeTextTest::readsEncodings() {
     QCOMPARE(QString::fromStdString(decoded.text), QString("écart;µm"));
     QCOMPARE(static_cast<int>(decoded.encoding.value), encoding);
     QCOMPARE(decoded.encoding.origin == Origin::guessed, guessed);
+}
+
+// The bytes are those of iconv -t GBK and -t CP1252.
+void DecodeTextTest::tellsChineseFromWesternText_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("Chinese") << QByteArray("\xBB\xFA\xB4\xB2: \xBC\xD3\xB9\xA4\xD6\xD0\xD0\xC4")
+                             << "机床: 加工中心";
+    QTest::newRow("Chinese with units") << QByteArray("\xCE\xF3\xB2\xEE (\xA6\xCCm) 20 \xA1\xE6")
+                                        << "误差 (μm) 20 ℃";
+    QTest::newRow("one pair proves nothing") << QByteArray("\xE9\xE9") << "éé";
+    QTest::newRow("letters beside one another") << QByteArray("cr\xE9\xE9, id\xE9\xE9, 20 \xB0"
+                                                              "C")
+                                                << "créé, idéé, 20 °C";
+    QTest::newRow("German") << QByteArray("Pr\xFC"
+                                          "fer: M\xFCller, gr\xF6\xDFte")
+                            << "Prüfer: Müller, größte";
+}
+
+void DecodeTextTest::tellsChineseFromWesternText() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, text);
+    const DecodedText decoded = decodeText(bytes);
+    QCOMPARE(QString::fromStdString(decoded.text), text);
+    QCOMPARE(decoded.encoding.origin, Origin::guessed);
+    QCOMPARE(QString::fromStdString(decodeText(bytes, decoded.encoding.value).text), text);
 }
 
 void DecodeTextTest::refusesWhatIsNoText_data() {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "import/columnrole.h"
+
+#include <QTableView>
+#include <vector>
+
+class QStandardItemModel;
+
+namespace palmer::ui {
+
+/// The columns of a table as the file has them, each with its role: a click, or Return, opens the menu of
+/// all roles. Hidden where a file has no columns.
+class ColumnRoles : public QTableView {
+    Q_OBJECT
+
+public:
+    explicit ColumnRoles(QWidget *parent);
+
+    void showColumns(const std::vector<ImportColumn> &columns);
+
+signals:
+    /// Another role was chosen: those of all columns, as the choice "columns" has them.
+    void rolesChosen(const QString &columns);
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    void openMenu(int column);
+    void choose(int column, const ImportColumn &role);
+
+    std::vector<ImportColumn> m_columns;
+    QStandardItemModel *m_model;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,217 @@
+#include "ui/import/remarklist.h"
+
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
+
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr std::size_t remarksShown = 200; ///< a file of a million broken cells has as many remarks
+constexpr std::size_t mostButtons = 3;    ///< more answers are a menu
+
+/// The mark before a remark: its shape says what its colour says.
+class GradeIcon : public QWidget {
+public:
+    GradeIcon(RemarkGrade grade, QWidget *parent)
+        : QWidget(parent)
+        , m_grade(grade) {
+        setFixedSize(16, 16);
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override {
+        QPainter painter(this);
+        const auto draw = [&](const char *icon, Token colour) {
+            drawLineIcon(painter, rect(), QLatin1StringView(icon), token(colour, palette()));
+        };
+        switch (m_grade) {
+        case RemarkGrade::problem:
+            draw("miss", Token::bad);
+            break;
+        case RemarkGrade::assumption:
+            draw("warn", Token::unsure);
+            break;
+        case RemarkGrade::note:
+            draw("info", Token::secondaryText);
+            break;
+        }
+    }
+
+private:
+    RemarkGrade m_grade;
+};
+
+QPushButton *addLink(QHBoxLayout &row, const QString &words, const QString &sentence) {
+    auto *button = new QPushButton(words);
+    button->setProperty("link", true);
+    button->setAutoDefault(false);
+    button->setAccessibleName(QStringLiteral("%1 – %2").arg(words, sentence));
+    row.addWidget(button);
+    return button;
+}
+
+struct Answer {
+    QString word;
+    QString name;
+};
+
+/// What can be said to a question, as it is shown; none where it is typed or pointed at.
+std::vector<Answer> answersTo(const Question &question) {
+    std::vector<Answer> answers;
+    for (const std::string &answer : question.answers)
+        answers.push_back({QString::fromStdString(answer), QString::fromStdString(answer)});
+    const ImportKey *key = findImportKey(question.id);
+    if (!key || !answers.empty())
+        return answers;
+    for (const ImportWord &word : key->words)
+        answers.push_back({QString::fromLatin1(word.word), windowLanguage().text(word.name)});
+    return answers;
+}
+
+} // namespace
+
+bool canBeConfirmed(const Question &question) {
+    return !question.proposal.empty() && question.id != "unread";
+}
+
+RemarkList::RemarkList(QWidget *parent)
+    : QWidget(parent)
+    , m_rows(new QVBoxLayout(this)) {
+    setProperty("ground", QStringLiteral("base"));
+    setAttribute(Qt::WA_StyledBackground);
+    m_rows->setContentsMargins(12, 0, 12, 4);
+    m_rows->setSpacing(0);
+}
+
+void RemarkList::clear() {
+    while (QLayoutItem *item = m_rows->takeAt(0)) {
+        if (item->widget()) {
+            item->widget()->hide();
+            item->widget()->deleteLater(); // one of them may be what asked for this
+        }
+        delete item;
+    }
+}
+
+void RemarkList::showRemarks(const Imported &imported, const std::optional<QString> &refusal,
+                             const std::function<bool(std::size_t)> &hasLine) {
+    m_hasLine = hasLine;
+    clear();
+    if (refusal) {
+        auto *reason = new QLabel(*refusal);
+        reason->setObjectName(QStringLiteral("importRefusal"));
+        reason->setProperty("reason", true);
+        reason->setTextFormat(Qt::PlainText);
+        reason->setWordWrap(true);
+        m_rows->addWidget(reason);
+    }
+    for (const Question &question : imported.questions)
+        addQuestion(question);
+    for (std::size_t i = 0; i < std::min(imported.remarks.size(), remarksShown); ++i) {
+        const Remark &remark = imported.remarks[i];
+        const QString sentence = windowLanguage().sentence(remark.message);
+        QHBoxLayout *row = addRow(remark.grade, sentence, {remark.line, remark.column, remark.times});
+        const auto choice = std::ranges::find(imported.choices, remark.choice, &ImportChoice::key);
+        if (choice == imported.choices.end() || choice->origin != Origin::guessed)
+            continue;
+        const QString id = QString::fromStdString(remark.choice);
+        QPushButton *button = addLink(*row, tr("confirm"), sentence);
+        button->setObjectName(QStringLiteral("confirm.") + id);
+        connect(button, &QPushButton::clicked, this,
+                [this, id, word = QString::fromStdString(choice->value)] { emit answered(id, word); });
+    }
+    if (imported.remarks.size() > remarksShown)
+        m_rows->addWidget(new QLabel(tr("… and %n more remark(s)", nullptr,
+                                        static_cast<int>(imported.remarks.size() - remarksShown))));
+    m_rows->addStretch();
+}
+
+QHBoxLayout *RemarkList::addRow(RemarkGrade grade, QString sentence, const Place &place) {
+    auto *row = new QWidget;
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 2, 0, 2);
+    auto *icon = new GradeIcon(grade, row);
+    if (place.times > 1)
+        sentence += QStringLiteral(" (× %1)").arg(place.times);
+    if (place.line > 0 && place.column > 0)
+        sentence = tr("Line %1, column %2: %3").arg(place.line).arg(place.column).arg(sentence);
+    else if (place.line > 0)
+        sentence = tr("Line %1: %2").arg(place.line).arg(sentence);
+    auto *text = new QLabel(sentence, row);
+    text->setTextFormat(Qt::PlainText);
+    text->setWordWrap(true);
+    layout->addWidget(icon);
+    layout->addWidget(text, 1);
+    if (m_hasLine(place.line))
+        connect(addLink(*layout, tr("go to the line"), sentence), &QPushButton::clicked, this,
+                [this, line = place.line] { emit lineWanted(line); });
+    m_rows->addWidget(row);
+    return layout;
+}
+
+void RemarkList::addQuestion(const Question &question) {
+    const QString sentence = windowLanguage().sentence(question.sentence);
+    QHBoxLayout *row =
+        addRow(question.grade == QuestionGrade::red ? RemarkGrade::problem : RemarkGrade::assumption,
+               sentence, {question.line, question.column, question.further.size() + 1});
+    row->parentWidget()->setObjectName(QStringLiteral("question.") + QString::fromStdString(question.id));
+    addAnswers(*row, question, sentence);
+}
+
+/// The proposal as one click; the other answers beside it, or where they are given.
+void RemarkList::addAnswers(QHBoxLayout &row, const Question &question, const QString &sentence) {
+    const QString id = QString::fromStdString(question.id);
+    const QString proposal = QString::fromStdString(question.proposal);
+    std::vector<Answer> answers = answersTo(question);
+    const auto proposed = std::ranges::find(answers, proposal, &Answer::word);
+    if (!proposal.isEmpty()) {
+        const QString words =
+            proposed == answers.end() ? tr("confirm") : tr("confirm: %1").arg(proposed->name);
+        QPushButton *button = addLink(row, words, sentence);
+        button->setObjectName(QStringLiteral("confirm.") + id);
+        connect(button, &QPushButton::clicked, this, [this, id, proposal] { emit answered(id, proposal); });
+        if (proposed != answers.end())
+            answers.erase(proposed);
+        else if (answers.empty() && findImportKey(question.id)) {
+            QPushButton *other = addLink(row, tr("another answer"), sentence);
+            other->setObjectName(QStringLiteral("other.") + id);
+            connect(other, &QPushButton::clicked, this, [this, id] { emit answerWanted(id); });
+        }
+    }
+    if (proposal.isEmpty() && answers.size() <= mostButtons) {
+        for (const Answer &answer : answers) {
+            QPushButton *button = addLink(row, answer.name, sentence);
+            button->setObjectName(QStringLiteral("answer.%1.%2").arg(id, answer.word));
+            connect(button, &QPushButton::clicked, this,
+                    [this, id, word = answer.word] { emit answered(id, word); });
+        }
+        if (answers.empty())
+            connect(addLink(row, tr("answer"), sentence), &QPushButton::clicked, this,
+                    [this, id] { emit answerWanted(id); });
+    } else if (!answers.empty()) {
+        QPushButton *button =
+            addLink(row, proposal.isEmpty() ? tr("answer") : tr("another answer"), sentence);
+        button->setObjectName(QStringLiteral("other.") + id);
+        auto *menu = new QMenu(button);
+        menu->setObjectName(QStringLiteral("answers.") + id);
+        for (const Answer &answer : answers) {
+            QAction *action = menu->addAction(answer.name);
+            action->setData(answer.word);
+            connect(action, &QAction::triggered, this,
+                    [this, id, word = answer.word] { emit answered(id, word); });
+        }
+        button->setMenu(menu);
+    }
+}
+
+} // namespace palmer::ui
