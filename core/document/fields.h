@@ -16,8 +16,8 @@ enum Demand : unsigned {
     date = 1U << 3U,        ///< YYYY-MM-DD, a day that exists
     timeOfDay = 1U << 4U,   ///< HH:MM
     base64 = 1U << 5U,
-    longText = 1U << 6U, ///< remarks, what is agreed, addresses: `mostOfText` instead of `mostOfLine`
-    reading = 1U << 7U,  ///< within ± `mostOfReading`
+    longText = 1U << 6U,   ///< remarks, what is agreed, addresses: `mostOfText` instead of `mostOfLine`
+    reading = 1U << 7U,    ///< within ± `mostOfReading`
     trialCount = 1U << 8U, ///< 1 … mostTrialsStated
 };
 

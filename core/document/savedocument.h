@@ -17,9 +17,8 @@ constexpr qint64 largestFile = qint64(1) << 28;
 /// seconds. The one way in which this program writes files.
 void saveBytes(const QByteArray &bytes, const QString &path);
 
-/// The test file of a document. Throws Error(tooLarge), or what demandBounds throws, for one that could not be
-/// opened again, and what
-/// writeDocument throws.
+/// The test file of a document. Throws Error(tooLarge), or what demandBounds throws, for one that could not
+/// be opened again, and what writeDocument throws.
 [[nodiscard]] QByteArray bytesToSave(const Document &document);
 
 /// Saves the test file of a document.

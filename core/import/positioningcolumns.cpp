@@ -592,7 +592,8 @@ private:
             takeChosen(choice.value);
         else if (m_question)
             m.remark(RemarkGrade::assumption, *m_question, 0, "columns");
-        m.result.columns = m_result.columns; // to be shown, and changed there, where that is all that is known
+        m.result.columns =
+            m_result.columns; // to be shown, and changed there, where that is all that is known
         if (!m_result.target || m_result.values.empty())
             throw Error(
                 Error::Kind::content,

@@ -49,7 +49,8 @@ private:
                             m_language.sentence({REPORT_TEXT("report", "%1 of %2"),
                                                  {count(m_diagnosis.rank).toStdString(),
                                                   count(m_diagnosis.of).toStdString()}})});
-        fit.rows.push_back({text(REPORT_TEXT("report", "Condition of the fit")), number(m_diagnosis.condition, 1)});
+        fit.rows.push_back(
+            {text(REPORT_TEXT("report", "Condition of the fit")), number(m_diagnosis.condition, 1)});
         fit.rows.push_back({text(REPORT_TEXT("report", "Rest, standard deviation")),
                             m_language.quantity(m_diagnosis.residual, Quantity::deviation, 3)});
         m_blocks.emplace_back(std::move(fit));

@@ -24,7 +24,8 @@ struct DecisionScale {
 };
 
 /// With a guard band g the scale shows limit ± 3 g, without one 0 … 2 · limit. Signed values by size, lower
-/// limits turned round. Nothing without value, or without a limit above zero (a lower one: below). All in one unit.
+/// limits turned round. Nothing without value, or without a limit above zero (a lower one: below). All in one
+/// unit.
 [[nodiscard]] std::optional<DecisionScale> decisionScale(const Parameter &parameter);
 
 /// A result as a window lists it.

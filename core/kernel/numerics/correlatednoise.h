@@ -56,7 +56,7 @@ private:
     double m_coloured = 0;
     int m_correlation = 0; ///< index of φ
     Eigen::MatrixXd m_covariance;
-    Eigen::MatrixXd m_ofParameters;              ///< covariance of white, coloured and φ
+    Eigen::MatrixXd m_ofParameters;             ///< covariance of white, coloured and φ
     std::vector<Eigen::MatrixXd> m_derivatives; ///< of m_covariance by each of them
 };
 

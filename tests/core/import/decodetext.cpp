@@ -51,8 +51,8 @@ void DecodeTextTest::tellsChineseFromWesternText_data() {
     QTest::addColumn<QString>("text");
     QTest::newRow("Chinese") << QByteArray("\xBB\xFA\xB4\xB2: \xBC\xD3\xB9\xA4\xD6\xD0\xD0\xC4")
                              << "机床: 加工中心";
-    QTest::newRow("Chinese with units") << QByteArray("\xCE\xF3\xB2\xEE (\xA6\xCCm) 20 \xA1\xE6")
-                                        << "误差 (μm) 20 ℃";
+    QTest::newRow("Chinese with units")
+        << QByteArray("\xCE\xF3\xB2\xEE (\xA6\xCCm) 20 \xA1\xE6") << "误差 (μm) 20 ℃";
     QTest::newRow("one pair proves nothing") << QByteArray("\xE9\xE9") << "éé";
     QTest::newRow("letters beside one another") << QByteArray("cr\xE9\xE9, id\xE9\xE9, 20 \xB0"
                                                               "C")
