@@ -269,7 +269,9 @@ Table resultTable(const TestPart &part, const ResultForm &form, const std::vecto
         Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
         symbol.bold = true;
         QString name = form.nameOf(parameter);
-        if (const QString of = limitNote(parameter, part.write.language()); !of.isEmpty())
+        const auto own = part.test.limits.find(parameter.term.id);
+        const bool severalLimits = own != part.test.limits.end() && own->second.value;
+        if (const QString of = limitNote(parameter, part.write.language()); severalLimits && !of.isEmpty())
             name += QStringLiteral(", ") + of;
         if (form.notCorrected && parameter.dependsOnTemperature)
             name += QStringLiteral("\u00A0*");

@@ -53,7 +53,7 @@ private slots:
     void aFullDiskLeavesTheOldFile_data() {
         QTest::addColumn<QStringList>("command");
         QTest::addColumn<QString>("output");
-        QTest::newRow("import") << QStringList{"import", measured} << "o.palmer";
+        QTest::newRow("import") << QStringList{"import", measured, "--accept"} << "o.palmer";
         QTest::newRow("report") << QStringList{"report", example, "--language", "fr"} << "o.pdf";
         QTest::newRow("readings") << QStringList{"export", example, "--as", "csv"} << "o.csv";
         QTest::newRow("results") << QStringList{"export", example, "--as", "json"} << "o.json";
@@ -138,7 +138,7 @@ private slots:
     void anotherKindOfFileNeedsForce_data() {
         QTest::addColumn<QStringList>("command");
         QTest::addColumn<QStringList>("own");
-        QTest::newRow("import") << QStringList{"import", measured} << QStringList{"palmer"};
+        QTest::newRow("import") << QStringList{"import", measured, "--accept"} << QStringList{"palmer"};
         QTest::newRow("report") << QStringList{"report", example, "--language", "fr"} << QStringList{"pdf"};
         QTest::newRow("csv") << QStringList{"export", example, "--as", "csv"} << QStringList{"csv", "txt"};
         QTest::newRow("json") << QStringList{"export", example, "--as", "json"} << QStringList{"json"};

@@ -209,8 +209,9 @@ void ImportExportTest::exportsEveryForm() {
 
 void ImportExportTest::asksForWhatATableOwes() {
     const auto wanted = [this](const QStringList &options) {
-        return run(QStringList{"export", DATA "rtl/typical.rtl", "--language", "en", "-o", at("none")} +
-                   options);
+        return run(
+            QStringList{"export", DATA "rtl/typical.rtl", "--accept", "--language", "en", "-o", at("none")} +
+            options);
     };
     const Result owed = wanted({"--as", "siemens"});
     QCOMPARE(owed.code, 2);
@@ -219,16 +220,18 @@ void ImportExportTest::asksForWhatATableOwes() {
         QCOMPARE(wanted({"--as", "siemens", "--reference", "0", "--encoder", word}).code, 2);
     QCOMPARE(wanted({"--as", "linuxcnc", "--interval", "0.01"}).code, 3); // more points than it loads
     QVERIFY(!QFile::exists(at("none")));
-    const Result outside = run({"export", DATA "rtl/typical.rtl", "--language", "en", "--as", "siemens",
-                                "--reference", "-7", "--from", "-10", "-o", "-"});
+    const Result outside = run({"export", DATA "rtl/typical.rtl", "--accept", "--language", "en", "--as",
+                                "siemens", "--reference", "-7", "--from", "-10", "-o", "-"});
     QVERIFY(outside.err.contains("Nothing was measured outside") &&
             outside.err.contains("The reference point"));
 }
 
 void ImportExportTest::comparesWithTheTableOfAControl() {
-    QCOMPARE(run({"export", DATA "rtl/typical.rtl", "--as", "linuxcnc", "-o", at("old.comp")}).code, 0);
-    const QStringList form{"export",   DATA "rtl/typical.rtl", "--language", "en", "--as",
-                           "linuxcnc", "--per-direction",      "-o",         "-",  "--compare"};
+    QCOMPARE(
+        run({"export", DATA "rtl/typical.rtl", "--accept", "--as", "linuxcnc", "-o", at("old.comp")}).code,
+        0);
+    const QStringList form{"export",   DATA "rtl/typical.rtl", "--accept", "--language", "en",       "--as",
+                           "linuxcnc", "--per-direction",      "-o",       "-",          "--compare"};
     const Result compared = run(QStringList(form) << at("old.comp"));
     QVERIFY2(compared.code == 0, qPrintable(compared.err));
     QVERIFY(compared.err.contains("compared with a table of LinuxCNC"));

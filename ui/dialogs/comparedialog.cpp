@@ -143,6 +143,8 @@ Document readTests(const QString &path, std::vector<Message> &guesses) {
         if (remark.grade != RemarkGrade::note)
             guesses.push_back(remark.message);
     }
+    for (const Question &question : imported.questions)
+        guesses.push_back(question.sentence);
     Document document;
     addImported(document, std::move(imported), bytes, path, false);
     return document;

@@ -230,6 +230,7 @@ void ReportDialogTest::asksBeforeItReplacesAFile() {
         }
     });
     user.start(20);
+    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
     const auto content = [&] {
         QFile file(folder.filePath(existing));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
