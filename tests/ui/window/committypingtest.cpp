@@ -239,7 +239,11 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(shown.window));
         type(shown, typed);
         const QPointer<MainWindow> window = shown.window;
-        Answers answers(folder.filePath("other.palmer"));
+        const QString name = done.name;
+        const char *ending = name == "export of readings"     ? "csv"
+                             : name == "export of the figure" ? "svg"
+                                                              : "palmer";
+        Answers answers(folder.filePath(QString("other.%1").arg(ending)));
         done.act(shown);
         if (done.closes) {
             QTRY_VERIFY(!window || !window->isVisible());
@@ -249,7 +253,7 @@ private slots:
             QVERIFY(typed.isTaken(*window->model().document()));
         }
         if (done.saves) {
-            const bool other = QString(done.name) == "Save as";
+            const bool other = name == "Save as";
             const QString file = other ? folder.filePath("other.palmer") : path;
             QTRY_VERIFY(QFile::exists(file));
             QVERIFY(typed.isTaken(openDocument(file)));

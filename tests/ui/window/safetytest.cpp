@@ -132,6 +132,7 @@ struct Answer {
 Document largeDocument(const char *name) {
     Document document = openDocument(examplePath("rotary-axis"));
     document.machine.name = name;
+    document.report.remarks.clear();
     for (int k = 0; k < 65'536; ++k) // as many characters as remarks may have, of four bytes each
         document.report.remarks += "\xF0\x9D\x84\x9E";
     return document;
