@@ -9,6 +9,7 @@
 #include "report/resultparts.h"
 #include "report/uncertaintyparts.h"
 #include "report/wording.h"
+#include "ui/elidedlabel.h"
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
@@ -340,7 +341,7 @@ void UncertaintyPage::addMethods() {
     }
     connect(group, &QButtonGroup::idClicked, this,
             [this](int id) { chooseMethod(methods.at(static_cast<std::size_t>(id))); });
-    m_methodNote = new QLabel(bar);
+    m_methodNote = new ElidedLabel(bar);
     m_methodNote->setObjectName(QStringLiteral("methodNote"));
     m_methodNote->setProperty("secondary", true);
     m_typical = new QToolButton(bar);
@@ -804,7 +805,9 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
     m_results->setHead(column::budget, (linear ? tr("Annex A") : tr("Budget")) + tr(", k = 2"), true);
     m_results->setHead(column::actual, tr("actual targets"), true);
     m_results->setHead(column::simulation, tr("Monte Carlo, 95.45 %"), true);
-    m_results->setColumnHidden(column::actual, !linear);
+    // There is little room: the report has this line in any case.
+    m_results->setColumnHidden(column::actual,
+                               evaluation.uncertainty.method != UncertaintyMethod::budgetActual);
     m_results->setHead(column::interval, tr("95.45 % interval"), true);
     m_results->setHead(column::distribution, tr("distribution"), false);
     m_results->setHead(column::shift, tr("shift"), true);
