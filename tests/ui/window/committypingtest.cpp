@@ -108,14 +108,17 @@ class Answers : public QObject {
 public:
     explicit Answers(QString path)
         : m_path(std::move(path)) {
-        connect(&m_timer, &QTimer::timeout, this, &Answers::answer);
-        m_timer.start(20);
+        again();
     }
     QStringList asked;
     std::function<void(const ReportDialog &)> lookAt;
 
 private:
+    /// A timer of its own each time: one that repeats is silent while a box asks from within an answer.
+    void again() { QTimer::singleShot(20, this, &Answers::answer); }
+
     void answer() {
+        again();
         QWidget *box = QApplication::activeModalWidget();
         if (!box)
             return;
@@ -123,7 +126,9 @@ private:
         if (auto *file = qobject_cast<QFileDialog *>(box); file && m_path.isEmpty()) {
             file->reject(); // what is exported is tested elsewhere
         } else if (file) {
-            file->selectFile(m_path);
+            // A file that is selected in the list wins over a name that is only set, not typed.
+            file->findChild<QAbstractItemView *>("listView")->selectionModel()->clear();
+            file->findChild<QLineEdit *>("fileNameEdit")->setText(m_path);
             QMetaObject::invokeMethod(file, "accept");
         } else if (auto *question = qobject_cast<QMessageBox *>(box)) {
             for (const auto button : {QMessageBox::Save, QMessageBox::Discard}) {
@@ -140,7 +145,6 @@ private:
     }
 
     QString m_path;
-    QTimer m_timer;
 };
 
 struct Action {
