@@ -5,7 +5,7 @@ libqpdf-dev libzip-dev qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev
 qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
 fontconfig fonts-liberation2 fonts-dejavu-core"
 
-testPackages="python3 python3-jsonschema poppler-utils qpdf"
+testPackages="mold python3 python3-jsonschema poppler-utils qpdf"
 
 lintPackages="clang-14 clang-tidy-14 python3"
 
