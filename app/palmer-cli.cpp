@@ -1,5 +1,6 @@
 #include "commands/command.h"
 #include "commands/streams.h"
+#include "languageoflocale.h"
 
 #include <QApplication>
 #include <QCoreApplication>
@@ -8,19 +9,20 @@
 #include <array>
 #include <csignal>
 #include <memory>
+#include <new>
 
 namespace {
 
 using namespace palmer;
 
-/// The locale's language: the first of these that is set decides, as everywhere in POSIX.
-Language languageOfLocale() {
-    for (const char *variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-        const QString locale = qEnvironmentVariable(variable);
-        if (!locale.isEmpty())
-            return Language::fromLocale(locale);
-    }
-    return Language(Language::Id::english);
+/// Throws UsageError for a name that is no command.
+const Command &commandCalled(const QString &name) {
+    const auto found = std::ranges::find_if(
+        commands(), [&name](const Command &command) { return name == QString::fromUtf8(command.name); });
+    if (found == commands().end())
+        throw UsageError({REPORT_TEXT("report", "unknown command %1; palmer-cli --help lists them"),
+                          {name.toStdString()}});
+    return *found;
 }
 
 int runCommand(const Command &command, const QStringList &words, const Language &language) {
@@ -43,18 +45,20 @@ int runProgram(const QStringList &words, const Language &language) {
         printOut(QStringLiteral("Palmer " PALMER_VERSION "\n"));
         return done;
     }
-    if (before.contains(QLatin1StringView("--help"))) {
+    const bool asksByName = name != words.end() && *name == QLatin1StringView("help");
+    if (asksByName && name + 1 != words.end()) { // "help report" is "report --help"
+        const QStringList rest(name + 1, words.end());
+        return runCommand(commandCalled(rest.front()),
+                          before + rest.mid(1) + QStringList{QStringLiteral("--help")}, language);
+    }
+    if (asksByName || before.contains(QLatin1StringView("--help")) ||
+        before.contains(QLatin1StringView("-h"))) {
         printOut(programHelp(language));
         return done;
     }
     if (name == words.end())
         throw UsageError({REPORT_TEXT("report", "a command is missing; palmer-cli --help lists them"), {}});
-    const auto found = std::ranges::find_if(
-        commands(), [&](const Command &command) { return *name == QString::fromUtf8(command.name); });
-    if (found == commands().end())
-        throw UsageError({REPORT_TEXT("report", "unknown command %1; palmer-cli --help lists them"),
-                          {name->toStdString()}});
-    return runCommand(*found, before + QStringList(name + 1, words.end()), language);
+    return runCommand(commandCalled(*name), before + QStringList(name + 1, words.end()), language);
 }
 
 /// stderr is ours: what Qt has to say of its surroundings (no XDG_RUNTIME_DIR) is no error of a file.
@@ -93,6 +97,9 @@ int main(int argc, char *argv[]) {
         return wrongUsage;
     } catch (const Error &error) {
         printError(QStringLiteral("-"), error, language);
+        return cannotRead;
+    } catch (const std::bad_alloc &) {
+        printError(language.text(REPORT_TEXT("report", "not enough memory for this")));
         return cannotRead;
     }
 }

@@ -1,3 +1,5 @@
+#include "windowoptions.h"
+
 #include "ui/fonts.h"
 #include "ui/settings.h"
 #include "ui/theme.h"
@@ -17,6 +19,11 @@ int main(int argc, char *argv[]) {
     QHashSeed::setDeterministicGlobalSeed(); // before all else: the same report is the same bytes
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow and a pipe that nobody reads are errors with a
     std::signal(SIGPIPE, SIG_IGN); // sentence
+    QStringList words;
+    for (int i = 1; i < argc; ++i)
+        words << QString::fromLocal8Bit(argv[i]);
+    if (const auto code = palmer::answeredWithoutWindow(words))
+        return *code;
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("palmer"));
     QCoreApplication::setOrganizationName(QStringLiteral("palmer"));
@@ -35,7 +42,7 @@ int main(int argc, char *argv[]) {
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();
-    const QStringList files = QCoreApplication::arguments().mid(1);
+    const QStringList files = palmer::filesOf(QCoreApplication::arguments().mid(1));
     for (const QString &file : files)
         window->openFile(file);
     window->offerRecoveries();

@@ -46,9 +46,14 @@ QString rows(const std::vector<HelpRow> &list) {
     return text;
 }
 
-QString optionName(const Option &option) {
+/// The option as it is typed: -o, --help.
+QString dashed(const Option &option) {
     const QString bare = QString::fromUtf8(option.name);
-    QString name = (bare.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + bare;
+    return (bare.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + bare;
+}
+
+QString optionName(const Option &option) {
+    QString name = dashed(option);
     if (*option.value != 0)
         name += u' ' + QString::fromUtf8(option.value);
     return name;
@@ -84,11 +89,11 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
     if (wantsValue && !given && next < words.size())
         given = words[next++];
     if (wantsValue && !given)
-        throw UsageError({REPORT_TEXT("report", "the option --%1 needs a value (%2)"),
-                          {std::string(option.name), std::string(option.value)}});
+        throw UsageError({REPORT_TEXT("report", "the option %1 needs a value (%2)"),
+                          {dashed(option).toStdString(), std::string(option.value)}});
     if (!wantsValue && given)
         throw UsageError(
-            {REPORT_TEXT("report", "the option --%1 takes no value"), {std::string(option.name)}});
+            {REPORT_TEXT("report", "the option %1 takes no value"), {dashed(option).toStdString()}});
     QString &value = invocation.options[QString::fromUtf8(option.name)];
     value = option.repeats && !value.isEmpty() ? value + u'\n' + given.value_or(QString())
                                                : given.value_or(QString());
@@ -138,6 +143,8 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
             QString name = word.size() == 2 ? word.mid(1) : QString(); // -o
             if (isLong)
                 name = longName.size() > 1 ? longName : QString();
+            if (name == QLatin1StringView("h")) // as everywhere
+                name = QStringLiteral("help");
             const Option *option = findOption(command, name);
             if (!option)
                 throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),

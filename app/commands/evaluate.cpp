@@ -1,6 +1,7 @@
 #include "commands/evaluate.h"
 
 #include "commands/eachfile.h"
+#include "commands/editionoption.h"
 #include "commands/rejection.h"
 #include "commands/simulations.h"
 #include "export/resultsjson.h"
@@ -28,21 +29,9 @@ constexpr std::array options{
     foreignOptions[2],
 };
 
-/// Throws UsageError for a word that is no edition.
-std::string editionOf(const Invocation &invocation) {
-    const auto word = invocation.value(QLatin1StringView("edition"));
-    if (!word)
-        return {};
-    if (findEdition(word->toStdString()))
-        return word->toStdString();
-    std::string known;
-    for (const Edition *edition : editions())
-        known += (known.empty() ? "" : ", ") + std::string(edition->word);
-    throw UsageError({REPORT_TEXT("report", "unknown edition %1; known: %2"), {word->toStdString(), known}});
-}
-
 int run(const Invocation &invocation) {
-    const std::string edition = editionOf(invocation);
+    const Edition *asked = editionAsked(invocation);
+    const std::string edition = asked ? asked->word : "";
     const bool json = invocation.has(QLatin1StringView("json"));
     const SimulationChoices choices = simulationChoices(invocation);
     const bool several = invocation.arguments.size() > 1;

@@ -173,10 +173,22 @@ QByteArray bytesFrom(const QString &file) {
     return file == QLatin1StringView("-") ? standardInput() : readBytes(file);
 }
 
+namespace {
+
+/// Throws Error for a document without a test: nothing could be done with it, and silence would say that all
+/// is well.
+Document withTests(Document document) {
+    if (document.tests.empty())
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "there is no test in the file"), {}});
+    return document;
+}
+
+} // namespace
+
 std::optional<Document> documentFrom(const QString &file, const Invocation &invocation) {
     const QByteArray bytes = bytesFrom(file);
     if (isTestFile(bytes, file))
-        return readDocument(bytes);
+        return withTests(readDocument(bytes));
     auto imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);
     if (!imported)
         return {};

@@ -1,5 +1,6 @@
 #include "commands/targets.h"
 
+#include "commands/editionoption.h"
 #include "commands/outputfile.h"
 #include "commands/streams.h"
 #include "document/plannedtest.h"
@@ -105,12 +106,8 @@ std::optional<Dialect> dialect(const Invocation &invocation) {
 }
 
 const Edition &edition(const Invocation &invocation) {
-    const QString word =
-        invocation.value(QLatin1StringView("edition")).value_or(QString::fromLatin1(defaultEdition));
-    const Edition *found = findEdition(word.toStdString());
-    if (!found || found->kind != Kind::positioning)
-        refuse("edition", word);
-    return *found;
+    const Edition *asked = editionAsked(invocation, Kind::positioning);
+    return asked ? *asked : *findEdition(defaultEdition);
 }
 
 TargetRequest request(const Invocation &invocation) {

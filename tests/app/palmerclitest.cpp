@@ -55,6 +55,9 @@ private slots:
     void endsWithItsCode();
     void refusesDamagedFilesInOneLine_data();
     void refusesDamagedFilesInOneLine();
+    void takesEditionsByTheirYear_data();
+    void takesEditionsByTheirYear();
+    void namesTheOptionAsItIsTyped();
     void worksOnEachFile();
     void writesJson();
     void readsStandardInput();
@@ -96,7 +99,17 @@ void PalmerCliTest::endsWithItsCode_data() {
     QTest::newRow("a requirement is not met") << QStringList{"check", "-"} << smallTest("") << 1;
     QTest::newRow("help") << QStringList{"--help"} << QByteArray() << 0;
     QTest::newRow("help of a command") << QStringList{"evaluate", "--help"} << QByteArray() << 0;
+    QTest::newRow("help, short") << QStringList{"-h"} << QByteArray() << 0;
+    QTest::newRow("help of a command, short") << QStringList{"evaluate", "-h"} << QByteArray() << 0;
+    QTest::newRow("help as a command") << QStringList{"help"} << QByteArray() << 0;
+    QTest::newRow("help as a command, of another") << QStringList{"help", "report"} << QByteArray() << 0;
+    QTest::newRow("help of no command") << QStringList{"help", "measure"} << QByteArray() << 2;
     QTest::newRow("version") << QStringList{"--version"} << QByteArray() << 0;
+    for (const char *command : {"evaluate", "check"}) {
+        QTest::addRow("%s: no test in the file", command)
+            << QStringList{command, "-"}
+            << QByteArray(R"({"format": "palmer test report", "version": 1, "tests": []})") << 3;
+    }
     QTest::newRow("no command") << QStringList{} << QByteArray() << 2;
     QTest::newRow("unknown command") << QStringList{"measure"} << QByteArray() << 2;
     QTest::newRow("no file") << QStringList{"evaluate"} << QByteArray() << 2;
@@ -175,6 +188,60 @@ void PalmerCliTest::refusesDamagedFilesInOneLine() {
     QCOMPARE(result.code, 3);
     QVERIFY(result.out.isEmpty());
     QVERIFY2(result.err.startsWith(start) && result.err.count('\n') == 1, qPrintable(result.err));
+}
+
+/// As much of a designation as leaves no choice, and no more is guessed.
+void PalmerCliTest::takesEditionsByTheirYear_data() {
+    QTest::addColumn<QString>("asked");
+    QTest::addColumn<QString>("edition"); // empty: refused
+    QTest::newRow("whole") << "ISO 230-2:2006"
+                           << "ISO 230-2:2006";
+    QTest::newRow("year") << "2006"
+                          << "ISO 230-2:2006";
+    QTest::newRow("lower case") << "iso 230-2:1988"
+                                << "ISO 230-2:1988";
+    QTest::newRow("without blank") << "iso230-2:1997"
+                                   << "ISO 230-2:1997";
+    QTest::newRow("without organisation") << "230-2:2014"
+                                          << "ISO 230-2:2014";
+    QTest::newRow("by its number") << "3441"
+                                   << "VDI/DGQ 3441:1977";
+    QTest::newRow("by its organisation") << "vdi"
+                                         << "VDI/DGQ 3441:1977";
+    QTest::newRow("several of that year") << "2016"
+                                          << "";
+    QTest::newRow("several of that standard") << "ISO 230-2"
+                                              << "";
+    QTest::newRow("a piece of a year") << "006"
+                                       << "";
+    QTest::newRow("one more digit") << "20061"
+                                    << "";
+    QTest::newRow("nothing") << ""
+                             << "";
+    QTest::newRow("a mark") << "-"
+                            << "";
+    QTest::newRow("unknown") << "ISO 230-3:2020"
+                             << "";
+}
+
+void PalmerCliTest::takesEditionsByTheirYear() {
+    QFETCH(QString, asked);
+    QFETCH(QString, edition);
+    const Result result = run({"evaluate", "--json", "--edition", asked, "-"}, smallTest(""));
+    if (edition.isEmpty()) {
+        QCOMPARE(result.code, 2);
+        QCOMPARE(result.err.count('\n'), 1);
+        return;
+    }
+    QCOMPARE(result.code, 0);
+    const QJsonObject test = QJsonDocument::fromJson(result.out.toUtf8())["tests"][0].toObject();
+    QCOMPARE(test["edition"].toString(), edition);
+}
+
+void PalmerCliTest::namesTheOptionAsItIsTyped() {
+    QVERIFY(run({"report", "x", "-o"}).err.contains("the option -o needs a value"));
+    QVERIFY(run({"evaluate", "x", "--edition"}).err.contains("the option --edition needs a value"));
+    QVERIFY(run({"evaluate", "--json=1", "x"}).err.contains("the option --json takes no value"));
 }
 
 void PalmerCliTest::worksOnEachFile() {

@@ -1,0 +1,62 @@
+#include "commands/editionoption.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace palmer {
+
+namespace {
+
+QString bare(const QString &word) {
+    QString result = word.toLower();
+    result.remove(u' ');
+    return result;
+}
+
+/// Whether the part stands in the designation as words and numbers of their own: "2006" does, "006" not.
+bool isPartOf(const QString &part, const QString &designation) {
+    const auto ends = [&designation](qsizetype at) {
+        return at < 0 || at >= designation.size() || !designation[at].isLetterOrNumber();
+    };
+    for (qsizetype at = designation.indexOf(part); at >= 0; at = designation.indexOf(part, at + 1)) {
+        if (ends(at - 1) && ends(at + part.size()))
+            return true;
+    }
+    return false;
+}
+
+std::string listed(const std::vector<const Edition *> &list) {
+    std::string result;
+    for (const Edition *edition : list)
+        result += (result.empty() ? "" : ", ") + std::string(edition->word);
+    return result;
+}
+
+} // namespace
+
+const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> kind) {
+    const auto word = invocation.value(QLatin1StringView("edition"));
+    if (!word)
+        return nullptr;
+    const QString asked = bare(*word);
+    std::vector<const Edition *> known;
+    std::ranges::copy_if(editions(), std::back_inserter(known),
+                         [kind](const Edition *edition) { return !kind || edition->kind == *kind; });
+    std::vector<const Edition *> found;
+    for (const Edition *edition : known) {
+        const QString designation = bare(QString::fromUtf8(edition->word));
+        if (designation == asked)
+            return edition;
+        if (!asked.isEmpty() && asked.front().isLetterOrNumber() && isPartOf(asked, designation))
+            found.push_back(edition);
+    }
+    if (found.size() == 1)
+        return found.front();
+    if (found.empty())
+        throw UsageError(
+            {REPORT_TEXT("report", "unknown edition %1; known: %2"), {word->toStdString(), listed(known)}});
+    throw UsageError({REPORT_TEXT("report", "the edition %1 may be one of these: %2"),
+                      {word->toStdString(), listed(found)}});
+}
+
+} // namespace palmer

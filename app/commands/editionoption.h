@@ -1,0 +1,15 @@
+#pragma once
+
+#include "commands/command.h"
+#include "kernel/evaluation/edition.h"
+
+#include <optional>
+
+namespace palmer {
+
+/// The edition that --edition asks for, null without the option: its designation, or as much of it as leaves
+/// no choice, in any case and with or without blanks ("2006", "iso230-4:2005", "VDI"). Throws UsageError with
+/// the editions that it may be, of the kind if there is one.
+[[nodiscard]] const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> kind = {});
+
+} // namespace palmer

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "language/language.h"
+
+namespace palmer {
+
+/// The locale's language: the first of these variables that is set decides, as everywhere in POSIX.
+inline Language languageOfLocale() {
+    for (const char *variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        const QString locale = qEnvironmentVariable(variable);
+        if (!locale.isEmpty())
+            return Language::fromLocale(locale);
+    }
+    return Language(Language::Id::english);
+}
+
+} // namespace palmer

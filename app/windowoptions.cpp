@@ -1,0 +1,140 @@
+#include "windowoptions.h"
+
+#include "languageoflocale.h"
+#include "report/plaintext.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string_view>
+
+namespace palmer {
+
+namespace {
+
+constexpr int wrongUsage = 2;
+constexpr int noDisplay = 3; // as for a file: it could not be opened
+
+/// Options of Qt's applications, and whether a value follows. Qt takes them with one dash or two.
+struct QtOption {
+    std::string_view name;
+    bool hasValue;
+};
+constexpr auto qtOptions = std::to_array<QtOption>({
+    {"platform", true},
+    {"platformpluginpath", true},
+    {"platformtheme", true},
+    {"plugin", true},
+    {"qwindowgeometry", true},
+    {"qwindowicon", true},
+    {"qwindowtitle", true},
+    {"geometry", true},
+    {"icon", true},
+    {"title", true},
+    {"display", true},
+    {"session", true},
+    {"style", true},
+    {"stylesheet", true},
+    {"reverse", false},
+    {"widgetcount", false},
+    {"nograb", false},
+    {"dograb", false},
+    {"sync", false},
+});
+
+bool isOption(const QString &word) {
+    return word.size() > 1 && word.startsWith(u'-');
+}
+
+const QtOption *qtOption(const QString &word) {
+    const QString bare = word.mid(word.startsWith(QLatin1StringView("--")) ? 2 : 1).section(u'=', 0, 0);
+    const auto found = std::ranges::find(qtOptions, bare.toStdString(), &QtOption::name);
+    return found == qtOptions.end() ? nullptr : &*found;
+}
+
+void print(std::FILE *stream, const QString &text) {
+    const QByteArray bytes = text.toUtf8();
+    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stream);
+    std::fflush(stream);
+}
+
+QString help(const Language &language) {
+    const auto row = [&](const char *left, const Text &right) {
+        return QStringLiteral("  %1  %2\n").arg(QString::fromUtf8(left), -9).arg(language.text(right));
+    };
+    const auto paragraph = [&](const Text &text) {
+        return wrapped(language.text(text), terminalWidth).join(u'\n') + u'\n';
+    };
+    return paragraph(REPORT_TEXT("report", "palmer opens the window of Palmer: tests of machine tools, "
+                                           "positioning of axes (ISO 230-2), circular tests (ISO 230-4).")) +
+           u'\n' + language.text(REPORT_TEXT("report", "palmer [FILE]…")) + QStringLiteral("\n\n") +
+           row("--help", REPORT_TEXT("report", "this help")) +
+           row("--version", REPORT_TEXT("report", "version of the program")) + u'\n' +
+           paragraph(REPORT_TEXT("report", "FILE is a test file (.palmer) or a measurement file that can be "
+                                           "imported. palmer-cli does the same work without a window."));
+}
+
+/// Whether there is a screen to open a window on, as far as the surroundings tell.
+bool hasDisplay(const QStringList &words) {
+#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
+    const auto isSet = [](const char *name) { return !qEnvironmentVariableIsEmpty(name); };
+    const auto choosesPlatform = [](const QString &word) {
+        const QtOption *option = isOption(word) ? qtOption(word) : nullptr;
+        return option && (option->name == "platform" || option->name == "display");
+    };
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM") ||
+           std::ranges::any_of(words, choosesPlatform);
+#else
+    static_cast<void>(words);
+    return true;
+#endif
+}
+
+} // namespace
+
+std::optional<int> answeredWithoutWindow(const QStringList &words) {
+    const Language language = languageOfLocale();
+    for (qsizetype i = 0; i < words.size(); ++i) {
+        const QString &word = words[i];
+        if (!isOption(word))
+            continue;
+        if (word == QLatin1StringView("--"))
+            break;
+        if (word == QLatin1StringView("--help") || word == QLatin1StringView("-h")) {
+            print(stdout, help(language));
+            return 0;
+        }
+        if (word == QLatin1StringView("--version")) {
+            print(stdout, QStringLiteral("Palmer " PALMER_VERSION "\n"));
+            return 0;
+        }
+        const QtOption *known = qtOption(word);
+        if (!known) {
+            print(stderr,
+                  QStringLiteral("palmer: ") +
+                      language.sentence({REPORT_TEXT("report", "unknown option %1; palmer --help lists "
+                                                               "them"),
+                                         {word.toStdString()}}) +
+                      u'\n');
+            return wrongUsage;
+        }
+        if (known->hasValue && !word.contains(u'='))
+            ++i;
+    }
+    if (!hasDisplay(words)) {
+        print(stderr, QStringLiteral("palmer: ") +
+                          language.text(REPORT_TEXT("report", "no display is there to open a window on; "
+                                                              "palmer-cli works without one")) +
+                          u'\n');
+        return noDisplay;
+    }
+    return {};
+}
+
+QStringList filesOf(const QStringList &words) {
+    QStringList files = words;
+    files.removeOne(QStringLiteral("--")); // the first: what follows are files
+    return files;
+}
+
+} // namespace palmer
