@@ -148,13 +148,13 @@ ResultForm positioningForm(const PositioningPart &part) {
     ResultForm form{part.write.say(REPORT_TEXT("report", "Results for the %1 axis"),
                                    {axis.empty() ? std::string("–") : axis}),
                     7.8,
-                    70.8,
-                    13.4,
+                    70.0,
+                    13.6,
                     10.8,
                     14.0,
                     11.0,
-                    21.7,
-                    25.5,
+                    21.1,
+                    26.7,
                     part.results.notCorrected,
                     [&part](const Parameter &parameter) {
                         QString name = nameInTable(part.write, parameter.term.name);
@@ -164,11 +164,12 @@ ResultForm positioningForm(const PositioningPart &part) {
                     }};
     if (part.write.language().id() == Language::Id::english) {
         form.name = 64.0;
-        form.targets = 14.7;
+        form.targets = 13.6;
         form.value = 11.0;
         form.uncertainty = 14.2;
         form.limit = 11.2;
-        form.verdict = 30.4;
+        form.picture = 21.6;
+        form.verdict = 31.6;
     }
     return form;
 }

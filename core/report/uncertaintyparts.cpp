@@ -111,7 +111,7 @@ Table resultTable(const TestPart &part) {
                              {},
                              Alignment::left,
                              false,
-                             52});
+                             56});
     const bool simulated = part.evaluation.uncertainty.simulation != nullptr;
     const bool positioning = std::holds_alternative<PositioningMeasurement>(part.test.measurement);
     const QString factor = QStringLiteral("k\u00A0=\u00A02");

@@ -382,7 +382,8 @@ void PagesTest::namesKeepAGapToTheTargets() {
             int rows = 0;
             for (auto &[place, words] : lines) {
                 std::ranges::sort(words, {}, &PlacedWord::left);
-                if (!symbol.match(words.front().text).hasMatch())
+                const bool atMargin = words.front().left < 25 * mm;
+                if (!atMargin || !symbol.match(words.front().text).hasMatch())
                     continue;
                 const auto first = std::ranges::find_if(
                     words, [&](const PlacedWord &word) { return target.match(word.text).hasMatch(); });

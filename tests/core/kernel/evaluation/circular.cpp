@@ -374,7 +374,7 @@ void Circular::withoutLeastSquaresCircle() {
     m.referenceCircle = circleOfG ? ReferenceCircle::leastSquares : ReferenceCircle::minimumZone;
     m.centring = centringOfF ? Centring::leastSquares : Centring::instrument;
     if (!asked.isEmpty())
-        test.limits = {{asked.toStdString(), {0.05, {}, ""}}};
+        m.requiredResults = {asked.toStdString()};
     CircularResults results = iso230_4::circularResults(m);
     std::erase_if(results.circles, [&](const CircleResult &circle) {
         const int of = circle.of == CircleOf::counterclockwise ? 0 : circle.of == CircleOf::clockwise ? 1 : 2;
