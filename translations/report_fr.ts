@@ -72,6 +72,10 @@
         <translation>La limite de %1 reste sans verdict&#xa0;: elle a été convenue pour %2, l’essai est évalué selon %3.</translation>
     </message>
     <message>
+        <source>Nothing is proven for %1: results that depend on the temperature are not corrected to 20 °C.</source>
+        <translation>Rien n’est prouvé pour %1&#xa0;: les résultats qui dépendent de la température ne sont pas corrigés à 20&#xa0;°C.</translation>
+    </message>
+    <message>
         <source>The decision rule needs the measurement uncertainty: without it nothing is proven.</source>
         <translation>La règle de décision exige l’incertitude de mesure&#xa0;: sans elle, rien n’est prouvé.</translation>
     </message>
@@ -5867,12 +5871,12 @@
         <translation>95,45&#xa0;%</translation>
     </message>
     <message>
-        <source>2s of this U</source>
-        <translation>2s de cet U</translation>
+        <source>2s of this U, in %1</source>
+        <translation>2s de cet U, en %1</translation>
     </message>
     <message>
-        <source>Tolerance of u</source>
-        <translation>Tolérance sur u</translation>
+        <source>Tolerance of u, in %1</source>
+        <translation>Tolérance sur u, en %1</translation>
     </message>
     <message>
         <source>With the actual targets: in place of S = %1 what the positions that rule really carry of it, the readings tilted by ±S over L and evaluated anew; an explanation, unless it is chosen to decide.</source>

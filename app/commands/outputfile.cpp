@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 namespace palmer {
@@ -82,10 +83,18 @@ void demandOutput(const Invocation &invocation, const QString &file,
 }
 
 void writeOutput(const QByteArray &bytes, const QString &file) {
-    if (isStandardOutput(file))
-        printOut(bytes);
-    else
-        saveBytes(bytes, file);
+    writeOutputs({{bytes, file}});
+}
+
+void writeOutputs(const std::vector<FileToSave> &outputs) {
+    std::vector<FileToSave> files;
+    std::ranges::copy_if(outputs, std::back_inserter(files),
+                         [](const FileToSave &output) { return !isStandardOutput(output.path); });
+    saveFiles(files);
+    for (const FileToSave &output : outputs) {
+        if (isStandardOutput(output.path))
+            printOut(output.bytes);
+    }
 }
 
 } // namespace palmer

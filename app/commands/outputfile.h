@@ -1,10 +1,12 @@
 #pragma once
 
 #include "commands/command.h"
+#include "document/savefiles.h"
 
 #include <QByteArray>
 #include <QString>
 #include <initializer_list>
+#include <vector>
 
 namespace palmer {
 
@@ -20,5 +22,8 @@ void demandOutput(const Invocation &invocation, const QString &file,
 
 /// Writes to the file of that name, "-" is standard output. Throws Error(unwritable).
 void writeOutput(const QByteArray &bytes, const QString &file);
+
+/// The same of several files: none is written unless all can be. Throws UnsavedFile.
+void writeOutputs(const std::vector<FileToSave> &outputs);
 
 } // namespace palmer

@@ -91,17 +91,18 @@ int run(const Invocation &invocation) {
         };
         for (const QString &name : languages)
             demandOutput(invocation, targetOf(name), {"pdf"});
+        std::vector<FileToSave> reports;
         for (const QString &name : languages) {
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
             ui::writePdf(composeReport(evaluated, Language::fromName(name).value(), reportOptions), pdf);
-            const QString target = targetOf(name);
-            try {
-                writeOutput(pdf.data(), target);
-            } catch (const Error &error) {
-                printError(target, error, invocation.language);
-                return cannotRead;
-            }
+            reports.push_back({pdf.data(), targetOf(name)});
+        }
+        try {
+            writeOutputs(reports);
+        } catch (const UnsavedFile &error) {
+            printError(error.path, error, invocation.language);
+            return cannotRead;
         }
         return hasRejection(evaluated) ? difference : done;
     } catch (const Error &error) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <numeric>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace palmer {
@@ -109,7 +110,8 @@ void setReading(PositioningMeasurement &measurement, const ReadingPlace &place,
                 std::optional<double> deviation) {
     if (!holds(measurement, place))
         return;
-    forget(measurement, place);
+    if (!readingAt(measurement, place)) // where there is one nothing stands beside the runs
+        forget(measurement, place);
     complete(measurement);
     measurement.runs[place.run].deviations[place.target] = deviation;
 }
@@ -135,10 +137,19 @@ void setAside(PositioningMeasurement &measurement, std::span<const ReadingPlace>
 }
 
 void bringBack(PositioningMeasurement &measurement, std::span<const ReadingPlace> places) {
+    std::set<std::pair<int, int>> wanted;
     for (const ReadingPlace &place : places) {
-        if (const ExcludedReading *excluded = excludedAt(measurement, place))
-            setReading(measurement, place, double{excluded->value});
+        if (holds(measurement, place))
+            wanted.emplace(static_cast<int>(place.run) + 1, static_cast<int>(place.target) + 1);
     }
+    complete(measurement);
+    std::erase_if(measurement.excluded, [&](const ExcludedReading &reading) {
+        if (!wanted.contains({reading.run, reading.target}))
+            return false;
+        const auto target = static_cast<std::size_t>(reading.target) - 1;
+        measurement.runs[static_cast<std::size_t>(reading.run) - 1].deviations[target] = reading.value;
+        return true;
+    });
 }
 
 TargetProblem problemOfTarget(const PositioningMeasurement &measurement, std::size_t index, double position) {

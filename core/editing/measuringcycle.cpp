@@ -1,6 +1,7 @@
 #include "editing/measuringcycle.h"
 
 #include "editing/editreadings.h"
+#include "kernel/measurement/readingsaside.h"
 
 namespace palmer {
 
@@ -59,8 +60,9 @@ std::optional<ReadingPlace> firstOfCycle(const PositioningMeasurement &measureme
 }
 
 std::optional<ReadingPlace> firstMissing(const PositioningMeasurement &measurement) {
+    const ReadingsAside aside(measurement);
     auto place = firstOfCycle(measurement);
-    while (place && (readingAt(measurement, *place) || excludedAt(measurement, *place)))
+    while (place && (readingAt(measurement, *place) || aside.at(place->run, place->target)))
         place = nextInCycle(measurement, *place);
     return place;
 }

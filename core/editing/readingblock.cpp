@@ -3,6 +3,7 @@
 #include "editing/editreadings.h"
 #include "editing/typedreading.h"
 #include "import/table.h"
+#include "kernel/measurement/readingsaside.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -200,7 +201,9 @@ private:
     void put(const ReadingPlace &place, const TableCell &cell) {
         PositioningMeasurement &m = m_result.measurement;
         const bool none = cell.kind == CellKind::empty || cell.kind == CellKind::missing;
-        if (excludedAt(m, place)) {
+        if (!m_aside)
+            m_aside.emplace(m); // its targets are set
+        if (m_aside->at(place.run, place.target)) {
             m_result.aside += none ? 0 : 1;
         } else if (none) {
             m_result.erased += readingAt(m, place) || refusedAt(m, place) ? 1 : 0;
@@ -260,6 +263,7 @@ private:
     BlockChoices m_choices;
     Quantity m_position;
     PastedBlock m_result;
+    std::optional<ReadingsAside> m_aside; ///< of the result
     CellTable m_table;
     std::vector<Line> m_lines;
     std::size_t m_skipped = 0; ///< cells at the beginning of each line that are the targets themselves

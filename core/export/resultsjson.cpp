@@ -94,6 +94,7 @@ Json parameter(const Parameter &parameter, const UncertaintyEvaluation &uncertai
             {"ruling", ruling(parameter)},
             {"expandedUncertainty", number(parameter.expandedUncertainty)},
             {"limit", parameter.limit ? number(parameter.limit->value) : Json(nullptr)},
+            {"limitOf", textOrNull(parameter.limitOf)},
             {"guardBand", number(parameter.guardBand)},
             {"verdict", verdictWord(parameter.verdict)},
             {"monteCarlo", monteCarlo(parameter, uncertainty)}};

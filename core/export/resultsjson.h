@@ -14,8 +14,9 @@ enum class JsonForm {
 };
 
 /// The results of all tests as JSON, for scripts: every value unrounded in mm or degrees, null where there is
-/// none, never NaN. Names and sentences in `language`; ids and words are the same in all. `fileName` is
-/// echoed. Ends with a line break.
+/// none, never NaN. `limitOf` of a parameter: the quantity whose limit stands beside it, null without. Names
+/// and sentences in `language`; ids and words are the same in all. `fileName` is echoed. Ends with a line
+/// break.
 [[nodiscard]] QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileName,
                                      const Language &language, JsonForm form);
 

@@ -3,6 +3,7 @@
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/numerics/centringerror.h"
+#include "language/rounding.h"
 
 #include <algorithm>
 #include <array>
@@ -324,6 +325,13 @@ Interval reach(const CircleFigure &figure, std::span<const PathProfile> profiles
     return range;
 }
 
+/// Of a limit in mm, with the digits it was entered with.
+QString limitLabel(double limit, const Language &language) {
+    const int decimals = limitDecimals(limit, Quantity::deviation, language.units());
+    return language.sentence(
+        {REPORT_TEXT("report", "limit %1"), {Number{limit, Quantity::deviation, decimals}}, {}});
+}
+
 void addEnvelope(CircleFigure &figure, const Source &source, const Language &language) {
     const Parameter *shown = source.circularDeviation();
     const CircleResult *circle = source.circle();
@@ -340,8 +348,7 @@ void addEnvelope(CircleFigure &figure, const Source &source, const Language &lan
         envelope.limit = *shown->limit->value * micrometresPerMillimetre;
         if (shown->verdict && shown->guardBand)
             envelope.guard = *shown->guardBand * micrometresPerMillimetre;
-        envelope.limitLabel = language.sentence(
-            {REPORT_TEXT("report", "limit %1"), {Number{*shown->limit->value, Quantity::deviation}}, {}});
+        envelope.limitLabel = limitLabel(*shown->limit->value, language);
     }
     figure.envelope = envelope;
 }
@@ -372,12 +379,9 @@ void addRadialDeviations(CircleFigure &figure, const Source &source, const Test 
         if (found == test.limits.end() || !found->second.value ||
             (most->limit != found->second && least->limit != found->second))
             return; // none, or agreed for another edition
-        const double limit = sign * *found->second.value * micrometresPerMillimetre;
-        if (std::abs(limit) <= largest)
-            figure.limits.push_back(
-                {limit, language.sentence({REPORT_TEXT("report", "limit %1"),
-                                           {Number{limit / micrometresPerMillimetre, Quantity::deviation}},
-                                           {}})});
+        const double limit = sign * *found->second.value;
+        if (std::abs(limit) * micrometresPerMillimetre <= largest)
+            figure.limits.push_back({limit * micrometresPerMillimetre, limitLabel(limit, language)});
     };
     add("Fmin", 1);
     add("F", -1);

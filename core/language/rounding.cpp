@@ -182,4 +182,24 @@ int decimalsWithUncertainty(double expanded, Quantity quantity, std::optional<do
     return std::max(decimals, coarsestDecimals);
 }
 
+int limitDecimals(double limit, Quantity quantity, const DisplayUnits &units) {
+    constexpr int mostDecimals = 20;
+    const ShownUnit unit = shownUnit(quantity, units);
+    const Decimal whole(limit, unit);
+    const std::string text = whole.shortest();
+    double size = 0;
+    std::from_chars(text.data(), text.data() + text.size(), size);
+    size = std::abs(size);
+    if (!(size > 0) || !std::isfinite(size))
+        return 0;
+    int certain = certainDigits - 1 - static_cast<int>(std::floor(std::log10(size)));
+    if (unit.finest >= 0)
+        certain = std::min(certain, unit.finest);
+    const std::string digits = whole.rounded(std::clamp(certain, 0, mostDecimals));
+    const auto point = digits.find('.');
+    const auto last = digits.find_last_not_of('0');
+    const int count = point == std::string::npos || last <= point ? 0 : static_cast<int>(last - point);
+    return std::max(0, count - unit.decimals);
+}
+
 } // namespace palmer

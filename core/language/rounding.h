@@ -59,6 +59,11 @@ private:
 [[nodiscard]] int decimalsWithUncertainty(double expanded, Quantity quantity,
                                           std::optional<double> resolution = std::nullopt);
 
+/// Digits after the point for a limit, counted in the default unit of the quantity: as entered. Only the
+/// digits count that a double holds for certain, so that a limit which came through another unit is no
+/// 1.0000000000000002.
+[[nodiscard]] int limitDecimals(double limit, Quantity quantity, const DisplayUnits &units = {});
+
 /// Digits after the point for a result without U: 0.1 µm (0.1″).
 inline constexpr int decimalsWithoutUncertainty = 1;
 

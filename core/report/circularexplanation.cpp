@@ -15,7 +15,7 @@ namespace {
 
 using namespace iso230_4;
 
-constexpr int decimals = 2;      ///< of 0.01 µm, as statistics per target have them
+constexpr int leastDecimals = 2; ///< of what is put in: 0.01 µm, as statistics per target have them
 constexpr int angleDecimals = 1; ///< of the ruling points
 constexpr std::array whyNoValue{"noValue", "arcs", "centring", "minimumZone", "referenceLength"};
 
@@ -49,12 +49,14 @@ CircleOf circleOf(Sense sense) {
 class Explainer {
 public:
     Explainer(const Test &test, const TestEvaluation &evaluation, const Parameter &parameter,
-              const Recipe &recipe, const Language &language)
+              const PrintedNumbers &printed, const Recipe &recipe, const Language &language)
         : m_test(test)
         , m_measurement(std::get<CircularMeasurement>(test.measurement))
         , m_evaluation(evaluation)
         , m_results(std::get<CircularResults>(evaluation.results))
         , m_parameter(parameter)
+        , m_printed(printed)
+        , m_decimals(std::max(leastDecimals, printed.decimals))
         , m_recipe(recipe)
         , m_language(language) {
         if (!aboutSetUp())
@@ -107,10 +109,10 @@ private:
     // ---- Formulas ----------------------------------------------------------------------------------------
 
     [[nodiscard]] QString number(double value) const {
-        return m_language.number(value, Quantity::deviation, decimals);
+        return m_language.number(value, Quantity::deviation, m_decimals);
     }
     [[nodiscard]] QString shownResult() const {
-        return m_language.quantity(*m_parameter.value, Quantity::deviation, decimals);
+        return withUnit(m_printed.value, Quantity::deviation, m_language);
     }
     /// After an operator a negative number stands in parentheses.
     [[nodiscard]] static QString inSum(const QString &shown) {
@@ -190,7 +192,7 @@ private:
                                  part(conditions.expansion.instrument, SensorMeasures::instrument),
                                  part(conditions.expansion.machine, SensorMeasures::machine)));
         result.spans.push_back(
-            {m_language.quantity(*m_correction, Quantity::deviation, decimals), false, true});
+            {m_language.quantity(*m_correction, Quantity::deviation, m_decimals), false, true});
         return result;
     }
 
@@ -287,6 +289,8 @@ private:
     const TestEvaluation &m_evaluation;
     const CircularResults &m_results;
     const Parameter &m_parameter;
+    const PrintedNumbers m_printed;
+    int m_decimals; ///< of the numbers put in
     const Recipe &m_recipe;
     const Language &m_language;
     const CircleResult *m_circle = nullptr; ///< the one the distances are from; null for the set-up
@@ -296,7 +300,8 @@ private:
 } // namespace
 
 std::optional<Explanation> circularExplanation(const Test &test, const TestEvaluation &evaluation,
-                                               const Parameter &parameter, const Language &language) {
+                                               const Parameter &parameter, const PrintedNumbers &printed,
+                                               const Language &language) {
     const auto &rows = evaluation.edition->circles->rows;
     const auto row = std::ranges::find(rows, std::string_view(parameter.term.id),
                                        [](const CircularRow &r) { return std::string_view(r.term.id); });
@@ -305,7 +310,7 @@ std::optional<Explanation> circularExplanation(const Test &test, const TestEvalu
     const auto recipe = std::ranges::find(recipes, row->value, &Recipe::function);
     if (recipe == recipes.end())
         return std::nullopt;
-    return Explainer(test, evaluation, parameter, *recipe, language).explain();
+    return Explainer(test, evaluation, parameter, printed, *recipe, language).explain();
 }
 
 } // namespace palmer

@@ -1,16 +1,16 @@
 #pragma once
 
 #include "report/explanation.h"
+#include "report/printednumbers.h"
 
 namespace palmer {
 
 /// What `explanation` says of a parameter of a circular test: formula with the distances from the centre and
 /// the correction put in, the circle with its certificate, the points that rule it. Nothing where the
 /// edition's parameter has no such explanation. `test` holds a CircularMeasurement, `evaluation` is its
-/// evaluation.
-[[nodiscard]] std::optional<Explanation> circularExplanation(const Test &test,
-                                                             const TestEvaluation &evaluation,
-                                                             const Parameter &parameter,
-                                                             const Language &language);
+/// evaluation, `printed` the numbers of the parameter as everywhere.
+[[nodiscard]] std::optional<Explanation>
+circularExplanation(const Test &test, const TestEvaluation &evaluation, const Parameter &parameter,
+                    const PrintedNumbers &printed, const Language &language);
 
 } // namespace palmer

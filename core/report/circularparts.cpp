@@ -294,8 +294,9 @@ Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
         if (parameter.value && shown && ofPath)
             table.rows.push_back(
                 {bold(symbolPhrase(parameter.term.symbol, parameter.index)),
-                 write.quantity(parameter.value, parameter.term.quantity,
-                                parameterDecimals(parameter, part.test.decisionRule, resolution))});
+                 withUnit(
+                     printedNumbers(parameter, part.test.decisionRule, resolution, write.language()).value,
+                     parameter.term.quantity, write.language())});
     }
     return table;
 }

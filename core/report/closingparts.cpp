@@ -75,13 +75,22 @@ Text signerText(Signer signer) {
     return {};
 }
 
+/// What finds room in a column that is never split: whole names stand in the head and among the statements.
+QString bounded(const QString &name) {
+    constexpr qsizetype most = 160;
+    if (name.size() <= most)
+        return name;
+    const bool splits = name.at(most - 1).isHighSurrogate();
+    return name.left(splits ? most - 1 : most).trimmed() + u'…';
+}
+
 QString knownName(Signer signer, const ReportHead &head) {
     switch (signer) {
     case Signer::operatorSigns:
-        return QString::fromStdString(head.operatorName);
+        return bounded(QString::fromStdString(head.operatorName));
     case Signer::laboratory:
-        return joined({QString::fromStdString(head.authorisedBy.name),
-                       QString::fromStdString(head.authorisedBy.function)});
+        return bounded(joined({QString::fromStdString(head.authorisedBy.name),
+                               QString::fromStdString(head.authorisedBy.function)}));
     case Signer::supplier:
     case Signer::customer:
         return {}; // the head names the company, not who signs for it

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 
 namespace palmer {
 
@@ -263,8 +264,7 @@ std::optional<Table> editionsTable(const TestPart &part) {
                 parameters, [&](const Parameter &p) { return parameterId(p) == parameterId(*row); });
             const bool known = found != parameters.end() && found->value;
             cells.emplace_back(
-                known ? write.language().number(*found->value, found->term.quantity,
-                                                parameterDecimals(*found, part.test.decisionRule, resolution))
+                known ? printedNumbers(*found, part.test.decisionRule, resolution, write.language()).value
                       : QString());
         }
         table.rows.push_back(std::move(cells));
@@ -368,7 +368,9 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
         {indexed(QStringLiteral("x"), QStringLiteral("ij")), unit, Alignment::decimal, false, 25},
         {write.text(REPORT_TEXT("report", "Reason")), {}, Alignment::left, true, 112}};
     const std::vector<int> numbers = numbersInDirection(measurement);
-    for (const ExcludedReading &reading : measurement.excluded) {
+    const std::size_t shown =
+        printsAllRows(part) ? measurement.excluded.size() : std::min(mostRows, measurement.excluded.size());
+    for (const ExcludedReading &reading : std::span(measurement.excluded).first(shown)) {
         const auto target = static_cast<std::size_t>(reading.target) - 1;
         const auto run = static_cast<std::size_t>(reading.run) - 1;
         table.rows.push_back({QString::number(reading.target),
@@ -384,6 +386,8 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
     addHeading(blocks, write.text(REPORT_TEXT("report", "Excluded readings")),
                write.text(REPORT_TEXT("report", "set aside: they have no part in the results")));
     blocks.emplace_back(std::move(table));
+    if (shown < measurement.excluded.size())
+        addLeftOut(blocks, write, measurement.excluded.size() - shown);
 }
 
 void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks) {
@@ -436,7 +440,9 @@ Table instrumentResultsTable(const TestPart &part) {
                               QString::fromStdString(stated.unit)};
         if (const Parameter *ours = result.ours) {
             row.emplace_back(QString::fromStdString(plainSymbol(*ours)));
-            row.emplace_back(language.quantity(*ours->value, ours->term.quantity, decimals));
+            const PrintedNumbers printed = printedNumbers(
+                *ours, part.test.decisionRule, finestResolution(part.document(), part.test), language);
+            row.emplace_back(withUnit(printed.value, ours->term.quantity, language));
             row.emplace_back(language.quantity(*ours->value - result.value, ours->term.quantity, decimals));
         } else {
             row.insert(row.end(), 3, Cell());

@@ -5,6 +5,7 @@
 #include "kernel/evaluation/targetvalue.h"
 #include "report/circularexplanation.h"
 #include "report/instrumentresult.h"
+#include "report/printednumbers.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ using namespace iso230_2;
 ///   %1 %2 the ruling targets     %a %b  their arrows
 ///   [id] [id'] a quantity of the first or second ruling target; "*" in it is the direction that rules
 ///   [^id] its largest value      [Σid]  its sum over all targets          [=]  the result with its unit
+/// A step that only chooses between numbers ("max([…") prints them with the decimals of the result.
 struct Recipe {
     Outcome (*function)(Targets, double);
     const char *formula;
@@ -99,15 +101,16 @@ QString place(const Ruling &ruling) {
 class Explainer {
 public:
     Explainer(const TestEvaluation &evaluation, const PositioningMeasurement &measurement,
-              const Parameter &parameter, const Recipe &recipe, const Language &language)
+              const Parameter &parameter, const PrintedNumbers &printed, const Recipe &recipe,
+              const Language &language)
         : m_evaluation(evaluation)
-        , m_measurement(measurement)
         , m_results(std::get<PositioningResults>(evaluation.results))
         , m_parameter(parameter)
+        , m_printed(printed)
         , m_recipe(recipe)
         , m_language(language)
         , m_c(evaluation.edition->c)
-        , m_decimals(statisticDecimals(measurement)) {}
+        , m_decimals(std::max(statisticDecimals(measurement), printed.decimals)) {}
 
     [[nodiscard]] Explanation explain() const {
         Explanation result;
@@ -120,8 +123,7 @@ public:
                 if (step)
                     result.steps.push_back(filled(step));
             }
-            result.result = result.symbol.plain() + QStringLiteral(" = ") +
-                            m_language.quantity(*m_parameter.value, m_parameter.term.quantity, m_decimals);
+            result.result = result.symbol.plain() + QStringLiteral(" = ") + shownResult();
         }
         for (const auto &ruling : m_parameter.ruling) {
             if (ruling)
@@ -134,8 +136,11 @@ public:
     }
 
 private:
-    [[nodiscard]] QString shown(double value) const {
-        return m_language.number(value, m_parameter.term.quantity, m_decimals);
+    [[nodiscard]] QString shown(double value, int decimals) const {
+        return m_language.number(value, m_parameter.term.quantity, decimals);
+    }
+    [[nodiscard]] QString shownResult() const {
+        return withUnit(m_printed.value, m_parameter.term.quantity, m_language);
     }
     [[nodiscard]] QString factor(double value) const {
         return m_language.number(value, Quantity::number, -1);
@@ -156,6 +161,9 @@ private:
     [[nodiscard]] Formula filled(const char *recipe) const {
         Formula result;
         const QString source = QString::fromUtf8(recipe);
+        const bool chooses =
+            source.contains(QStringLiteral("max([")) || source.contains(QStringLiteral("min(["));
+        const int decimals = chooses ? m_printed.decimals : m_decimals;
         QString plain;
         const auto flush = [&] {
             const Formula piece = formulaFrom(plain);
@@ -174,7 +182,7 @@ private:
                 const qsizetype end = source.indexOf(u']', i);
                 const bool afterSign = endsInSign(plain);
                 flush();
-                addNumber(result, source.mid(i + 1, end - i - 1), afterSign);
+                addNumber(result, source.mid(i + 1, end - i - 1), decimals, afterSign);
                 i = end;
             } else if (source[i] == u';' && m_language.id() == Language::Id::french) {
                 plain += QStringLiteral("\u202f;");
@@ -213,11 +221,9 @@ private:
         return before.endsWith(u'+') || before.endsWith(u'−') || before.endsWith(u'·');
     }
 
-    void addNumber(Formula &formula, QString id, bool afterSign) const {
+    void addNumber(Formula &formula, QString id, int decimals, bool afterSign) const {
         if (id == QStringLiteral("=")) {
-            const QString text =
-                m_language.quantity(*m_parameter.value, m_parameter.term.quantity, m_decimals);
-            formula.spans.push_back({text, false, true});
+            formula.spans.push_back({shownResult(), false, true});
             return;
         }
         const std::size_t which = id.endsWith(u'\'') ? 1 : 0;
@@ -231,7 +237,7 @@ private:
                                             : id.startsWith(u'^') ? largest(id.mid(1).toStdString())
                                             : target(which) ? valueOf(id.toStdString(), *target(which), m_c)
                                                             : std::nullopt;
-        FormulaSpan span{value ? shown(*value) : QStringLiteral("–"), false, true};
+        FormulaSpan span{value ? shown(*value, decimals) : QStringLiteral("–"), false, true};
         if (id.endsWith(u'+'))
             span.approach = Direction::positive;
         else if (id.endsWith(u'-'))
@@ -350,8 +356,7 @@ private:
         for (const TargetStatistics &target : m_results.targets) {
             const auto value = valueOf(m_recipe.bars, target, m_c);
             result.values.push_back(value);
-            result.labels.push_back(
-                value ? m_language.number(*value, m_parameter.term.quantity, m_decimals - 1) : QString());
+            result.labels.push_back(value ? shown(*value, m_printed.decimals) : QString());
         }
         if (m_parameter.ruling[0])
             result.ruling = static_cast<std::size_t>(m_parameter.ruling[0]->target) - 1;
@@ -359,13 +364,13 @@ private:
     }
 
     const TestEvaluation &m_evaluation;
-    const PositioningMeasurement &m_measurement;
     const PositioningResults &m_results;
     const Parameter &m_parameter;
+    const PrintedNumbers m_printed;
     const Recipe &m_recipe;
     const Language &m_language;
     double m_c;
-    int m_decimals;
+    int m_decimals; ///< of the numbers put in
 };
 
 } // namespace
@@ -373,17 +378,18 @@ private:
 namespace {
 
 std::optional<Explanation> explained(const Test &source, const TestEvaluation &evaluation,
-                                     const Parameter &parameter, const Language &language) {
+                                     const Parameter &parameter, const PrintedNumbers &printed,
+                                     const Language &language) {
     const auto *measurement = std::get_if<PositioningMeasurement>(&source.measurement);
     if (!measurement)
-        return circularExplanation(source, evaluation, parameter, language);
+        return circularExplanation(source, evaluation, parameter, printed, language);
     const Row *row = rowOf(*evaluation.edition, parameter);
     if (!row)
         return std::nullopt;
     const auto recipe = std::ranges::find(recipes, row->value, &Recipe::function);
     if (recipe == recipes.end())
         return std::nullopt;
-    return Explainer(evaluation, *measurement, parameter, *recipe, language).explain();
+    return Explainer(evaluation, *measurement, parameter, printed, *recipe, language).explain();
 }
 
 /// What its actual targets carry of the systematic part of the uncertainty.
@@ -432,7 +438,9 @@ std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::
         std::ranges::find(evaluation.parameters, id, [](const Parameter &p) { return parameterId(p); });
     if (parameter == evaluation.parameters.end())
         return std::nullopt;
-    std::optional<Explanation> result = explained(source, evaluation, *parameter, language);
+    const PrintedNumbers printed = printedNumbers(*parameter, source.decisionRule,
+                                                  finestResolution(*evaluated.document, source), language);
+    std::optional<Explanation> result = explained(source, evaluation, *parameter, printed, language);
     if (result) {
         result->words += systematicCarried(evaluation, *parameter, language);
         result->words += statedBeside(source, evaluation, *parameter, language);

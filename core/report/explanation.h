@@ -46,9 +46,11 @@ struct Explanation {
 };
 
 /// Explains a parameter of a positioning test: how the edition computes it and how it follows from the
-/// statistics of the test; of a circular test, from its circles. Numbers are shown as statistics per target
-/// are (one digit more than the readings) and computed unrounded. Without a value there are no steps, and the
-/// words say why. Nothing where the test has no such parameter. `id` as in parameterId.
+/// statistics of the test; of a circular test, from its circles. The result reads as everywhere
+/// (printednumbers.h); what is put in is shown as statistics per target are (one digit more than the
+/// readings), or with the digits of the result where it has more. All is computed unrounded. Without a value
+/// there are no steps, and the words say why. Nothing where the test has no such parameter. `id` as in
+/// parameterId.
 [[nodiscard]] std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::size_t test,
                                                      std::string_view id, const Language &language);
 

@@ -76,23 +76,6 @@ QString printedReach(const Parameter &p, const DecisionRule &rule, int decimals,
 
 } // namespace
 
-int limitDecimals(double limit, Quantity quantity, const DisplayUnits &units) {
-    constexpr int certainDigits = 15;
-    const ShownUnit unit = shownUnit(quantity, units);
-    const Decimal whole(limit, unit);
-    const double size = std::abs(readBack(whole.shortest()));
-    if (!(size > 0) || !std::isfinite(size))
-        return 0;
-    int certain = certainDigits - 1 - static_cast<int>(std::floor(std::log10(size)));
-    if (unit.finest >= 0)
-        certain = std::min(certain, unit.finest);
-    const std::string digits = whole.rounded(std::clamp(certain, 0, mostDecimals));
-    const auto point = digits.find('.');
-    const auto last = digits.find_last_not_of('0');
-    const int count = point == std::string::npos || last <= point ? 0 : static_cast<int>(last - point);
-    return std::max(0, count - unit.decimals);
-}
-
 int parameterDecimals(const Parameter &parameter, const DecisionRule &rule, std::optional<double> resolution,
                       const DisplayUnits &units) {
     int result = decimalsWithoutUncertainty;
@@ -128,6 +111,23 @@ PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &ru
     if (isComparable(parameter))
         result.reach = printedReach(parameter, rule, result.decimals, language);
     return result;
+}
+
+QString withUnit(const QString &number, Quantity quantity, const Language &language) {
+    const qsizetype digits = language.number(0, quantity, 0).size();
+    return number + language.quantity(0, quantity, 0).mid(digits);
+}
+
+QString significant(double size, int digits, int finest, const Language &language) {
+    const double smallest = std::pow(10, -finest);
+    if (size < smallest)
+        return u'<' + language.number(smallest, Quantity::number, finest);
+    const auto placeOfFirst = [](double number) { return static_cast<int>(std::floor(std::log10(number))); };
+    const double last = std::max(std::pow(10, placeOfFirst(size) - digits + 1), smallest);
+    const double rounded = std::round(size / last) * last;
+    constexpr double noRounding = 1 + 1e-9; // 9.96 becomes 10, one place more
+    const int decimals = digits - 1 - placeOfFirst(rounded * noRounding);
+    return language.number(rounded, Quantity::number, std::clamp(decimals, 0, finest));
 }
 
 QString limitNote(const Parameter &parameter, const Language &language) {

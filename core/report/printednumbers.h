@@ -24,14 +24,17 @@ struct PrintedNumbers {
 [[nodiscard]] PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &rule,
                                             std::optional<double> resolution, const Language &language);
 
+/// A number that is printed (of the above) and its unit, joined as the language does.
+[[nodiscard]] QString withUnit(const QString &number, Quantity quantity, const Language &language);
+
 /// `decimals` of the above alone, counted in the default unit of the quantity. `resolution`: the finest of
 /// the instruments (mm, rotary: degrees).
 [[nodiscard]] int parameterDecimals(const Parameter &parameter, const DecisionRule &rule,
                                     std::optional<double> resolution, const DisplayUnits &units = {});
 
-/// The decimals of a limit, counted likewise: as entered. Only the digits count that a double holds for
-/// certain, so that a limit which came through another unit is no 1.0000000000000002.
-[[nodiscard]] int limitDecimals(double limit, Quantity quantity, const DisplayUnits &units = {});
+/// A size of the arithmetic, above 0: no more than `digits` significant digits and `mostDecimals` decimals,
+/// and never 0: "<0.01" for what is smaller than the last of them.
+[[nodiscard]] QString significant(double size, int digits, int finest, const Language &language);
 
 /// "limit of F" where the limit is not that of the parameter itself; else nothing.
 [[nodiscard]] QString limitNote(const Parameter &parameter, const Language &language);

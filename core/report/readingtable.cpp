@@ -64,6 +64,7 @@ ReadingTexts::ReadingTexts(const PositioningMeasurement &measurement, const Lang
     : m_measurement(&measurement)
     , m_language(language)
     , m_unit(unit)
+    , m_aside(measurement)
     , m_positionDecimals(positionDecimals(measurement))
     , m_readingDecimals(readingDecimals(measurement))
     , m_statisticDecimals(statisticDecimals(measurement)) {}
@@ -82,18 +83,11 @@ QString ReadingTexts::shown(double deviation, std::size_t target) const {
                              m_readingDecimals + (linear ? digitsOfMicrometre : digitsOfSecond));
 }
 
-const ExcludedReading *ReadingTexts::excluded(std::size_t run, std::size_t target) const {
-    const auto found = std::ranges::find_if(m_measurement->excluded, [&](const ExcludedReading &reading) {
-        return reading.run == static_cast<int>(run) + 1 && reading.target == static_cast<int>(target) + 1;
-    });
-    return found == m_measurement->excluded.end() ? nullptr : &*found;
-}
-
 ShownReading ReadingTexts::reading(std::size_t run, std::size_t target) const {
     const auto &deviations = m_measurement->runs[run].deviations;
     if (target < deviations.size() && deviations[target])
         return {shown(*deviations[target], target), false, false, {}};
-    if (const ExcludedReading *aside = excluded(run, target))
+    if (const ExcludedReading *aside = m_aside.at(run, target))
         return {shown(aside->value, target), false, true, QString::fromStdString(aside->reason)};
     return {QStringLiteral("–"), true, false, {}};
 }

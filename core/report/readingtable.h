@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "kernel/measurement/readingsaside.h"
 #include "language/language.h"
 #include "report/formula.h"
 
@@ -78,13 +79,13 @@ public:
     [[nodiscard]] QString summary(std::span<const std::pair<std::size_t, std::size_t>> places) const;
 
 private:
-    [[nodiscard]] const ExcludedReading *excluded(std::size_t run, std::size_t target) const;
     [[nodiscard]] QString shown(double deviation, std::size_t target) const;
     [[nodiscard]] QString arrowAndNumber(std::size_t run) const;
 
     const PositioningMeasurement *m_measurement;
     Language m_language;
     ReadingUnit m_unit;
+    ReadingsAside m_aside; ///< a table asks for every cell
     int m_positionDecimals;
     int m_readingDecimals;
     int m_statisticDecimals;

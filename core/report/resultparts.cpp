@@ -24,6 +24,7 @@ constexpr double letterWidth = 1.67;
 constexpr double capitalWidth = 2.3;
 constexpr double spaceWidth = 0.9;
 constexpr double cellPadding = 2.2;
+constexpr double gapAfterName = 1.2;    ///< besides the padding, where a name fills its column
 constexpr qsizetype mostOfReason = 190; ///< characters that fit on two lines of the verdict line
 
 bool hasGuardBand(const Test &test) {
@@ -148,11 +149,11 @@ ResultForm positioningForm(const PositioningPart &part) {
                                    {axis.empty() ? std::string("–") : axis}),
                     7.8,
                     70.0,
-                    13.0,
+                    13.6,
                     10.8,
                     14.0,
                     11.0,
-                    21.7,
+                    21.1,
                     26.7,
                     part.results.notCorrected,
                     [&part](const Parameter &parameter) {
@@ -163,10 +164,11 @@ ResultForm positioningForm(const PositioningPart &part) {
                     }};
     if (part.write.language().id() == Language::Id::english) {
         form.name = 64.0;
-        form.targets = 13.5;
+        form.targets = 13.6;
         form.value = 11.0;
         form.uncertainty = 14.2;
         form.limit = 11.2;
+        form.picture = 21.6;
         form.verdict = 31.6;
     }
     return form;
@@ -229,7 +231,7 @@ std::vector<Column> resultColumns(const TestPart &part, const ResultForm &form, 
     for (const auto &row : table.rows) {
         symbols = std::max(symbols, estimatedWidth(row[0].text.plain()) + cellPadding);
         if (form.targets)
-            targets = std::max(targets, estimatedWidth(row[2].text.plain()) + cellPadding);
+            targets = std::max(targets, estimatedWidth(row[2].text.plain()) + cellPadding + gapAfterName);
     }
     const double more = symbols - form.symbol + targets - form.targets.value_or(0);
     const double fromPicture = std::min(more, spareBesidePicture);
@@ -241,8 +243,10 @@ std::vector<Column> resultColumns(const TestPart &part, const ResultForm &form, 
     guard.paddingLeft = 3.2;
     std::vector<Column> columns{quantity,
                                 {QString(), {}, Alignment::left, true, form.name - (more - fromPicture)}};
-    if (form.targets)
+    if (form.targets) {
         columns.push_back({targetsTitle(write), {}, Alignment::left, false, targets});
+        columns.back().paddingLeft = gapAfterName;
+    }
     columns.push_back(
         {write.text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, form.value});
     columns.push_back({uncertaintyHead(coverageOf(part.evaluation, part.head()), write.language()), unit,
@@ -384,21 +388,15 @@ std::vector<const Parameter *> parametersOf(const std::vector<const PrintedResul
     return parameters;
 }
 
-/// Number and unit of what the table prints.
-QString withUnit(const TestPart &part, const QString &number, Quantity quantity) {
-    const QString unit = part.write.language().unit(quantity);
-    return quantity == Quantity::angularDeviation ? number + unit : number + QStringLiteral("\u00A0") + unit;
-}
-
 std::string shownValue(const TestPart &part, const PrintedResult &result) {
     QString value = result.value;
     if (result.parameter->bound == Bound::magnitude && value.startsWith(u'−'))
         value.remove(0, 1); // the limit holds for the absolute value
-    return withUnit(part, value, result.parameter->term.quantity).toStdString();
+    return withUnit(value, result.parameter->term.quantity, part.write.language()).toStdString();
 }
 
 std::string shownLimit(const TestPart &part, const PrintedResult &result) {
-    return withUnit(part, result.limit, result.parameter->term.quantity).toStdString();
+    return withUnit(result.limit, result.parameter->term.quantity, part.write.language()).toStdString();
 }
 
 Text exceededBand(bool isLower, bool bandIsU) {
@@ -442,7 +440,7 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
                      {shownSymbol(parameter).toStdString(), shownValue(part, result),
                       shownLimit(part, result),
                       bandName(part, parameter.decidedBy == UncertaintyMethod::monteCarlo).toStdString(),
-                      withUnit(part, result.reach, parameter.term.quantity).toStdString()});
+                      withUnit(result.reach, parameter.term.quantity, write.language()).toStdString()});
 }
 
 QString notProven(const TestPart &part, const std::vector<const PrintedResult *> &results) {

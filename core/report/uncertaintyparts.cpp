@@ -5,6 +5,7 @@
 #include "figures/ticks.h"
 #include "kernel/evaluation/decideuncertainty.h"
 #include "language/rounding.h"
+#include "report/printednumbers.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -91,6 +92,14 @@ QString withCoverage(const QString &method, const QString &coverage) {
     return method + QStringLiteral(", ") + coverage;
 }
 
+constexpr double inThousandths = 1000; ///< of the unit of deviations: the columns are narrow
+
+QString thousandthOf(Quantity quantity, const Language &language) {
+    return quantity == Quantity::deviation
+               ? QStringLiteral("nm")
+               : language.number(1 / inThousandths, Quantity::number) + language.unit(quantity);
+}
+
 /// U of each result, a row a method; bold what decides.
 Table resultTable(const TestPart &part) {
     const Writer &write = part.write;
@@ -102,7 +111,7 @@ Table resultTable(const TestPart &part) {
                              {},
                              Alignment::left,
                              false,
-                             52});
+                             56});
     const bool simulated = part.evaluation.uncertainty.simulation != nullptr;
     const bool positioning = std::holds_alternative<PositioningMeasurement>(part.test.measurement);
     const QString factor = QStringLiteral("k\u00A0=\u00A02");
@@ -114,39 +123,43 @@ Table resultTable(const TestPart &part) {
         withCoverage(write.text(REPORT_TEXT("report", "With the actual targets (ours)")), factor)};
     std::vector<Cell> monteCarlo{withCoverage(write.text(REPORT_TEXT("report", "Monte Carlo (GUM-S1)")),
                                               write.text(REPORT_TEXT("report", "95.45 %")))};
-    std::vector<Cell> error{write.text(REPORT_TEXT("report", "2s of this U"))};
-    std::vector<Cell> tolerance{write.text(REPORT_TEXT("report", "Tolerance of u"))};
+    const std::string thousandth = thousandthOf(quantity, write.language()).toStdString();
+    std::vector<Cell> error{write.say(REPORT_TEXT("report", "2s of this U, in %1"), {thousandth})};
+    std::vector<Cell> tolerance{write.say(REPORT_TEXT("report", "Tolerance of u, in %1"), {thousandth})};
     std::vector<Cell> shift{write.text(REPORT_TEXT("report", "Shift of the mean"))};
-    const auto shown = [&](std::optional<double> value, bool decides) {
-        if (!value)
-            return Cell();
-        Cell cell(write.language().uncertainty(*value, quantity,
-                                               decimalsWithUncertainty(*value, quantity, resolution)));
-        cell.bold = decides;
-        return cell;
-    };
     for (const Parameter &parameter : part.evaluation.parameters) {
         if (!isPrinted(parameter, part.head()))
             continue;
         table.columns.push_back(
             {symbolPhrase(parameter.term.symbol, parameter.index), {}, Alignment::decimal, false, 0});
-        budget.push_back(
-            shown(parameter.budgetUncertainty, parameter.decidedBy == UncertaintyMethod::budget));
-        actual.push_back(
-            shown(parameter.actualUncertainty, parameter.decidedBy == UncertaintyMethod::budgetActual));
+        // The U that decides reads as in the results.
+        const auto shown = [&](std::optional<double> value, UncertaintyMethod method) {
+            if (!value)
+                return Cell();
+            const bool decides = parameter.decidedBy == method;
+            Cell cell(decides
+                          ? printedNumbers(parameter, part.test.decisionRule, resolution, write.language())
+                                .uncertainty
+                          : write.language().uncertainty(
+                                *value, quantity, decimalsWithUncertainty(*value, quantity, resolution)));
+            cell.bold = decides;
+            return cell;
+        };
+        budget.push_back(shown(parameter.budgetUncertainty, UncertaintyMethod::budget));
+        actual.push_back(shown(parameter.actualUncertainty, UncertaintyMethod::budgetActual));
         const auto &simulation = parameter.simulated;
-        // Sizes of the arithmetic, two digits each.
-        const auto small = [&](std::optional<double> value) {
-            return value && *value > 0 ? Cell(write.language().number(
-                                             *value, quantity, decimalsWithUncertainty(*value, quantity)))
+        const auto small = [&](std::optional<double> value, int digits) {
+            return value && *value > 0 ? Cell(significant(*value * unitScale(quantity) * inThousandths,
+                                                          digits, 2, write.language()))
                                        : Cell();
         };
         error.push_back(small(simulation && simulation->expandedError
                                   ? std::optional(2 * *simulation->expandedError)
-                                  : std::nullopt));
-        tolerance.push_back(small(simulation ? std::optional(simulation->tolerance()) : std::nullopt));
+                                  : std::nullopt,
+                              2));
+        tolerance.push_back(small(simulation ? std::optional(simulation->tolerance()) : std::nullopt, 1));
         monteCarlo.push_back(shown(simulation ? std::optional(simulation->expanded()) : std::nullopt,
-                                   parameter.decidedBy == UncertaintyMethod::monteCarlo));
+                                   UncertaintyMethod::monteCarlo));
         shift.push_back(simulation
                             ? Cell(write.language().number(
                                   simulation->shift(), quantity,

@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <functional>
 #include <sys/resource.h>
@@ -81,6 +83,42 @@ private slots:
             QCOMPARE(contents(file).size(), fits ? size : before.size());
             QVERIFY(fits || (contents(file) == before && result.err.contains(output.toUtf8() + ": ")));
             QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+        }
+    }
+
+    /// Of two languages both reports are new, or neither: whichever is the larger one.
+    void twoLanguagesAreOneStep() {
+        const QTemporaryDir folder;
+        const QString out = folder.filePath("r.pdf");
+        const std::array files{folder.filePath("r.fr.pdf"), folder.filePath("r.en.pdf")};
+        for (const char *order : {"fr,en", "en,fr"}) {
+            const QStringList command{"report", example, "--language", order, "-o", out};
+            QCOMPARE(palmer::testdata::runCli(command).code, 0);
+            const std::array sizes{contents(files[0]).size(), contents(files[1]).size()};
+            QVERIFY(sizes[0] != sizes[1]); // so that a limit lies between
+            const auto [small, large] = std::minmax(sizes[0], sizes[1]);
+            for (const qsizetype limit :
+                 {qsizetype(0), small - 1, small, (small + large) / 2, large - 1, large}) {
+                for (const bool there : {true, false}) {
+                    for (const QString &file : files) {
+                        QFile::remove(file);
+                        if (there)
+                            write(file, "old");
+                    }
+                    const CliResult result = runWithin(limit, command);
+                    QCOMPARE(result.code, limit >= large ? 0 : 3);
+                    QCOMPARE(result.err.count('\n'), limit >= large ? 0 : 1);
+                    for (std::size_t i = 0; i < 2; ++i) {
+                        const QByteArray old = there ? "old" : "cannot be read";
+                        if (limit >= large)
+                            QCOMPARE(contents(files[i]).size(), sizes[i]);
+                        else
+                            QCOMPARE(contents(files[i]), old);
+                    }
+                    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(),
+                             there || limit >= large ? 2 : 0);
+                }
+            }
         }
     }
 

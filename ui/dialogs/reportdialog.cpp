@@ -1,6 +1,6 @@
 #include "ui/dialogs/reportdialog.h"
 
-#include "document/savedocument.h"
+#include "document/savefiles.h"
 #include "document/testfile.h"
 #include "report/composereport.h"
 #include "ui/dialogs/pagecolumn.h"
@@ -484,18 +484,24 @@ void ReportDialog::refuse(const QString &file, const QString &why) {
 
 QStringList ReportDialog::saveTo(const QString &path) {
     const QStringList files = filesOf(path);
-    for (std::size_t i = 0; i < m_reports.size(); ++i) {
-        const QString &file = files[static_cast<qsizetype>(i)];
-        try {
+    std::vector<FileToSave> reports;
+    QString file; // at hand
+    try {
+        for (std::size_t i = 0; i < m_reports.size(); ++i) {
+            file = files[static_cast<qsizetype>(i)];
             demandNoTestFileName(file);
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
             writePdf(m_reports[i], pdf);
-            saveBytes(pdf.data(), file);
-        } catch (const Error &error) {
-            refuse(file, windowLanguage().sentence(error.message));
-            return {};
+            reports.push_back({pdf.data(), file});
         }
+        saveFiles(reports);
+    } catch (const UnsavedFile &error) {
+        refuse(error.path, windowLanguage().sentence(error.message));
+        return {};
+    } catch (const Error &error) {
+        refuse(file, windowLanguage().sentence(error.message));
+        return {};
     }
     m_summary->setText(tr("Saved: %1").arg(files.join(QStringLiteral(", "))));
     return files;

@@ -9,6 +9,7 @@
 #include <QPdfWriter>
 #include <QRegularExpression>
 #include <QSvgGenerator>
+#include <cmath>
 #include <stdexcept>
 
 namespace palmer::ui {
@@ -69,6 +70,39 @@ QByteArray withTrueDashes(const QByteArray &svg) {
     return (result + text.mid(end)).toUtf8();
 }
 
+/// A number of a path with a hundredth of a point: QSvgGenerator writes six digits.
+QByteArray shortNumber(const QByteArray &number) {
+    constexpr double hundredths = 100;
+    const double value = std::round(number.toDouble() * hundredths) / hundredths;
+    return QByteArray::number(value == 0 ? 0.0 : value, 'g', 7); // no "-0"
+}
+
+/// Paths and lines without digits that no paper shows, and without what says nothing.
+QByteArray withShortPaths(QByteArray svg) {
+    svg.replace(" vector-effect=\"none\"", "");
+    QByteArray result;
+    result.reserve(svg.size());
+    QByteArray number;
+    bool inPath = false;
+    for (qsizetype i = 0; i < svg.size(); ++i) {
+        const char c = svg[i];
+        if (!inPath) {
+            result += c;
+            inPath = c == '"' && (result.endsWith(" d=\"") || result.endsWith(" points=\""));
+        } else if ((c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' ||
+                   (c == 'e' && !number.isEmpty())) {
+            number += c;
+        } else {
+            if (!number.isEmpty())
+                result += shortNumber(number);
+            number.clear();
+            result += c;
+            inPath = c != '"';
+        }
+    }
+    return result;
+}
+
 void begin(QPainter &painter, QPaintDevice *device) {
     if (!painter.begin(device))
         throw std::runtime_error("the figure cannot be drawn");
@@ -91,7 +125,7 @@ QByteArray figureAsSvg(const Figure &figure, const QString &title) {
     begin(painter, &generator);
     drawFigure(painter, page, figure, Medium::paper);
     painter.end();
-    return withTrueDashes(buffer.data());
+    return withShortPaths(withTrueDashes(buffer.data()));
 }
 
 QByteArray figureAsPdf(const Figure &figure, const QString &title) {

@@ -1,5 +1,6 @@
 #include "ui/navigation/navigationmodel.h"
 
+#include "kernel/measurement/readingsaside.h"
 #include "ui/testname.h"
 #include "ui/windowlanguage.h"
 
@@ -24,15 +25,11 @@ bool isUnfinished(const Test &test) {
         return false;
     if (measurement->runs.empty() || measurement->targets.empty())
         return true;
+    const ReadingsAside aside(*measurement);
     for (std::size_t run = 0; run < measurement->runs.size(); ++run) {
         const auto &deviations = measurement->runs[run].deviations;
         for (std::size_t target = 0; target < deviations.size(); ++target) {
-            const bool setAside =
-                std::ranges::any_of(measurement->excluded, [&](const ExcludedReading &excluded) {
-                    return excluded.run == static_cast<int>(run) + 1 &&
-                           excluded.target == static_cast<int>(target) + 1;
-                });
-            if (!deviations[target] && !setAside)
+            if (!deviations[target] && !aside.at(run, target))
                 return true;
         }
     }

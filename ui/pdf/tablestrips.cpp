@@ -403,7 +403,7 @@ Strips tableStrips(const Table &table, double width) {
             if (beforeNumber &&
                 TextBlock(richText(cell.text, cell.bold), cellStyle).width() > columns[i].width) {
                 const double room =
-                    beginningOf(table.rows[r][i + 1], columns[i + 1]) - cellPadding - columns[i].left;
+                    beginningOf(table.rows[r][i + 1], columns[i + 1]) - 2 * cellPadding - columns[i].left;
                 row.texts.push_back(narrowText(cell, columns[i], std::max(room, columns[i].width)));
                 row.lines = std::max(row.lines, row.texts.back().block.lineCount());
             } else {

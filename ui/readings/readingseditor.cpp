@@ -1,10 +1,13 @@
 #include "ui/readings/readingseditor.h"
 
 #include "editing/typedreading.h"
+#include "kernel/measurement/readingsaside.h"
 #include "ui/model/editname.h"
 
 #include <QCoreApplication>
 #include <QUndoStack>
+#include <algorithm>
+#include <iterator>
 
 namespace palmer::ui {
 
@@ -53,10 +56,12 @@ std::optional<Message> ReadingsEditor::typeTarget(std::size_t target, const QStr
 
 std::vector<ReadingPlace> ReadingsEditor::notAside(const std::vector<ReadingPlace> &places) const {
     std::vector<ReadingPlace> result;
-    for (const ReadingPlace &place : places) {
-        if (measurement() && !excludedAt(*measurement(), place))
-            result.push_back(place);
-    }
+    const PositioningMeasurement *now = measurement();
+    if (!now)
+        return result;
+    const ReadingsAside aside(*now);
+    std::ranges::copy_if(places, std::back_inserter(result),
+                         [&](const ReadingPlace &place) { return !aside.at(place.run, place.target); });
     return result;
 }
 

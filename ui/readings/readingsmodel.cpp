@@ -4,6 +4,7 @@
 #include "editing/outliers.h"
 #include "editing/typedreading.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "kernel/measurement/readingsaside.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -348,8 +349,10 @@ Qt::ItemFlags ReadingsModel::flags(const QModelIndex &index) const {
 QString ReadingsModel::keptAside(const std::vector<ReadingPlace> &places) const {
     if (!m_measurement)
         return {};
-    const auto count = std::ranges::count_if(
-        places, [this](const ReadingPlace &place) { return excludedAt(*m_measurement, place) != nullptr; });
+    const auto count =
+        std::ranges::count_if(places, [aside = ReadingsAside(*m_measurement)](const ReadingPlace &place) {
+            return aside.at(place.run, place.target) != nullptr;
+        });
     if (count == 0)
         return {};
     return tr("%n reading(s) set aside and left so: take back first (%1)", nullptr, static_cast<int>(count))

@@ -1,6 +1,7 @@
 #include "ui/readings/readingspage.h"
 
 #include "document/documenterror.h"
+#include "kernel/measurement/readingsaside.h"
 #include "ui/readings/pastebar.h"
 #include "ui/readings/readingsview.h"
 #include "ui/ruling.h"
@@ -219,9 +220,10 @@ void ReadingsPage::enableActions() {
     m_setAside->setEnabled(any && std::ranges::any_of(places, [&](const ReadingPlace &place) {
                                return readingAt(*measurement, place).has_value();
                            }));
-    m_bringBack->setEnabled(any && std::ranges::any_of(places, [&](const ReadingPlace &place) {
-                                return excludedAt(*measurement, place);
-                            }));
+    m_bringBack->setEnabled(
+        any && std::ranges::any_of(places, [aside = ReadingsAside(*measurement)](const ReadingPlace &place) {
+            return aside.at(place.run, place.target);
+        }));
     m_insertAbove->setEnabled(measurement);
     m_insertBelow->setEnabled(measurement);
     m_removeTargets->setEnabled(!rows.empty());

@@ -6,6 +6,7 @@
 #include "kernel/uncertainty/circularbudget.h"
 #include "kernel/uncertainty/positioningbudget.h"
 #include "language/rounding.h"
+#include "report/printednumbers.h"
 #include "report/resultparts.h"
 #include "report/uncertaintyparts.h"
 #include "report/wording.h"
@@ -341,9 +342,6 @@ void UncertaintyPage::addMethods() {
     }
     connect(group, &QButtonGroup::idClicked, this,
             [this](int id) { chooseMethod(methods.at(static_cast<std::size_t>(id))); });
-    m_methodNote = new ElidedLabel(bar);
-    m_methodNote->setObjectName(QStringLiteral("methodNote"));
-    m_methodNote->setProperty("secondary", true);
     m_typical = new QToolButton(bar);
     m_typical->setObjectName(QStringLiteral("typicalValues"));
     m_typical->setProperty("segment", QStringLiteral("only"));
@@ -351,10 +349,15 @@ void UncertaintyPage::addMethods() {
     m_typical->setFocusPolicy(Qt::StrongFocus);
     m_typical->setMenu(new QMenu(m_typical));
     connect(m_typical->menu(), &QMenu::aboutToShow, this, &UncertaintyPage::fillTypical);
-    row->addSpacing(12);
-    row->addWidget(m_methodNote, 1);
+    row->addStretch();
     row->addWidget(m_typical);
     addWidget(bar);
+    beginRow(); // beside the buttons there is no room for it
+    m_methodNote = new QLabel(body());
+    m_methodNote->setObjectName(QStringLiteral("methodNote"));
+    m_methodNote->setProperty("secondary", true);
+    m_methodNote->setWordWrap(true);
+    addWidget(m_methodNote);
 }
 
 void UncertaintyPage::chooseMethod(UncertaintyMethod method) {
@@ -827,17 +830,25 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
         auto *symbol = m_results->setCell(row, column::symbol, QString::fromStdString(plainSymbol(parameter)),
                                           false, true);
         symbol->setData(RowTable::keyRole, QString::fromStdString(parameterId(parameter)));
-        auto *budget =
-            m_results->setCell(row, column::budget, expanded(parameter.budgetUncertainty), true, byBudget);
-        auto *actual =
-            m_results->setCell(row, column::actual, expanded(parameter.actualUncertainty), true, byActual);
+        // The U that decides reads as in the results.
+        const auto ofMethod = [&](const std::optional<double> &value, bool decides) {
+            if (!value || !decides)
+                return expanded(value);
+            const auto &rule = shownTest()->decisionRule;
+            return QStringLiteral("± ") + printedNumbers(parameter, rule, resolution, language()).uncertainty;
+        };
+        auto *budget = m_results->setCell(row, column::budget,
+                                          ofMethod(parameter.budgetUncertainty, byBudget), true, byBudget);
+        auto *actual = m_results->setCell(row, column::actual,
+                                          ofMethod(parameter.actualUncertainty, byActual), true, byActual);
         if (parameter.effectiveSystematic && evaluation.uncertainty.systematic)
             actual->setToolTip(tr("k = 2; %1 of the systematic part S = %2 is carried by the actual targets")
                                    .arg(expanded(parameter.effectiveSystematic),
                                         expanded(evaluation.uncertainty.systematic)));
         auto *simulation = m_results->setCell(
             row, column::simulation,
-            expanded(simulated ? std::optional(simulated->expanded()) : std::nullopt), true, bySimulation);
+            ofMethod(simulated ? std::optional(simulated->expanded()) : std::nullopt, bySimulation), true,
+            bySimulation);
         if (byActual)
             actual->setData(Qt::AccessibleTextRole, tr("%1, decides").arg(actual->text()));
         if (byBudget)
@@ -849,13 +860,14 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
                                empty != column::difference);
         if (!simulated)
             continue;
-        const auto small = [&](double value) {
-            return language().number(value, quantity, decimalsWithUncertainty(value, quantity));
+        const auto small = [&](double value, int digits) {
+            constexpr int most = 6;
+            return significant(value * unitScale(quantity, language().units()), digits, most, language());
         };
         if (simulated->expandedError)
             simulation->setToolTip(
                 tr("2s of U: %1; tolerance of u: %2")
-                    .arg(small(2 * *simulated->expandedError), small(simulated->tolerance())));
+                    .arg(small(2 * *simulated->expandedError, 2), small(simulated->tolerance(), 1)));
         const int decimals = decimalsWithUncertainty(simulated->expanded(), quantity, resolution);
         auto *interval =
             m_results->setCell(row, column::interval,

@@ -61,6 +61,19 @@ void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &
         findSecondLimit(evaluation, p, other, verdict != *before);
 }
 
+/// Said even where the edition allows for the temperature: the decision rule does not.
+void findUncorrected(TestEvaluation &evaluation, const std::string &symbols) {
+    if (symbols.empty())
+        return;
+    evaluation.findings.push_back(
+        {Grade::note,
+         "decisionRule",
+         "",
+         {REPORT_TEXT("report", "Nothing is proven for %1: results that depend on the temperature are not "
+                                "corrected to 20 °C."),
+          {symbols}}});
+}
+
 } // namespace
 
 void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected,
@@ -68,6 +81,7 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
     if (evaluation.view)
         return;
     bool uncertaintyMissing = false;
+    std::string uncorrected;
     for (const auto &[id, limit] : test.limits) {
         if (!limit.value)
             continue;
@@ -101,13 +115,16 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
                 evaluation.provisional |= evaluation.uncertainty.outdated &&
                                           evaluation.uncertainty.method == UncertaintyMethod::monteCarlo;
                 uncertaintyMissing |= !p.expandedUncertainty;
-                if (notCorrected && p.dependsOnTemperature)
+                if (notCorrected && p.dependsOnTemperature) {
                     verdict = Verdict::notProven;
+                    uncorrected += (uncorrected.empty() ? "" : ", ") + plainSymbol(p);
+                }
             }
             enter(evaluation, one, id, limit, verdict);
             evaluation.verdict = worst(evaluation.verdict, verdict);
         }
     }
+    findUncorrected(evaluation, uncorrected);
     if (uncertaintyMissing)
         evaluation.findings.push_back(
             {Grade::requirement,

@@ -74,10 +74,15 @@ struct Scatter {
     double xx, xy, yy, xz, yz; // z = x² + y²
 };
 
+/// Across the straight line that the points lie along.
+Point normalOf(const Scatter &s) {
+    const double angle = std::atan2(2 * s.xy, s.xx - s.yy) / 2;
+    return {-std::sin(angle), std::cos(angle)};
+}
+
 /// Collinear to the rounding of the coordinates: the r.m.s. distance from the principal axis is a few ulp.
 bool collinear(PointsView points, std::span<const std::size_t> groups, Point mean, const Scatter &s) {
-    const double angle = std::atan2(2 * s.xy, s.xx - s.yy) / 2;
-    const Point normal{-std::sin(angle), std::cos(angle)};
+    const Point normal = normalOf(s);
     const double length = std::sqrt(s.xx + s.yy);
     const auto [square] = weightedMean<1>(points, groups, [&](const Pair &x, const Pair &y) {
         const Pair d = normal.x * (x - mean.x) + normal.y * (y - mean.y);
@@ -196,6 +201,28 @@ Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> g
     return fit;
 }
 
+/// The centre with the least sum among some across the line that the points lie along, on either side from
+/// near to far. From there steps that lower the sum cannot end in the line where a circle is better.
+Point startAcross(Point normal, double extent, PointsView points, std::span<const std::size_t> groups,
+                  Point mean) {
+    constexpr int distances = 24; // up to 10⁶ extents: beyond it the points are as straight as a line
+    Point best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double side : {extent / 4, -extent / 4}) {
+        double distance = side;
+        for (int i = 0; i < distances; ++i, distance *= 2) {
+            const Point c{distance * normal.x, distance * normal.y};
+            const double variance =
+                linearise(points, groups, mean, c, std::hypot(extent, distance)).variance();
+            if (variance < least) {
+                least = variance;
+                best = c;
+            }
+        }
+    }
+    return best;
+}
+
 /// Short arcs with large residuals may have a circle on either side; only where the residuals are as large as
 /// the arc is bent need the other one be looked for.
 bool needsOtherSide(const Fit &fit) {
@@ -256,6 +283,11 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
         if (other.status == Status::converged &&
             (fit.status != Status::converged || other.at.variance() < fit.at.variance()))
             fit = other;
+    }
+    if (fit.status != Status::converged) {
+        const Point across = startAcross(normalOf(s), extent, points, groups, mean);
+        fit = fitFrom(across, std::hypot(extent, std::hypot(across.x, across.y)), points, groups, mean,
+                      largestRadius, options);
     }
     if (fit.status != Status::converged)
         return refused(fit.status);

@@ -23,8 +23,10 @@ struct LeastSquaresCircleOptions {
 ///     [mean(u·uᵀ) − ū·ūᵀ]·Δc = mean(u·f) − ū·f̄,    R = mean(r);
 /// a step that would enlarge the sum is halved, none is longer than R, and where steps shrink slowly the
 /// second derivatives, mean(f/r·(1 − u·uᵀ)), are added to the matrix (Newton). Of short arcs with residuals
-/// as large as their bend the circle on the other side is looked for too, and the better one taken. Validity:
-/// any position of the points, full circles and arcs. A bad input gives a status and zeros, never NaN.
+/// as large as their bend the circle on the other side is looked for too, and the better one taken; where
+/// neither leads to one, steps start from the best centre across the line that the points lie along.
+/// Validity: any position of the points, full circles and arcs. A bad input gives a status and zeros, never
+/// NaN.
 ///
 /// Sources: I. Kåsa, IEEE Trans. Instrum. Meas. 25 (1976), 8–14 (start); A. B. Forbes, Least-squares
 /// best-fit geometric elements, NPL Report DITC 140/89 (1989) (finish).
@@ -33,8 +35,9 @@ struct LeastSquaresCircle {
         converged,
         notConverged, ///< maxIterations reached: no circle.
         tooFewPoints, ///< Fewer than 3 distinct points.
-        collinear, ///< All points on one straight line (to rounding), or a line fits better than any circle.
-        notFinite, ///< A coordinate is not a finite number, or too large to be squared.
+        collinear,    ///< On one straight line (to rounding), or no circle fits better than a line to seven
+                      ///< digits.
+        notFinite,    ///< A coordinate is not a finite number, or too large to be squared.
     };
 
     Status status = Status::tooFewPoints;

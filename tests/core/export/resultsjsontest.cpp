@@ -53,6 +53,7 @@ private slots:
     void givesTheValuesOf1988();
     void hasNullForAMissingDirection();
     void hasDegreesForARotaryAxis();
+    void saysWhoseLimitARowShows();
     void speaksTheLanguageAskedFor();
     void isOneLineWhenAsked();
 };
@@ -68,8 +69,8 @@ void ResultsJsonTest::hasTheKeysOfTheFormat() {
              QStringList({"correctionTo20", "decisionRule", "edition", "findings", "inAccordance", "kind",
                           "parameters", "targets", "title", "uncertainty", "verdict"}));
     QCOMPARE(parameter(test, "A").keys(),
-             QStringList({"clause", "expandedUncertainty", "guardBand", "id", "limit", "monteCarlo", "name",
-                          "quantity", "ruling", "symbol", "unit", "value", "verdict"}));
+             QStringList({"clause", "expandedUncertainty", "guardBand", "id", "limit", "limitOf",
+                          "monteCarlo", "name", "quantity", "ruling", "symbol", "unit", "value", "verdict"}));
     QCOMPARE(test["targets"][0].toObject().keys(),
              QStringList({"lowerNegative", "lowerPositive", "mean", "meanNegative", "meanPositive",
                           "nNegative", "nPositive", "rangeNegative", "rangePositive", "repeatability",
@@ -89,7 +90,7 @@ void ResultsJsonTest::givesTheValuesOf1988() {
     QCOMPARE(accuracy["ruling"][0]["approach"].toString(), "negative");
     QCOMPARE(accuracy["ruling"][1]["target"].toInt(), 9);
     QCOMPARE(accuracy["ruling"][1]["approach"].toString(), "positive");
-    QVERIFY(accuracy["verdict"].isNull() && accuracy["limit"].isNull());
+    QVERIFY(accuracy["verdict"].isNull() && accuracy["limit"].isNull() && accuracy["limitOf"].isNull());
     QVERIFY(parameter(test, "R")["ruling"][0]["approach"].isNull());
     const QJsonObject target = test["targets"][0].toObject();
     constexpr double rounding = 1e-15; // mm
@@ -114,8 +115,32 @@ void ResultsJsonTest::hasDegreesForARotaryAxis() {
     const QJsonObject test = firstTest(example("rotary-axis"));
     QCOMPARE(parameter(test, "A")["unit"].toString(), "deg");
     QCOMPARE(parameter(test, "A")["limit"].toDouble(), 0.0025);
+    QCOMPARE(parameter(test, "A")["limitOf"].toString(), "A");
     QCOMPARE(parameter(test, "A")["verdict"].toString(), "conforms");
     QCOMPARE(test["verdict"].toString(), "conforms");
+}
+
+/// A row may be held to the limit of F: whose it shows stands beside it.
+void ResultsJsonTest::saysWhoseLimitARowShows() {
+    Document document = example("iso230-4-full-circles-xy");
+    Test test = *document.tests.at(0);
+    for (const bool tight : {true, false}) {
+        test.limits = {{"F", {tight ? 1e-6 : 1, {}, ""}}, {"Fmax", {0.5, {}, ""}}, {"G", {0.02, {}, ""}}};
+        document.tests.at(0) = std::make_shared<const Test>(test);
+        const QJsonObject results = firstTest(document);
+        QStringList shown;
+        for (const QJsonValue value : results["parameters"].toArray()) {
+            const QJsonObject row = value.toObject();
+            QCOMPARE(row["limitOf"].isNull(), row["limit"].isNull());
+            if (row["limitOf"].isNull())
+                continue;
+            const QString of = row["limitOf"].toString();
+            QCOMPARE(row["limit"].toDouble(), *test.limits.at(of.toStdString()).value);
+            if (row["quantity"].toString() != of)
+                shown << row["quantity"].toString() + " of " + of;
+        }
+        QVERIFY2(tight == !shown.isEmpty(), qPrintable(shown.join(", ")));
+    }
 }
 
 void ResultsJsonTest::speaksTheLanguageAskedFor() {

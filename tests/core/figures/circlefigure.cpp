@@ -251,6 +251,9 @@ private slots:
         const CircleFigure both = figureOf(test);
         QCOMPARE(*both.envelope->limit, 30.0);
         QCOMPARE(both.envelope->limitLabel, QStringLiteral("limit 30\u00a0µm"));
+        Test converted = test; // through another unit
+        converted.limits["G(b)"].value = 0.0010000000000000002;
+        QCOMPARE(figureOf(converted).envelope->limitLabel, QStringLiteral("limit 1\u00a0µm"));
         QVERIFY(both.limits.empty()); // of F only about the centre of F
         const CircleFigure radial =
             figureOf(test, {.of = CircleOf::counterclockwise, .subject = CircleSubject::radialDeviation});

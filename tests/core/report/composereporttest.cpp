@@ -365,6 +365,73 @@ private slots:
         }
     }
 
+    /// Of readings set aside the first 2 000 are listed, the rest are counted.
+    void manyReadingsSetAsideAreCounted() {
+        for (const int count : {1, 2000, 2001, 5000}) {
+            PositioningMeasurement measurement;
+            for (int i = 0; i < 2500; ++i)
+                measurement.targets.push_back(i);
+            for (int j = 0; j < 4; ++j)
+                measurement.runs.push_back({j % 2 == 0 ? Direction::positive : Direction::negative,
+                                            std::vector<std::optional<double>>(2500, 1e-4 * j)});
+            for (int k = 0; k < count; ++k) {
+                measurement.runs[k % 4].deviations[k / 4].reset();
+                measurement.excluded.push_back({k % 4 + 1, k / 4 + 1, 0.01, "dust"});
+            }
+            Test test;
+            test.edition = "ISO 230-2:2014";
+            test.measurement = measurement;
+            for (const bool all : {false, true}) {
+                Document whole;
+                whole.tests.push_back(std::make_shared<const Test>(test));
+                if (all)
+                    whole.report.include.push_back(ReportExtra::allReadings);
+                const Report made = composeReport(evaluate(std::make_shared<const Document>(whole)),
+                                                  Language(Language::Id::english), {});
+                int rows = 0;
+                int counted = 0;
+                for (std::size_t k = 0; k < made.blocks.size(); ++k) {
+                    const auto *table = std::get_if<Table>(&made.blocks[k]);
+                    if (!table || table->columns.back().title.plain() != "Reason")
+                        continue;
+                    rows = int(table->rows.size());
+                    if (const auto *next = std::get_if<Paragraph>(&made.blocks.at(k + 1)))
+                        counted = next->text.section("Left out: ", 1)
+                                      .section(u' ', 0, 0)
+                                      .remove(u'\u202f')
+                                      .toInt();
+                }
+                QCOMPARE(rows, all ? count : std::min(count, 2000));
+                QCOMPARE(counted, count - rows);
+            }
+        }
+    }
+
+    /// In the block that is never split names are bounded; whole they stand elsewhere.
+    void namesOfSignersAreBounded() {
+        for (const int size : {159, 160, 161, 4096}) {
+            for (const QString &letter : {QString("W"), QString("é "), QString::fromUtf8("\xF0\x9D\x94\x9C")}) {
+                const QString name = letter.repeated(size / letter.size()).trimmed();
+                Document named = *document("limits-2006");
+                named.report.operatorName = name.toStdString();
+                named.report.authorisedBy = {name.toStdString(), name.toStdString()};
+                named.report.signatures = {Signer::operatorSigns, Signer::laboratory};
+                const Report made = composeReport(evaluate(std::make_shared<const Document>(named)),
+                                                  Language(Language::Id::french), {});
+                QCOMPARE(pageText(made).count(name) >= 2, true);
+                for (const Block &block : made.blocks) {
+                    const auto *signatures = std::get_if<Signatures>(&block);
+                    for (std::size_t c = 0; signatures && c < signatures->columns.size(); ++c) {
+                        const QString shown = signatures->columns[c].lines[0].value;
+                        QVERIFY(shown.size() <= 161 && shown.size() > 150);
+                        QVERIFY(shown.isValidUtf16());
+                        QCOMPARE(shown.endsWith(u'…'), name.size() > 160 || c == 1);
+                    }
+                }
+            }
+        }
+    }
+
     /// A report of many readings holds figures of few points: it is copied, and paper shows no more.
     void figuresOfManyReadingsAreThin() {
         PositioningMeasurement measurement;

@@ -119,6 +119,9 @@ private slots:
     void noMoreDigitsThanNeeded();
     void limitsAsEntered();
     void limitOfF();
+    void significantDigits_data();
+    void significantDigits();
+    void nothingBecomesNought();
 };
 
 void PrintedNumbersTest::examples_data() {
@@ -290,6 +293,53 @@ void PrintedNumbersTest::limitOfF() {
     QCOMPARE(limitNote(p, Language(Language::Id::english)), QString());
     p.limitOf.clear();
     QCOMPARE(limitNote(p, Language(Language::Id::english)), QString());
+}
+
+void PrintedNumbersTest::significantDigits_data() {
+    QTest::addColumn<double>("size");
+    QTest::addColumn<int>("digits");
+    QTest::addColumn<QString>("printed");
+    QTest::newRow("two") << 12.3 << 2 << "12";
+    QTest::newRow("below 10") << 3.44 << 2 << "3.4";
+    QTest::newRow("below 1") << 0.344 << 2 << "0.34";
+    QTest::newRow("the second is nought") << 0.5 << 2 << "0.50";
+    QTest::newRow("one") << 0.5 << 1 << "0.5";
+    QTest::newRow("up to the next place") << 9.96 << 2 << "10";
+    QTest::newRow("one, up to the next place") << 0.96 << 1 << "1";
+    QTest::newRow("large") << 1234.0 << 2 << "1\u202f200";
+    QTest::newRow("one is left") << 0.0344 << 2 << "0.03";
+    QTest::newRow("the smallest") << 0.01 << 2 << "0.01";
+    QTest::newRow("none is left") << 0.0099 << 2 << "<0.01";
+}
+
+void PrintedNumbersTest::significantDigits() {
+    QFETCH(double, size);
+    QFETCH(int, digits);
+    QTEST(significant(size, digits, 2, Language(Language::Id::english)), "printed");
+}
+
+void PrintedNumbersTest::nothingBecomesNought() {
+    std::mt19937_64 random(101);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const Language french(Language::Id::french);
+    for (int i = 0; i < 20'000; ++i) {
+        const double size = std::pow(10, 12 * uniform(random) - 8);
+        const int digits = 1 + static_cast<int>(random() % 2);
+        QString text = significant(size, digits, 2, french);
+        const bool below = text.startsWith(u'<');
+        const Exact shown = exact(text.remove(u'<'));
+        const double value = static_cast<double>(shown.digits) * std::pow(10, -shown.decimals);
+        QVERIFY(shown.digits > 0 && shown.decimals <= 2);
+        QCOMPARE(below, size < 0.01);
+        if (below)
+            continue;
+        QString significantOnes = QString::number(shown.digits);
+        while (shown.decimals == 0 && significantOnes.endsWith(u'0'))
+            significantOnes.chop(1);
+        QVERIFY2(significantOnes.size() <= digits, qPrintable(text));
+        const double half = std::max(0.5 * std::pow(10, std::floor(std::log10(size)) - digits + 1), 0.005);
+        QVERIFY2(std::abs(value - size) <= half * (1 + 1e-9), qPrintable(text));
+    }
 }
 
 QTEST_APPLESS_MAIN(PrintedNumbersTest)

@@ -3,6 +3,9 @@
 #include "core/kernel/evaluation/positioningdata.h"
 
 #include <QTest>
+#include <algorithm>
+#include <map>
+#include <random>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -62,6 +65,38 @@ private slots:
         const ReadingTexts texts(m, Language(Language::Id::english), ReadingUnit::deviations);
         QCOMPARE(texts.reading(2, 1), (ShownReading{u"–"_s, true, false, {}}));
         QCOMPARE(texts.reading(3, 4), (ShownReading{u"95.4"_s, false, true, u"beam interrupted"_s}));
+    }
+
+    /// Every cell finds its own reading among those set aside, in whatever order they are listed.
+    void eachOfManySetAside() {
+        std::mt19937 random(7);
+        Test test = positioningTest("ISO 230-2:2006", std::vector<double>(40),
+                                    std::vector<std::vector<double>>(9, std::vector<double>(40)), {});
+        auto &m = measurement(test);
+        std::map<std::pair<std::size_t, std::size_t>, QString> reasons;
+        for (std::size_t run = 0; run < 9; ++run) {
+            for (std::size_t target = 0; target < 40; ++target) {
+                if (random() % 3 == 0)
+                    continue;
+                m.runs[run].deviations[target].reset();
+                if (random() % 3 == 0)
+                    continue; // missing
+                const QString reason = QStringLiteral("%1/%2").arg(run).arg(target);
+                reasons[{run, target}] = reason;
+                m.excluded.push_back(
+                    {static_cast<int>(run) + 1, static_cast<int>(target) + 1, 0.001, reason.toStdString()});
+            }
+        }
+        std::ranges::shuffle(m.excluded, random);
+        const ReadingTexts texts(m, Language(Language::Id::english), ReadingUnit::deviations);
+        for (std::size_t run = 0; run < 9; ++run) {
+            for (std::size_t target = 0; target < 40; ++target) {
+                const auto found = reasons.find({run, target});
+                QCOMPARE(texts.reading(run, target).excluded, found != reasons.end());
+                QCOMPARE(texts.reading(run, target).reason,
+                         found == reasons.end() ? QString() : found->second);
+            }
+        }
     }
 
     void summaryOfASelection() {

@@ -69,6 +69,7 @@ private slots:
     void printsTheFilesEditionAndNoView();
     void prints();
     void saysWhySavingFailed();
+    void twoLanguagesAreOneStep();
     void asksBeforeItReplacesAFile_data();
     void asksBeforeItReplacesAFile();
     void leavesTestFilesAlone();
@@ -176,6 +177,27 @@ void ReportDialogTest::saysWhySavingFailed() {
     auto *box = shown.dialog.findChild<QMessageBox *>(QStringLiteral("errorBox"));
     QVERIFY(box && !box->informativeText().isEmpty());
     box->close();
+}
+
+/// The second of two files cannot be written: the first has not changed.
+void ReportDialogTest::twoLanguagesAreOneStep() {
+    for (const bool there : {true, false}) {
+        const QTemporaryDir folder;
+        const ShownWindow window(examplePath("rotary-axis"));
+        ShownDialog shown(window);
+        shown.click("reportBoth");
+        const QString first = folder.filePath(QStringLiteral("report.fr.pdf"));
+        if (there)
+            QVERIFY(QFile::copy(examplePath("rotary-axis"), first));
+        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("report.en.pdf")));
+        QVERIFY(shown.dialog.saveTo(folder.filePath(QStringLiteral("report.pdf"))).isEmpty());
+        QCOMPARE(textOf(first), QString());
+        QCOMPARE(QFileInfo(first).size(), there ? QFileInfo(examplePath("rotary-axis")).size() : 0);
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), there ? 1 : 0);
+        auto *box = shown.dialog.findChild<QMessageBox *>(QStringLiteral("errorBox"));
+        QVERIFY(box && box->text().contains(QStringLiteral("report.en.pdf")));
+        box->close();
+    }
 }
 
 void ReportDialogTest::asksBeforeItReplacesAFile_data() {

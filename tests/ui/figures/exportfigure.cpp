@@ -5,8 +5,14 @@
 
 #include <QHashSeed>
 #include <QImage>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QSvgRenderer>
 #include <QTest>
 #include <QXmlStreamReader>
+#include <algorithm>
+#include <numeric>
+#include <random>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -31,6 +37,8 @@ private slots:
     void pdfIsSound();
     void svgIsVectors();
     void svgDashesAreAsLongAsOnThePage();
+    void svgHasNoMoreDigitsThanPaperShows();
+    void svgOfManyReadingsIsSmall();
     void pngHasTheSizeOfThePage();
 };
 
@@ -103,6 +111,58 @@ void ExportFigure::svgDashesAreAsLongAsOnThePage() {
     // Edges of ↓: 1.1 mm and 0.7 mm, 0.17 mm wide.
     QVERIFY(svg.contains(
         "stroke-dasharray=\"3.11811,1.98425\" stroke-dashoffset=\"0\" stroke-width=\"0.48189\""));
+}
+
+/// Hundredths of a point in paths, and drawn they are the page.
+void ExportFigure::svgHasNoMoreDigitsThanPaperShows() {
+    const QByteArray svg = figureAsSvg(example(), QString());
+    static const QRegularExpression path(u" (?:d|points)=\"([^\"]*)\""_s);
+    static const QRegularExpression number(u"-?[0-9.]+(?:e[-+]?[0-9]+)?"_s);
+    int numbers = 0;
+    for (auto paths = path.globalMatch(QString::fromUtf8(svg)); paths.hasNext();) {
+        const QString coordinates = paths.next().captured(1);
+        for (auto found = number.globalMatch(coordinates); found.hasNext(); ++numbers) {
+            const QString text = found.next().captured();
+            QVERIFY2(text.section(u'.', 1).size() <= 2 && !text.contains(u'e') && text != u"-0",
+                     qPrintable(text));
+        }
+    }
+    QVERIFY(numbers > 500);
+    const QImage drawn =
+        QImage::fromData(figureAsPng(example(), 150)).convertToFormat(QImage::Format_Grayscale8);
+    QImage rendered(drawn.size(), QImage::Format_RGB32);
+    rendered.fill(Qt::white);
+    QPainter painter(&rendered);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QSvgRenderer(svg).render(&painter);
+    painter.end();
+    rendered.convertTo(QImage::Format_Grayscale8);
+    qint64 differing = 0; // texts are set anew, and a little otherwise
+    for (int y = 0; y < drawn.height(); ++y) {
+        for (int x = 0; x < drawn.width(); ++x)
+            differing += std::abs(qGray(drawn.pixel(x, y)) - qGray(rendered.pixel(x, y))) > 96;
+    }
+    QVERIFY2(differing < drawn.width() * drawn.height() / 100, qPrintable(QString::number(differing)));
+}
+
+/// 10⁶ readings without any smoothness: the most that is drawn.
+void ExportFigure::svgOfManyReadingsIsSmall() {
+    constexpr std::size_t targets = 100'000;
+    std::mt19937 random(3);
+    std::vector<std::vector<double>> up(5, std::vector<double>(targets));
+    auto down = up;
+    for (auto *runs : {&up, &down}) {
+        for (std::vector<double> &run : *runs)
+            std::ranges::generate(run, [&] { return static_cast<double>(random() % 20'000) / 1000; });
+    }
+    std::vector<double> positions(targets);
+    std::iota(positions.begin(), positions.end(), 0.0);
+    const Test test = positioningTest("ISO 230-2:2006", positions, up, down);
+    DeviationFigureOptions options;
+    options.readingMarks = true;
+    const QByteArray svg = figureAsSvg(
+        deviationFigure(test, evaluated(test), Language(Language::Id::french), options), QString());
+    QVERIFY2(svg.size() < 1'000'000, qPrintable(QString::number(svg.size())));
 }
 
 void ExportFigure::pngHasTheSizeOfThePage() {

@@ -1,5 +1,6 @@
 #include "ui/pdf/pages.h"
 
+#include "document/bounds.h"
 #include "ui/pdf/reports.h"
 
 #include <QXmlStreamReader>
@@ -18,6 +19,8 @@ struct PlacedWord {
     QString text;
     double top = 0;
     double end = 0; ///< lower edge
+    double left = 0;
+    double right = 0;
 };
 
 std::vector<PlacedWord> placedWords(const QByteArray &pdf) {
@@ -33,7 +36,9 @@ std::vector<PlacedWord> placedWords(const QByteArray &pdf) {
         if (xml.name() == u"word") {
             const double top = xml.attributes().value("yMin"_L1).toDouble();
             const double end = xml.attributes().value("yMax"_L1).toDouble();
-            result.push_back({page, xml.readElementText(), top, end});
+            const double left = xml.attributes().value("xMin"_L1).toDouble();
+            const double right = xml.attributes().value("xMax"_L1).toDouble();
+            result.push_back({page, xml.readElementText(), top, end, left, right});
         }
     }
     return result;
@@ -104,10 +109,11 @@ Document withTargets(int targets, int runs) {
     return withTest(std::move(document), std::move(test));
 }
 
-Document withLongNames() {
+Document withLongNames(int size) {
     Document document = storedDocument(u"limits-2006"_s);
-    const std::string words = QString(u"Laboratoire central d’essais "_s.repeated(7)).left(200).toStdString();
-    const std::string word(200, 'W'); // nowhere to break
+    const std::string words =
+        QString(u"Laboratoire central d’essais "_s.repeated(size / 28 + 1)).left(size).toStdString();
+    const std::string word(static_cast<std::size_t>(size), 'W'); // nowhere to break
     ReportHead &head = document.report;
     head.laboratory.name = words;
     head.laboratory.address = word;
@@ -120,6 +126,7 @@ Document withLongNames() {
     head.supplier.name = word;
     head.operatorName = words;
     head.authorisedBy = {word, words};
+    head.signatures = {Signer::operatorSigns, Signer::laboratory, Signer::supplier, Signer::customer};
     document.machine.manufacturer = words;
     document.machine.serialNumber = word;
     for (Instrument &instrument : document.instruments) {
@@ -181,6 +188,7 @@ private slots:
     void extremeDocumentsStayInTheMargins_data();
     void extremeDocumentsStayInTheMargins();
     void numbersStandOnTheirDecimalMark();
+    void namesKeepAGapToTheTargets();
     void titlesStandInsideTheirHead();
     void figuresStandBesideTheirParameters();
 };
@@ -295,7 +303,8 @@ void PagesTest::extremeDocumentsStayInTheMargins_data() {
         QTest::newRow(qPrintable(name)) << storedDocument(name);
     QTest::newRow("one target") << withTargets(1, 5);
     QTest::newRow("400 targets, 10 runs each way") << withTargets(400, 10);
-    QTest::newRow("names of 200 characters") << withLongNames();
+    QTest::newRow("names of 200 characters") << withLongNames(200);
+    QTest::newRow("names as long as the file allows") << withLongNames(static_cast<int>(mostOfLine));
     QTest::newRow("agreed texts longer than a page") << withLongAgreement();
     QTest::newRow("nothing stated at all") << withoutConditions();
     QTest::newRow("Letter") << withPaper(Paper::letter);
@@ -358,6 +367,36 @@ void PagesTest::numbersStandOnTheirDecimalMark() {
     QVERIFY(std::abs(edges.at(u"−12.5"_s).second - mark - digit - place) < tolerance);
     QVERIFY(std::abs(edges.at(u"–"_s).second - place) < tolerance);
     QVERIFY(std::abs(edges.at(u"mm"_s).second - edges.at(u"1.25"_s).second) < tolerance);
+}
+
+/// Between the name of a result and the targets that rule it white space is wide enough to part them.
+void PagesTest::namesKeepAGapToTheTargets() {
+    constexpr double least = 1.9 * mm;
+    static const QRegularExpression target(u"^[0-9]+[↑↓]?$"_s);
+    static const QRegularExpression symbol(u"^[AEMRB][↑↓]?$"_s);
+    for (const QString &name : {u"limits-2006"_s, u"long-axis-with-zone"_s, u"iso230-2-1988-example"_s}) {
+        for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+            std::map<std::pair<int, long>, std::vector<PlacedWord>> lines;
+            for (const PlacedWord &word : placedWords(pdfOf(reportOf(storedDocument(name), language))))
+                lines[{word.page, std::lround(word.end)}].push_back(word);
+            int rows = 0;
+            for (auto &[place, words] : lines) {
+                std::ranges::sort(words, {}, &PlacedWord::left);
+                const bool atMargin = words.front().left < 25 * mm;
+                if (!atMargin || !symbol.match(words.front().text).hasMatch())
+                    continue;
+                const auto first = std::ranges::find_if(
+                    words, [&](const PlacedWord &word) { return target.match(word.text).hasMatch(); });
+                if (first == words.end() || first - words.begin() < 2)
+                    continue; // the name goes on on the next line, or none rules
+                ++rows;
+                const double gap = first->left - (first - 1)->right;
+                QVERIFY2(gap >= least,
+                         qPrintable(u"%1 %2: %3 mm"_s.arg(name, (first - 1)->text).arg(gap / mm)));
+            }
+            QVERIFY(rows >= 5);
+        }
+    }
 }
 
 void PagesTest::titlesStandInsideTheirHead() {

@@ -322,6 +322,13 @@ private slots:
         const QString both = edited.part<QLabel>("methodNote")->text();
         QVERIFY2(both.contains(u"95.45 % for "_s) && both.contains(u"k = 2 for the others"_s),
                  qPrintable(both));
+        // All of it can be read, however narrow the page is.
+        const auto *note = edited.part<QLabel>("methodNote");
+        for (const int width : {600, 480, 380}) {
+            edited.page.resize(width, 900);
+            QTRY_VERIFY(note->wordWrap() && note->isVisible() &&
+                        note->height() >= note->heightForWidth(note->width()));
+        }
     }
 
     void tooFewTrialsAreSaid() {

@@ -1,7 +1,9 @@
 #include "kernel/evaluation/evaluatetest.h"
+#include "kernel/evaluation/iso230_4/checks.h"
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 #include "kernel/evaluation/iso230_4/paths.h"
+#include "kernel/evaluation/iso230_4/results.h"
 
 #include <QFile>
 #include <QTest>
@@ -30,6 +32,8 @@ private slots:
     void evaluatedRange();
     void degenerate_data();
     void degenerate();
+    void withoutLeastSquaresCircle_data();
+    void withoutLeastSquaresCircle();
     void shortArcStillHasItsCertificate();
     void oneSenseOnly();
     void calibration();
@@ -337,6 +341,54 @@ void Circular::degenerate() {
         QVERIFY(finding(e, "noValue"));
     }
     QVERIFY(finding(evaluated(circularTest({})), "arcs"));
+}
+
+void Circular::withoutLeastSquaresCircle_data() {
+    QTest::addColumn<bool>("circleOfG");
+    QTest::addColumn<bool>("centringOfF");
+    QTest::addColumn<QByteArray>("asked"); // empty: all
+    QTest::addColumn<int>("lost");         // -1: all; else the sense without a circle; 2: the pair
+    QTest::addColumn<bool>("expected");
+    QTest::newRow("nothing is lost") << true << true << QByteArray() << -2 << false;
+    QTest::newRow("G rests on it") << true << false << QByteArray("G") << 0 << true;
+    QTest::newRow("of the other path") << true << false << QByteArray("G") << 1 << true;
+    QTest::newRow("of the pair") << true << false << QByteArray("G") << 2 << true;
+    QTest::newRow("F rests on it") << false << true << QByteArray("F") << 0 << true;
+    QTest::newRow("F about the set-up does not") << false << false << QByteArray("F") << -1 << false;
+    QTest::newRow("F does not rest on that of the pair") << false << true << QByteArray("F") << 2 << false;
+    QTest::newRow("D rests on it") << false << false << QByteArray("D") << 2 << true;
+    QTest::newRow("D does not rest on that of a path") << false << false << QByteArray("D") << 0 << false;
+    QTest::newRow("minimum zone G alone does not") << false << false << QByteArray("G") << -1 << false;
+    QTest::newRow("all are asked for") << false << false << QByteArray() << -1 << true;
+}
+
+/// The fit found no circle (not converged, or a straight line): what rests on it has a finding.
+void Circular::withoutLeastSquaresCircle() {
+    QFETCH(bool, circleOfG);
+    QFETCH(bool, centringOfF);
+    QFETCH(QByteArray, asked);
+    QFETCH(int, lost);
+    Test test = circularTest(
+        {readArc("ballbar_pair_ccw.csv", counterclockwise), readArc("ballbar_pair_cw.csv", clockwise)});
+    CircularMeasurement &m = measurement(test);
+    m.referenceCircle = circleOfG ? ReferenceCircle::leastSquares : ReferenceCircle::minimumZone;
+    m.centring = centringOfF ? Centring::leastSquares : Centring::instrument;
+    if (!asked.isEmpty())
+        m.requiredResults = {asked.toStdString()};
+    CircularResults results = iso230_4::circularResults(m);
+    std::erase_if(results.circles, [&](const CircleResult &circle) {
+        const int of = circle.of == CircleOf::counterclockwise ? 0 : circle.of == CircleOf::clockwise ? 1 : 2;
+        return circle.kind == ReferenceCircle::leastSquares && (lost == -1 || lost == of);
+    });
+    const Machine machine;
+    Surroundings surroundings;
+    surroundings.machine = &machine;
+    const CircularCase whole{test, m, surroundings, *findEdition(test.edition), results};
+    QTEST(iso230_4::noLeastSquaresCircle(whole).has_value(), "expected");
+    // And it is asked where circles are evaluated.
+    const auto &rows = findEdition(test.edition)->circles->requirements;
+    QVERIFY(std::ranges::any_of(rows,
+                                [](const auto &row) { return row.unmet == iso230_4::noLeastSquaresCircle; }));
 }
 
 void Circular::shortArcStillHasItsCertificate() {

@@ -22,6 +22,8 @@ private slots:
     void limitsOfOtherEditions();
     void proofNeedsUncertainty();
     void uncorrectedResultsProveNothing();
+    void whatIsNotProvenHasAReason_data();
+    void whatIsNotProvenHasAReason();
     void temperaturesOfMachineAndInstrument_data();
     void temperaturesOfMachineAndInstrument();
     void workedExampleIsRecognised();
@@ -473,6 +475,51 @@ void Findings::uncorrectedResultsProveNothing() {
     QVERIFY(std::get<PositioningResults>(e.results).notCorrected);
     QVERIFY(parameter(e, "A")->verdict == Verdict::notProven);
     QVERIFY(parameter(e, "R")->verdict == Verdict::conforms); // repeatability does not depend on it
+}
+
+void Findings::whatIsNotProvenHasAReason_data() {
+    QTest::addColumn<QByteArray>("edition");
+    for (const Edition *edition : editions()) {
+        if (edition->kind == Kind::positioning)
+            QTest::newRow(edition->word) << QByteArray(edition->word);
+    }
+}
+
+/// At every temperature, across the tolerances of every edition: where A is not proven because it is not
+/// corrected a finding says so, and only there.
+void Findings::whatIsNotProvenHasAReason() {
+    QFETCH(QByteArray, edition);
+    for (int step = -20; step <= 20; ++step) {
+        for (const CorrectionTo20 correction :
+             {CorrectionTo20::notApplied, CorrectionTo20::appliedByInstrument, CorrectionTo20::appliedHere}) {
+            for (const Rule rule : {Rule::simpleAcceptance, Rule::iso14253_1, Rule::rejectionProven}) {
+                Test test = exactHand(edition);
+                const bool vdi = parameter(evaluated(test), "A") == nullptr;
+                const std::string id = vdi ? "P" : "A";
+                test.limits = {{id, {0.05, {}, ""}}};
+                measurement(test).uncertainty.method = UncertaintyMethod::direct;
+                measurement(test).uncertainty.expanded = {{id, 1.0}};
+                Conditions &conditions = measurement(test).conditions.common;
+                const double temperature = 20 + step * 0.051; // 0.05 °C rounds to 20
+                conditions.sensors = {{SensorMeasures::machine, "", temperature, temperature, {}}};
+                conditions.correctionTo20 = correction;
+                test.decisionRule = {rule, 1.0};
+                const auto e = evaluated(test);
+                const bool open = parameter(e, id)->verdict == Verdict::notProven;
+                const bool said = std::ranges::any_of(e.findings, [](const Finding &finding) {
+                    return std::string_view(finding.message.text.source).starts_with("Nothing is proven for");
+                });
+                const QByteArray where = QByteArray::number(temperature) + ' ' +
+                                         QByteArray::number(static_cast<int>(correction)) + ' ' +
+                                         QByteArray::number(static_cast<int>(rule));
+                QVERIFY2(said == open, where);
+                const bool fits = rule == Rule::simpleAcceptance ||
+                                  correction == CorrectionTo20::appliedByInstrument || step == 0;
+                if (correction != CorrectionTo20::appliedHere) // which lacks α here
+                    QVERIFY2(open != fits, where);
+            }
+        }
+    }
 }
 
 void Findings::temperaturesOfMachineAndInstrument_data() {

@@ -1,0 +1,214 @@
+#include "document/savefiles.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <QStorageInfo>
+#include <QThread>
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <memory>
+#include <unistd.h>
+
+namespace palmer {
+
+namespace {
+
+[[noreturn]] void refuse(Text text) {
+    throw Error(Error::Kind::unwritable, {text, {}, {}});
+}
+
+// The system's own words would be in another language than the rest, so the cause is looked for anew.
+[[noreturn]] void refuseSaving(const QString &path, qint64 size) {
+    const QFileInfo info(path);
+    const QStorageInfo disk(info.absolutePath());
+    if (disk.isValid() && disk.isReadOnly())
+        refuse(REPORT_TEXT("report", "the disk is read-only; save in a folder of another disk"));
+    if ((info.exists() && !info.isFile()) || (disk.isValid() && disk.bytesAvailable() < size))
+        refuse(REPORT_TEXT("report",
+                           "the disk is full; what was there before is unchanged: free some space or "
+                           "save on another disk"));
+    refuse(REPORT_TEXT("report",
+                       "the file could not be saved, for want of permission or space; what was there before "
+                       "is unchanged: save it under another name or in another folder"));
+}
+
+/// A descriptor that closes itself.
+class Descriptor {
+public:
+    explicit Descriptor(int number)
+        : m_number(number) {}
+    ~Descriptor() {
+        if (m_number >= 0)
+            ::close(m_number);
+    }
+    Descriptor(const Descriptor &) = delete;
+    Descriptor &operator=(const Descriptor &) = delete;
+
+    [[nodiscard]] int number() const { return m_number; }
+
+private:
+    int m_number;
+};
+
+/// Opens a device or a pipe. Opening a pipe waits for who reads it, and might do so for ever.
+int openDevice(const QByteArray &name) {
+    constexpr int attempts = 200;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        const int device = ::open(name.constData(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+        if (device >= 0) {
+            ::fcntl(device, F_SETFL, ::fcntl(device, F_GETFL) & ~O_NONBLOCK);
+            return device;
+        }
+        if (errno != ENXIO && errno != EINTR)
+            return -1;
+        QThread::msleep(10);
+    }
+    return -1;
+}
+
+bool writeDevice(const QByteArray &bytes, const QString &path) {
+    const Descriptor device(openDevice(QFile::encodeName(path)));
+    if (device.number() < 0)
+        return false;
+    for (qsizetype at = 0; at < bytes.size();) {
+        const auto written =
+            ::write(device.number(), bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at));
+        if (written < 0 && errno != EINTR)
+            return false;
+        at += std::max<qsizetype>(written, 0);
+    }
+    return true;
+}
+
+/// Whether all is on the disk. Some file systems cannot tell.
+bool isOnDisk(int descriptor) {
+    return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
+/// The folder knows of the new name; a power cut would bring back the old file, which is no loss of both.
+void syncFolder(const QString &path) {
+    const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
+    const Descriptor directory(::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (directory.number() >= 0)
+        ::fsync(directory.number());
+}
+
+/// Where it can be seen without writing.
+void demandPlace(const QString &path) {
+    const QFileInfo info(path);
+    if (info.isDir())
+        refuse(REPORT_TEXT("report", "this is a folder; expected the name of a file to save to"));
+    if (!info.absoluteDir().exists())
+        refuse(REPORT_TEXT("report", "the folder does not exist; create it or save in another folder"));
+}
+
+/// Renaming would replace the device itself.
+bool isDevice(const QString &path) {
+    const QFileInfo info(path);
+    return info.exists() && !info.isFile();
+}
+
+/// A file beside its place, on the disk; goes unless it is renamed.
+class Staged {
+public:
+    explicit Staged(const FileToSave &file)
+        : m_source(file)
+        , m_file(file.path) {
+        // Unbuffered: commit() does not see that the last of a buffer could not be written.
+        if (!m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
+            m_file.write(file.bytes) != file.bytes.size() || m_file.size() != file.bytes.size() ||
+            !isOnDisk(m_file.handle()))
+            refuseSaving(file.path, file.bytes.size());
+    }
+
+    /// With another name for what is there now, where others are still to be renamed: so it can come back.
+    void rename(bool keepOld) {
+        const QByteArray path = encoded(m_source.path);
+        m_wasThere = ::access(path.constData(), F_OK) == 0;
+        if (keepOld && m_wasThere) {
+            const QByteArray old =
+                encoded(m_file.fileName() + QStringLiteral(".old-") + QString::number(::getpid()));
+            if (::link(path.constData(), old.constData()) == 0)
+                m_old = old;
+        }
+        if (!m_file.commit()) {
+            forgetOld();
+            refuseSaving(m_source.path, m_source.bytes.size());
+        }
+    }
+    void takeBack() {
+        const QByteArray path = encoded(m_source.path);
+        if (!m_wasThere)
+            ::unlink(path.constData());
+        else if (!m_old.isEmpty())
+            ::rename(m_old.constData(), path.constData());
+        m_old.clear();
+    }
+    void forgetOld() {
+        if (!m_old.isEmpty())
+            ::unlink(m_old.constData());
+        m_old.clear();
+    }
+
+    [[nodiscard]] const QString &path() const { return m_source.path; }
+
+private:
+    /// Of the file itself, where the path is a link.
+    static QByteArray encoded(const QString &path) {
+        const QString target = QFileInfo(path).canonicalFilePath();
+        return QFile::encodeName(target.isEmpty() ? path : target);
+    }
+
+    const FileToSave &m_source;
+    QSaveFile m_file;
+    bool m_wasThere = false;
+    QByteArray m_old;
+};
+
+/// Does it for one file, whose name an error gets.
+void forFile(const QString &path, auto &&work) {
+    try {
+        work();
+    } catch (const Error &error) {
+        throw UnsavedFile(error, path);
+    }
+}
+
+void renameAll(std::vector<std::unique_ptr<Staged>> &staged) {
+    for (std::size_t i = 0; i < staged.size(); ++i) {
+        const bool last = i + 1 == staged.size();
+        try {
+            forFile(staged[i]->path(), [&] { staged[i]->rename(!last); });
+        } catch (const UnsavedFile &) {
+            for (std::size_t done = 0; done < i; ++done)
+                staged[done]->takeBack();
+            throw;
+        }
+    }
+    for (const auto &file : staged) {
+        file->forgetOld();
+        syncFolder(file->path());
+    }
+}
+
+} // namespace
+
+void saveFiles(const std::vector<FileToSave> &files) {
+    for (const FileToSave &file : files)
+        forFile(file.path, [&] { demandPlace(file.path); });
+    std::vector<std::unique_ptr<Staged>> staged;
+    for (const FileToSave &file : files) {
+        if (!isDevice(file.path))
+            forFile(file.path, [&] { staged.push_back(std::make_unique<Staged>(file)); });
+    }
+    for (const FileToSave &file : files) {
+        if (isDevice(file.path) && !writeDevice(file.bytes, file.path))
+            forFile(file.path, [&] { refuseSaving(file.path, file.bytes.size()); });
+    }
+    renameAll(staged);
+}
+
+} // namespace palmer

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "document/documenterror.h"
+
+#include <QByteArray>
+#include <QString>
+#include <utility>
+#include <vector>
+
+namespace palmer {
+
+struct FileToSave {
+    QByteArray bytes;
+    QString path;
+};
+
+/// Error(unwritable) of one of several files.
+class UnsavedFile : public Error {
+public:
+    UnsavedFile(const Error &error, QString file)
+        : Error(error)
+        , path(std::move(file)) {}
+
+    QString path;
+};
+
+/// Writes files in one step: all of them beside, checked and on the disk before the first is renamed. Where
+/// one cannot be saved, a full disk and the last byte among it, those that were there before stay as they
+/// were, and no new one is left; then throws UnsavedFile, which says why and what to do. Devices and pipes
+/// are written directly, before the renaming; a pipe that nobody reads is an error after two seconds. No path
+/// twice.
+void saveFiles(const std::vector<FileToSave> &files);
+
+} // namespace palmer
