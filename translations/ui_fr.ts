@@ -3771,6 +3771,14 @@
         <source>&amp;Replace</source>
         <translation>&amp;Remplacer</translation>
     </message>
+    <message>
+        <source>In the PDF: the whole test file (%1, %2), remarks and names in it included, and the results</source>
+        <translation>Dans le PDF : le fichier d’essai entier (%1, %2), remarques et noms compris, et les résultats</translation>
+    </message>
+    <message>
+        <source>Attach the instrument files, too</source>
+        <translation>Joindre aussi les fichiers de l’instrument</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ResultsModel</name>

@@ -5,6 +5,7 @@
 #include "document/testfile.h"
 #include "import/importmeasurement.h"
 #include "import/profiles.h"
+#include "proof/readreportpdf.h"
 
 #include <QFile>
 #include <algorithm>
@@ -175,6 +176,8 @@ QByteArray bytesFrom(const QString &file) {
 
 std::optional<Document> documentFrom(const QString &file, const Invocation &invocation) {
     const QByteArray bytes = bytesFrom(file);
+    if (isPdf(bytes))
+        return readDocument(readReportPdf(bytes).testFile);
     if (isTestFile(bytes, file))
         return readDocument(bytes);
     auto imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);
