@@ -45,5 +45,19 @@
             <numerusform>Readings set aside without a reason: %n.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n difference(s): the report does not follow from the attached data.</source>
+        <translation>
+            <numerusform>%n difference: the report does not follow from the attached data.</numerusform>
+            <numerusform>%n differences: the report does not follow from the attached data.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without numbers in the words of that version: not compared</source>
+        <translation>
+            <numerusform>%n text without numbers in the words of that version: not compared</numerusform>
+            <numerusform>%n texts without numbers in the words of that version: not compared</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

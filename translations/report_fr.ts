@@ -1618,8 +1618,8 @@
         <translation>Ce rapport ne peut être reproduit que dans son intégralité.</translation>
     </message>
     <message>
-        <source>The fingerprint is that of the test file this report was made from.</source>
-        <translation>L’empreinte est celle du fichier d’essai dont ce rapport est issu.</translation>
+        <source>The fingerprint is that of the test file attached to the PDF of this report.</source>
+        <translation>L’empreinte est celle du fichier d’essai joint au PDF de ce rapport.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -6173,6 +6173,193 @@
     <message>
         <source>the compensation of a SINUMERIK is 0 at the reference point of the axis: say where that is (%1)</source>
         <translation>la compensation d’une SINUMERIK est nulle au point de référence de l’axe&#xa0;: indiquez où il se trouve (%1)</translation>
+    </message>
+    <message>
+        <source>the results (results.json) that the report carried are missing</source>
+        <translation>les résultats (results.json) que portait le rapport manquent</translation>
+    </message>
+    <message>
+        <source>the results (results.json) are written in another form</source>
+        <translation>les résultats (results.json) sont écrits sous une autre forme</translation>
+    </message>
+    <message>
+        <source>the results (results.json) cannot be read</source>
+        <translation>les résultats (results.json) sont illisibles</translation>
+    </message>
+    <message>
+        <source>this PDF is damaged and cannot be read; ask for it again where it came from</source>
+        <translation>ce PDF est endommagé et illisible ; redemandez-le à son expéditeur</translation>
+    </message>
+    <message>
+        <source>this PDF is no report of Palmer with its test file inside: there is nothing to open or to verify</source>
+        <translation>ce PDF n’est pas un rapport de Palmer avec son fichier d’essai : il n’y a rien à ouvrir ni à vérifier</translation>
+    </message>
+    <message>
+        <source>this PDF is encrypted; save it without password and open that</source>
+        <translation>ce PDF est chiffré ; enregistrez-le sans mot de passe et ouvrez cette copie</translation>
+    </message>
+    <message>
+        <source>this PDF carries more than one test file, and which of them the report was made from is not known</source>
+        <translation>ce PDF contient plusieurs fichiers d’essai, et on ne sait pas duquel le rapport est issu</translation>
+    </message>
+    <message>
+        <source>this PDF unpacks to more than %1 MB and is not read</source>
+        <translation>ce PDF dépasse %1 Mo une fois décompressé et n’est pas lu</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>valable</translation>
+    </message>
+    <message>
+        <source>NOT valid: changed after it was signed</source>
+        <translation>NON valable : modifié après la signature</translation>
+    </message>
+    <message>
+        <source>could not be checked</source>
+        <translation>n’a pas pu être contrôlée</translation>
+    </message>
+    <message>
+        <source>The numbers follow from the attached data. Where the data come from is not verified.</source>
+        <translation>Les nombres découlent des données jointes. La provenance des données n’est pas vérifiée.</translation>
+    </message>
+    <message>
+        <source>page %1: %2</source>
+        <translation>page %1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>what is said, and of what</comment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>printed “%1”, follows “%2”</source>
+        <translation>imprimé « %1 », découle « %2 »</translation>
+    </message>
+    <message>
+        <source>covers the whole file</source>
+        <translation>couvre tout le fichier</translation>
+    </message>
+    <message>
+        <source>does not cover the whole file: something was appended after it</source>
+        <translation>ne couvre pas tout le fichier : quelque chose a été ajouté ensuite</translation>
+    </message>
+    <message>
+        <source>certificate of an authority known here</source>
+        <translation>certificat d’une autorité connue ici</translation>
+    </message>
+    <message>
+        <source>certificate of no authority known here</source>
+        <translation>certificat d’aucune autorité connue ici</translation>
+    </message>
+    <message>
+        <source>Signature of %1, %2</source>
+        <translation>Signature de %1, %2</translation>
+    </message>
+    <message>
+        <source>The fingerprint on the pages is not that of the attached test file.</source>
+        <translation>L’empreinte imprimée sur les pages n’est pas celle du fichier d’essai joint.</translation>
+    </message>
+    <message>
+        <source>… and %1 more; --json has them all</source>
+        <translation>… et %1 de plus ; --json les donne toutes</translation>
+    </message>
+    <message>
+        <source>made by %1; fingerprint of the attached file %2</source>
+        <translation>établi par %1 ; empreinte du fichier joint %2</translation>
+    </message>
+    <message>
+        <source>The whole PDF is the same, byte for byte.</source>
+        <translation>Le PDF entier est identique, octet par octet.</translation>
+    </message>
+    <message>
+        <source>The PDF as it was made is unchanged; something was appended to it.</source>
+        <translation>Le PDF tel qu’il a été établi est inchangé ; quelque chose y a été ajouté.</translation>
+    </message>
+    <message>
+        <source>FILE is a test file (.palmer), a report of Palmer (PDF) or a measurement file that can be imported; - is standard input.</source>
+        <translation>FILE est un fichier d’essai (.palmer), un rapport de Palmer (PDF) ou un fichier de mesure importable ; - est l’entrée standard.</translation>
+    </message>
+    <message>
+        <source>the test file inside the PDF keeps the bytes of the instrument files that it was imported from; without it only their names and fingerprints</source>
+        <translation>le fichier d’essai joint au PDF garde le contenu des fichiers de l’instrument importés ; sinon leurs noms et empreintes seulement</translation>
+    </message>
+    <message>
+        <source>the outcome as JSON; of several files one object a line</source>
+        <translation>le résultat en JSON ; pour plusieurs fichiers, un objet par ligne</translation>
+    </message>
+    <message>
+        <source>take the test file out of the report, byte for byte, and no more</source>
+        <translation>extraire le fichier d’essai du rapport, octet par octet, sans plus</translation>
+    </message>
+    <message>
+        <source>this is no PDF; a report of Palmer is verified</source>
+        <translation>ce n’est pas un PDF ; on vérifie un rapport de Palmer</translation>
+    </message>
+    <message>
+        <source>the option --%1 takes one report</source>
+        <translation>l’option --%1 prend un seul rapport</translation>
+    </message>
+    <message>
+        <source>whether every printed number of a report follows from the test file inside it</source>
+        <translation>si chaque nombre imprimé d’un rapport découle du fichier d’essai qu’il contient</translation>
+    </message>
+    <message>
+        <source>a file was attached that the report did not carry</source>
+        <translation>un fichier a été joint que le rapport ne portait pas</translation>
+    </message>
+    <message>
+        <source>an annotation was put on the page</source>
+        <translation>une annotation a été posée sur la page</translation>
+    </message>
+    <message>
+        <source>a form field was put on the page</source>
+        <translation>un champ de formulaire a été posé sur la page</translation>
+    </message>
+    <message>
+        <source>the PDF does something that a report does not (action, layer, script)</source>
+        <translation>le PDF fait ce qu’un rapport ne fait pas (action, calque, script)</translation>
+    </message>
+    <message>
+        <source>pages of the PDF: %1; pages that follow from the data: %2</source>
+        <translation>pages du PDF : %1 ; pages qui découlent des données : %2</translation>
+    </message>
+    <message>
+        <source>the page has another size, or not all of it is shown</source>
+        <translation>la page a un autre format, ou n’est pas montrée en entier</translation>
+    </message>
+    <message>
+        <source>the page is drawn otherwise than it follows from the data</source>
+        <translation>la page est dessinée autrement que ce qui découle des données</translation>
+    </message>
+    <message>
+        <source>a signature covers what is printed</source>
+        <translation>une signature recouvre ce qui est imprimé</translation>
+    </message>
+    <message>
+        <source>a signature is not valid: the file was changed after it</source>
+        <translation>une signature n’est pas valable : le fichier a été modifié ensuite</translation>
+    </message>
+    <message>
+        <source>the attached test file has another name</source>
+        <translation>le fichier d’essai joint porte un autre nom</translation>
+    </message>
+    <message>
+        <source>the pages of this PDF cannot be read; ask for it again where it came from</source>
+        <translation>les pages de ce PDF sont illisibles ; redemandez-le à son expéditeur</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n difference(s): the report does not follow from the attached data.</source>
+        <translation>
+            <numerusform>%n écart : le rapport ne découle pas des données jointes.</numerusform>
+            <numerusform>%n écarts : le rapport ne découle pas des données jointes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s) without numbers in the words of that version: not compared</source>
+        <translation>
+            <numerusform>%n texte sans nombre dans les mots de cette version : non comparé</numerusform>
+            <numerusform>%n textes sans nombre dans les mots de cette version : non comparés</numerusform>
+        </translation>
     </message>
     <message>
         <source>the option %1 needs a value (%2)</source>

@@ -2845,6 +2845,18 @@
         <source>Otherwise what is here is lost.</source>
         <translation>Sinon, ce qui est ici est perdu.</translation>
     </message>
+    <message>
+        <source>Test files and reports (*.palmer *.pdf)</source>
+        <translation>Fichiers d’essai et rapports (*.palmer *.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1 (copie)</translation>
+    </message>
+    <message>
+        <source>Copy of the test file in a report</source>
+        <translation>Copie du fichier d’essai d’un rapport</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NavigationList</name>
@@ -3771,6 +3783,14 @@
         <source>&amp;Replace</source>
         <translation>&amp;Remplacer</translation>
     </message>
+    <message>
+        <source>In the PDF: the whole test file (%1, %2), remarks and names in it included, and the results</source>
+        <translation>Dans le PDF : le fichier d’essai entier (%1, %2), remarques et noms compris, et les résultats</translation>
+    </message>
+    <message>
+        <source>Attach the instrument files, too</source>
+        <translation>Joindre aussi les fichiers de l’instrument</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ResultsModel</name>
@@ -4656,6 +4676,33 @@
     <message>
         <source>%1 axis</source>
         <translation>Axe %1</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ReportBar</name>
+    <message>
+        <source>&amp;Details</source>
+        <translation>&amp;Détails</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Differences of the report</source>
+        <translation>Écarts du rapport</translation>
+    </message>
+    <message>
+        <source>The report was not verified: %1</source>
+        <translation>Le rapport n’a pas été vérifié : %1</translation>
+    </message>
+    <message>
+        <source>Report verified.</source>
+        <translation>Rapport vérifié.</translation>
+    </message>
+    <message>
+        <source>Report NOT verified.</source>
+        <translation>Rapport NON vérifié.</translation>
     </message>
 </context>
 </TS>

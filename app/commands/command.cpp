@@ -10,6 +10,7 @@
 #include "commands/selftest.h"
 #include "commands/synthesize.h"
 #include "commands/targets.h"
+#include "commands/verify.h"
 #include "report/plaintext.h"
 
 #include <algorithm>
@@ -115,9 +116,9 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(),   checkCommand(),   reportCommand(),  figureCommand(),
-                                  importCommand(),     exportCommand(),  targetsCommand(), feedCommand(),
-                                  synthesizeCommand(), selftestCommand()};
+    static const std::array table{evaluateCommand(), checkCommand(),      reportCommand(),  verifyCommand(),
+                                  figureCommand(),   importCommand(),     exportCommand(),  targetsCommand(),
+                                  feedCommand(),     synthesizeCommand(), selftestCommand()};
     return table;
 }
 
@@ -204,8 +205,9 @@ QString programHelp(const Language &language) {
            QStringLiteral("\n\npalmer-cli ") +
            language.text(REPORT_TEXT("report", "COMMAND [OPTION]… [FILE]…")) + QStringLiteral("\n\n") +
            rows(list) + u'\n' + rows(options) + u'\n' +
-           language.text(REPORT_TEXT("report", "FILE is a test file (.palmer) or a measurement file that can "
-                                               "be imported; - is standard input.")) +
+           language.text(REPORT_TEXT("report",
+                                     "FILE is a test file (.palmer), a report of Palmer (PDF) or a "
+                                     "measurement file that can be imported; - is standard input.")) +
            u'\n';
 }
 

@@ -17,11 +17,16 @@ namespace palmer {
 
 namespace {
 
+constexpr const char *originalsOption = "with-originals";
+
 constexpr std::array options{
     Option{"o", "OUT.pdf",
            REPORT_TEXT("report", "the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf")},
     Option{"language", "fr|en|fr,en",
            REPORT_TEXT("report", "language of the report; without it those the file asks for")},
+    Option{originalsOption, "",
+           REPORT_TEXT("report", "the test file inside the PDF keeps the bytes of the instrument files that "
+                                 "it was imported from; without it only their names and fingerprints")},
     foreignOptions[0],
     foreignOptions[1],
     foreignOptions[2],
@@ -85,7 +90,11 @@ int run(const Invocation &invocation) {
         if (toStandardOutput && languages.size() > 1)
             throw UsageError(
                 {REPORT_TEXT("report", "standard output takes one report; choose --language"), {}});
-        const ReportOptions reportOptions{QStringLiteral("Palmer " PALMER_VERSION), selfTest()};
+        const ReportOptions reportOptions{
+            QStringLiteral("Palmer " PALMER_VERSION),
+            selfTest(),
+            invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut,
+            {}};
         const auto targetOf = [&](const QString &name) {
             return languages.size() > 1 ? withLanguage(*output, name) : *output;
         };
@@ -95,7 +104,8 @@ int run(const Invocation &invocation) {
         for (const QString &name : languages) {
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
-            ui::writePdf(composeReport(evaluated, Language::fromName(name).value(), reportOptions), pdf);
+            ui::writePdf(composeReport(evaluated, Language::fromName(name).value(), reportOptions), pdf,
+                         attachedResults(evaluated));
             reports.push_back({pdf.data(), targetOf(name)});
         }
         try {

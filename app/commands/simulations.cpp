@@ -1,11 +1,9 @@
 #include "commands/simulations.h"
 
+#include "commands/progressline.h"
 #include "commands/streams.h"
 
-#include <chrono>
 #include <limits>
-
-#include <unistd.h>
 
 namespace palmer {
 
@@ -39,48 +37,6 @@ std::optional<UncertaintyMethod> methodOf(const Invocation &invocation) {
     throw UsageError(
         {REPORT_TEXT("report", "unknown method %1; known: budget, monteCarlo"), {word->toStdString()}});
 }
-
-/// A line on a terminal that is written over and over, and taken away at the end.
-class ProgressLine {
-public:
-    explicit ProgressLine(const Language &language)
-        : m_language(language)
-        , m_terminal(isatty(STDERR_FILENO) == 1) {}
-    ~ProgressLine() {
-        if (m_shown)
-            write(QString());
-    }
-    ProgressLine(const ProgressLine &) = delete;
-    ProgressLine &operator=(const ProgressLine &) = delete;
-
-    void show(const SimulationProgress &progress) {
-        constexpr std::chrono::milliseconds pause(200);
-        const auto now = std::chrono::steady_clock::now();
-        if (!m_terminal || now - m_last < pause)
-            return;
-        m_last = now;
-        m_shown = true;
-        const auto number = [](long long value) {
-            return Number{static_cast<double>(value), Quantity::count};
-        };
-        write(m_language.sentence(progress.of ? Message{REPORT_TEXT("report", "Monte Carlo: %1 of %2 trials"),
-                                                        {number(progress.trials), number(*progress.of)}}
-                                              : Message{REPORT_TEXT("report", "Monte Carlo: %1 trials"),
-                                                        {number(progress.trials)}}));
-    }
-
-private:
-    static void write(const QString &text) {
-        const QByteArray line = "\r\x1b[K" + text.toUtf8();
-        std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
-        std::fflush(stderr);
-    }
-
-    const Language &m_language;
-    bool m_terminal;
-    bool m_shown = false;
-    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
-};
 
 } // namespace
 

@@ -5,6 +5,7 @@
 #include "document/testfile.h"
 #include "import/importmeasurement.h"
 #include "import/profiles.h"
+#include "proof/readreportpdf.h"
 
 #include <QFile>
 #include <algorithm>
@@ -187,6 +188,8 @@ Document withTests(Document document) {
 
 std::optional<Document> documentFrom(const QString &file, const Invocation &invocation) {
     const QByteArray bytes = bytesFrom(file);
+    if (isPdf(bytes))
+        return readDocument(readReportPdf(bytes).testFile);
     if (isTestFile(bytes, file))
         return withTests(readDocument(bytes));
     auto imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);

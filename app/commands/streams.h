@@ -47,8 +47,8 @@ inline constexpr std::array foreignOptions{
                                                    const ImportOptions &options,
                                                    const Invocation &invocation);
 
-/// The document of a file: a test file, or what an instrument's file or a table is imported as, as
-/// importedFrom has it; nothing for questions that were printed. Throws Error.
+/// The document of a file: a test file, that inside a report, or what an instrument's file or a table is
+/// imported as, as importedFrom has it; nothing for questions that were printed. Throws Error.
 [[nodiscard]] std::optional<Document> documentFrom(const QString &file, const Invocation &invocation);
 
 } // namespace palmer

@@ -1,6 +1,7 @@
 #include "report/attachedfile.h"
 
 #include "document/writedocument.h"
+#include "export/resultsjson.h"
 
 #include <QCryptographicHash>
 #include <algorithm>
@@ -12,13 +13,22 @@ namespace {
 constexpr int shortDigits = 16;
 constexpr int groupSize = 4;
 
+bool holdsBytes(const Test &test) {
+    return std::ranges::any_of(test.imports, [](const ImportedFile &file) { return file.data.has_value(); });
+}
+
 } // namespace
 
-QByteArray attachedFile(const Document &document) {
+bool holdsOriginals(const Document &document) {
+    return std::ranges::any_of(document.tests, [](const TestPointer &test) { return holdsBytes(*test); });
+}
+
+QByteArray attachedFile(const Document &document, Originals originals) {
+    if (originals == Originals::include)
+        return writeDocument(document);
     Document attached = document;
     for (TestPointer &test : attached.tests) {
-        if (std::ranges::none_of(test->imports,
-                                 [](const ImportedFile &file) { return file.data.has_value(); }))
+        if (!holdsBytes(*test))
             continue; // many readings are not copied for nothing
         Test withoutBytes = *test;
         for (ImportedFile &file : withoutBytes.imports)
@@ -26,6 +36,23 @@ QByteArray attachedFile(const Document &document) {
         test = std::make_shared<const Test>(std::move(withoutBytes));
     }
     return writeDocument(attached);
+}
+
+QString attachedFileName(const Document &document) {
+    constexpr qsizetype longest = 80;
+    QString name = QString::fromStdString(document.report.number).trimmed().left(longest);
+    for (QChar &c : name) {
+        const bool fits = c.isLetterOrNumber() || c.isSurrogate() || QStringView(u" .-_+()#&").contains(c);
+        c = fits ? c : u'-';
+    }
+    while (name.startsWith(u'.') || name.startsWith(u'-')) // hidden, or taken for an option
+        name.remove(0, 1);
+    return (name.isEmpty() ? QStringLiteral("report") : name) + QStringLiteral(".palmer");
+}
+
+QByteArray attachedResults(const EvaluatedDocument &evaluated) {
+    return resultsJson(evaluated, attachedFileName(*evaluated.document), Language(Language::Id::english),
+                       JsonForm::pretty);
 }
 
 QString fingerprint(const QByteArray &attachedFile) {

@@ -183,8 +183,8 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
         write.text(
             REPORT_TEXT("report", "The results relate only to the machine tested in the stated condition.")) +
             u' ' + write.text(REPORT_TEXT("report", "This report may be reproduced only in full.")) + u' ' +
-            write.text(
-                REPORT_TEXT("report", "The fingerprint is that of the test file this report was made from.")),
+            write.text(REPORT_TEXT(
+                "report", "The fingerprint is that of the test file attached to the PDF of this report.")),
         TextSize::small});
 }
 

@@ -1,7 +1,6 @@
 #include "report/composereport.h"
 
 #include "figures/thinning.h"
-#include "report/attachedfile.h"
 #include "report/circularparts.h"
 #include "report/closingparts.h"
 #include "report/conditionparts.h"
@@ -108,6 +107,15 @@ void addTest(std::vector<Block> &blocks, const TestPart &part) {
     thinFigures(blocks, first);
 }
 
+std::vector<int> simulatedTests(const EvaluatedDocument &evaluated) {
+    std::vector<int> result;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (evaluated.tests[i]->uncertainty.simulation)
+            result.push_back(static_cast<int>(i) + 1);
+    }
+    return result;
+}
+
 } // namespace
 
 Report composeReport(const EvaluatedDocument &evaluated, const Language &language,
@@ -124,7 +132,11 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
         joined({reportTitle(write, head), QString::fromStdString(head.number)}, QStringLiteral(" "));
     report.laboratory = QString::fromStdString(head.laboratory.name);
     report.date = QString::fromStdString(head.date.value_or(std::string()));
-    report.fingerprint = fingerprint(attachedFile(document));
+    report.making = {options.program, options.selfTestPassed, simulatedTests(evaluated)};
+    report.testFile =
+        options.testFile.isEmpty() ? attachedFile(document, options.originals) : options.testFile;
+    report.testFileName = attachedFileName(document);
+    report.fingerprint = fingerprint(report.testFile);
     report.footerLeft = write.say(REPORT_TEXT("report", "Report %1"), {number});
     report.footerCentre =
         write.say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"), shortFingerprint(report.fingerprint));

@@ -2,6 +2,7 @@
 
 #include "document/evaluateddocument.h"
 #include "language/language.h"
+#include "report/attachedfile.h"
 #include "report/report.h"
 
 namespace palmer {
@@ -10,6 +11,8 @@ namespace palmer {
 struct ReportOptions {
     QString program;                         ///< "Palmer 0.1.0"
     std::optional<bool> selfTestPassed = {}; ///< of this process; null: not run
+    Originals originals = Originals::leaveOut;
+    QByteArray testFile = {}; ///< that the document was read from, byte for byte; empty: as it would be saved
 };
 
 /// The printed report of a document in one language: of several tests a summary first, then each test with

@@ -193,6 +193,7 @@ QString titleAndEdition(const TestPart &part) {
 /// What the heads of all kinds state alike; the right column is left to each.
 TestHead commonHead(const TestPart &part) {
     TestHead head = letterHead(part.write, part.head());
+    head.anchor = part.headAnchor();
     if (part.count > 1)
         head.numberNotes << part.write.say(REPORT_TEXT("report", "Test %1 of %2"),
                                            {Number{static_cast<double>(part.number), Quantity::count, 0},
@@ -306,6 +307,7 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
                 {u'\n' + write.text(REPORT_TEXT("report", "NOT in accordance with the edition"))});
             word.text.spans.back().bold = true;
         }
+        table.links.push_back(part.headAnchor());
         table.rows.push_back({QString::number(part.number),
                               joined({testName(write, part.test), QString::fromStdString(part.test.title)},
                                      QStringLiteral("\n")),

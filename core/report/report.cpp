@@ -43,7 +43,6 @@ Report withPages(Report report, const std::map<QString, int> &pages) {
         const auto found = pages.find(line->anchor);
         line->accordance.replace(QLatin1String("%1"),
                                  found == pages.end() ? QStringLiteral("–") : QString::number(found->second));
-        line->anchor.clear();
     }
     return report;
 }

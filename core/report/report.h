@@ -159,6 +159,8 @@ struct Table {
     std::vector<Spanner> spanners = {};
     bool unbroken = false; ///< never split over two pages
     bool headless = false; ///< without head
+    std::vector<QString> links =
+        {}; ///< anchors that the rows lead to, one a row; none: no row leads anywhere
 
     bool operator==(const Table &) const = default;
 };
@@ -200,6 +202,7 @@ struct TestHead {
     QString notice;       ///< that this is no acceptance result: bold, below the titles
     KeyValues left;       ///< 74 wide, gap 9
     KeyValues right;
+    QString anchor = {}; ///< what `Table::links` points to
 
     bool operator==(const TestHead &) const = default;
 };
@@ -297,15 +300,27 @@ using Block =
     std::variant<Heading, Paragraph, KeyValues, Table, SideBySide, TestHead, FigureBlock, ResultsLegend,
                  VerdictLine, FindingsBlock, Signatures, RunningHead, PageBreak, EndMark>;
 
+/// How a report was made: with this and its test file it can be made again.
+struct Making {
+    QString program;                         ///< "Palmer 0.1.0"
+    std::optional<bool> selfTestPassed = {}; ///< of the process that made it; null: not run
+    std::vector<int> simulated = {};         ///< tests whose uncertainty was simulated, counted from 1
+
+    bool operator==(const Making &) const = default;
+};
+
 /// What is to be read, block by block in the order of reading, in one language; where it stands on a page or
 /// a terminal is the business of who draws it.
 struct Report {
     std::vector<Block> blocks;
     QString language = {}; ///< "en", "fr"
     Paper paper = Paper::a4;
-    QString title = {};        ///< of the PDF
-    QString laboratory = {};   ///< its author
-    QString date = {};         ///< YYYY-MM-DD or empty: the only date the PDF carries
+    QString title = {};      ///< of the PDF
+    QString laboratory = {}; ///< its author
+    QString date = {};       ///< YYYY-MM-DD or empty: the only date the PDF carries
+    Making making = {};
+    QByteArray testFile = {};  ///< what the report was made from; empty: from none
+    QString testFileName = {}; ///< as it is attached to the PDF
     QString fingerprint = {};  ///< SHA-256 of the test file, 64 hex digits
     QString footerLeft = {};   ///< "Report …"
     QString footerCentre = {}; ///< "Fingerprint SHA-256 …"

@@ -11,6 +11,10 @@ bool TestPart::leavesOut(ReportPart part) const {
     return std::ranges::find(head().leaveOut, part) != head().leaveOut.end();
 }
 
+QString TestPart::headAnchor() const {
+    return QStringLiteral("test-") + QString::number(number);
+}
+
 QString TestPart::findingsAnchor() const {
     return QStringLiteral("findings-") + QString::number(number);
 }

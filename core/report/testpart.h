@@ -54,6 +54,7 @@ struct TestPart {
     [[nodiscard]] bool isOf1988() const { return std::string_view(edition().family) == "ISO 230-2:1988"; }
     [[nodiscard]] bool leavesOut(ReportPart part) const;
     [[nodiscard]] QString findingsAnchor() const;
+    [[nodiscard]] QString headAnchor() const;
 };
 
 /// A positioning test with its measurement at hand.

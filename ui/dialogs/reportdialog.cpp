@@ -245,6 +245,16 @@ QWidget *ReportDialog::makeSide() {
     m_simulation->hide();
     connect(m_simulationCancel, &QPushButton::clicked, this, [this] { m_simulator.cancel(); });
     column->addWidget(m_simulation);
+    m_originals = new QCheckBox(side);
+    m_originals->setObjectName(QStringLiteral("withOriginals"));
+    connect(m_originals, &QCheckBox::clicked, this, &ReportDialog::showDocument);
+    column->addWidget(m_originals);
+    m_attached = new QLabel(side);
+    m_attached->setObjectName(QStringLiteral("attachedNote"));
+    m_attached->setFont(themeFont(TextSize::small));
+    m_attached->setProperty("secondary", true);
+    m_attached->setWordWrap(true);
+    column->addWidget(m_attached);
     m_missing = new QLabel(side);
     m_missing->setObjectName(QStringLiteral("missingNote"));
     m_missing->setWordWrap(true);
@@ -334,7 +344,10 @@ void ReportDialog::showDocument() {
     const ReportHead &head = m_model.document()->report;
     m_reports.clear();
     m_pages.clear();
-    const ReportOptions options{QStringLiteral("Palmer " PALMER_VERSION)};
+    const bool holdsBytes = holdsOriginals(*m_model.document());
+    const Originals originals =
+        holdsBytes && m_originals->isChecked() ? Originals::include : Originals::leaveOut;
+    const ReportOptions options{QStringLiteral("Palmer " PALMER_VERSION), {}, originals, {}};
     for (const ReportLanguage language : head.languages) {
         m_reports.push_back(composeReport(m_evaluated, Language(idOf(language)), options));
         Pages pages = layoutPages(m_reports.back());
@@ -349,6 +362,15 @@ void ReportDialog::showDocument() {
     m_paper->setCurrentIndex(head.paper == Paper::a4 ? 0 : 1);
     for (const Choice &choice : m_choices)
         choice.box->setChecked(choice.isOn(head));
+
+    m_originals->setVisible(holdsBytes);
+    m_attached->setVisible(!m_reports.empty());
+    if (!m_reports.empty()) {
+        const Report &report = m_reports.front();
+        m_attached->setText(
+            tr("In the PDF: the whole test file (%1, %2), remarks and names in it included, and the results")
+                .arg(report.testFileName, QLocale().formattedDataSize(report.testFile.size())));
+    }
 
     int missing = 0;
     for (const TestEvaluationPointer &test : m_evaluated.tests) {
@@ -492,7 +514,7 @@ QStringList ReportDialog::saveTo(const QString &path) {
             demandNoTestFileName(file);
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
-            writePdf(m_reports[i], pdf);
+            writePdf(m_reports[i], pdf, attachedResults(m_evaluated));
             reports.push_back({pdf.data(), file});
         }
         saveFiles(reports);
@@ -590,6 +612,7 @@ void ReportDialog::retranslate() {
     m_signaturesTitle->setText(tr("Signatures"));
     for (const Choice &choice : m_choices)
         choice.box->setText(tr(choice.text));
+    m_originals->setText(tr("Attach the instrument files, too"));
     m_simulationCancel->setText(tr("Cancel"));
     m_save->setText(tr("&Save PDF…"));
     m_print->setText(tr("&Print…"));

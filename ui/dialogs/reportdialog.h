@@ -112,6 +112,8 @@ private:
     QLabel *m_simulationText;
     QProgressBar *m_simulationBar;
     QPushButton *m_simulationCancel;
+    QCheckBox *m_originals;
+    QLabel *m_attached;
     QLabel *m_missing;
     QPushButton *m_save;
     QPushButton *m_print;

@@ -548,7 +548,11 @@ public:
         })};
     }
     Strips operator()(const ResultsLegend &legend) const { return legendStrips(legend, m_width); }
-    Strips operator()(const VerdictLine &line) const { return verdictStrips(line, m_width); }
+    Strips operator()(const VerdictLine &line) const {
+        Strips result = verdictStrips(line, m_width);
+        result.front().link = line.anchor;
+        return result;
+    }
     Strips operator()(const FindingsBlock &findings) const { return findingStrips(findings, m_width); }
     Strips operator()(const Signatures &signatures) const { return signatureStrips(signatures, m_width); }
     Strips operator()(const EndMark &mark) const {

@@ -2,6 +2,9 @@
 
 #include <QStringList>
 #include <qpdf/QPDF.hh>
+#include <qpdf/QPDFEFStreamObjectHelper.hh>
+#include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
+#include <qpdf/QPDFFileSpecObjectHelper.hh>
 #include <qpdf/QPDFObjectHandle.hh>
 #include <qpdf/QPDFWriter.hh>
 
@@ -9,15 +12,127 @@ namespace palmer::ui {
 
 namespace {
 
-QPDFObjectHandle text(const QString &value) {
-    return QPDFObjectHandle::newUnicodeString(value.toStdString());
+using Handle = QPDFObjectHandle;
+
+Handle text(const QString &value) {
+    return Handle::newUnicodeString(value.toStdString());
 }
 
 /// "D:20261120000000Z"
-QPDFObjectHandle pdfDate(const QString &iso) {
+std::string pdfDate(const QString &iso) {
     QString digits = iso;
     digits.remove(u'-');
-    return QPDFObjectHandle::newString("D:" + digits.toStdString() + "000000Z");
+    return "D:" + digits.toStdString() + "000000Z";
+}
+
+void setInformation(QPDF &document, const ReportMetadata &metadata) {
+    Handle information = Handle::newDictionary();
+    information.replaceKey("/Title", text(metadata.title));
+    information.replaceKey("/Creator", text(QStringLiteral("Palmer")));
+    if (!metadata.author.isEmpty())
+        information.replaceKey("/Author", text(metadata.author));
+    if (!metadata.date.isEmpty()) {
+        information.replaceKey("/CreationDate", Handle::newString(pdfDate(metadata.date)));
+        information.replaceKey("/ModDate", Handle::newString(pdfDate(metadata.date)));
+    }
+    document.getTrailer().replaceKey("/Info", document.makeIndirectObject(information));
+}
+
+void setMetadata(QPDF &document, const ReportMetadata &metadata) {
+    Handle packet = Handle::newStream(&document, xmpPacket(metadata).toStdString());
+    packet.getDict().replaceKey("/Type", Handle::newName("/Metadata"));
+    packet.getDict().replaceKey("/Subtype", Handle::newName("/XML"));
+    document.getRoot().replaceKey("/Metadata", packet);
+}
+
+/// The helpers of the library write neither the relationship nor the list of associated files.
+void attach(QPDF &document, const std::vector<PdfAttachment> &attachments, const QString &date) {
+    Handle associated = Handle::newArray();
+    QPDFEmbeddedFileDocumentHelper files(document);
+    for (const PdfAttachment &attachment : attachments) {
+        auto stream = QPDFEFStreamObjectHelper::createEFStream(document, attachment.bytes.toStdString());
+        stream.setSubtype(attachment.mimeType.toStdString());
+        if (!date.isEmpty()) {
+            stream.setCreationDate(pdfDate(date));
+            stream.setModDate(pdfDate(date));
+        }
+        const std::string name = attachment.name.toStdString();
+        auto file = QPDFFileSpecObjectHelper::createFileSpec(document, name, stream);
+        file.setDescription(attachment.description.toStdString());
+        file.getObjectHandle().replaceKey("/AFRelationship", Handle::newName(attachment.relationship));
+        files.replaceEmbeddedFile(name, file);
+        associated.appendItem(file.getObjectHandle());
+    }
+    if (!attachments.empty())
+        document.getRoot().replaceKey("/AF", associated);
+}
+
+double heightOf(Handle page) {
+    return page.getKey("/MediaBox").getArrayItem(3).getNumericValue();
+}
+
+/// The whole width of a page from this place on, at the size it is shown in.
+Handle destination(const std::vector<Handle> &pages, const PdfPlace &place) {
+    const Handle &page = pages.at(static_cast<std::size_t>(place.page));
+    return Handle::newArray({page, Handle::newName("/XYZ"), Handle::newInteger(0),
+                             Handle::newReal(heightOf(page) - place.y, 2), Handle::newNull()});
+}
+
+void addLinks(QPDF &document, const std::vector<Handle> &pages, const std::vector<PdfLink> &links) {
+    for (const PdfLink &link : links) {
+        Handle page = pages.at(static_cast<std::size_t>(link.page));
+        const double height = heightOf(page);
+        Handle annotation = Handle::parse("<< /Type /Annot /Subtype /Link /F 4 /Border [0 0 0] >>");
+        annotation.replaceKey("/Rect", Handle::newArray({Handle::newReal(link.area.left(), 2),
+                                                         Handle::newReal(height - link.area.bottom(), 2),
+                                                         Handle::newReal(link.area.right(), 2),
+                                                         Handle::newReal(height - link.area.top(), 2)}));
+        annotation.replaceKey("/Dest", destination(pages, link.target));
+        if (!page.hasKey("/Annots"))
+            page.replaceKey("/Annots", Handle::newArray());
+        page.getKey("/Annots").appendItem(document.makeIndirectObject(annotation));
+    }
+}
+
+/// Ties the items of one level below `parent`, with `shown` of them and theirs open.
+void tie(Handle parent, std::vector<Handle> &items, std::size_t shown) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        items[i].replaceKey("/Parent", parent);
+        if (i > 0)
+            items[i].replaceKey("/Prev", items[i - 1]);
+        if (i + 1 < items.size())
+            items[i].replaceKey("/Next", items[i + 1]);
+    }
+    if (items.empty())
+        return;
+    parent.replaceKey("/First", items.front());
+    parent.replaceKey("/Last", items.back());
+    parent.replaceKey("/Count", Handle::newInteger(static_cast<long long>(shown)));
+}
+
+void addBookmarks(QPDF &document, const std::vector<Handle> &pages,
+                  const std::vector<PdfBookmark> &bookmarks) {
+    if (bookmarks.empty())
+        return;
+    Handle outline = document.makeIndirectObject(Handle::parse("<< /Type /Outlines >>"));
+    std::vector<Handle> above;
+    std::vector<Handle> below;
+    for (const PdfBookmark &bookmark : bookmarks) {
+        Handle item = document.makeIndirectObject(Handle::newDictionary());
+        item.replaceKey("/Title", text(bookmark.title));
+        item.replaceKey("/Dest", destination(pages, bookmark.target));
+        if (bookmark.level == 0 || above.empty()) {
+            if (!above.empty())
+                tie(above.back(), below, below.size());
+            below.clear();
+            above.push_back(item);
+        } else {
+            below.push_back(item);
+        }
+    }
+    tie(above.back(), below, below.size());
+    tie(outline, above, bookmarks.size());
+    document.getRoot().replaceKey("/Outlines", outline);
 }
 
 } // namespace
@@ -27,21 +142,18 @@ QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
     document.setSuppressWarnings(true);
     document.processMemoryFile("report", pdf.constData(), static_cast<std::size_t>(pdf.size()));
 
-    QPDFObjectHandle root = document.getRoot();
-    root.replaceKey("/Lang", text(properties.language));
-    root.removeKey("/Metadata");
-    root.replaceKey("/ViewerPreferences", QPDFObjectHandle::parse("<< /DisplayDocTitle true >>"));
-
-    QPDFObjectHandle information = QPDFObjectHandle::newDictionary();
-    information.replaceKey("/Title", text(properties.title));
-    information.replaceKey("/Creator", text(QStringLiteral("Palmer")));
-    if (!properties.author.isEmpty())
-        information.replaceKey("/Author", text(properties.author));
-    if (!properties.date.isEmpty()) {
-        information.replaceKey("/CreationDate", pdfDate(properties.date));
-        information.replaceKey("/ModDate", pdfDate(properties.date));
-    }
-    document.getTrailer().replaceKey("/Info", document.makeIndirectObject(information));
+    Handle root = document.getRoot();
+    root.replaceKey("/Lang", text(properties.metadata.language));
+    root.replaceKey("/ViewerPreferences", Handle::parse("<< /DisplayDocTitle true >>"));
+    root.replaceKey("/PageLabels", Handle::parse("<< /Nums [0 << /S /D >>] >>"));
+    setMetadata(document, properties.metadata);
+    setInformation(document, properties.metadata);
+    document.getTrailer().removeKey("/ID"); // drawn by lot
+    root.removeKey("/Names");
+    attach(document, properties.attachments, properties.metadata.date);
+    const std::vector<Handle> &pages = document.getAllPages();
+    addLinks(document, pages, properties.links);
+    addBookmarks(document, pages, properties.bookmarks);
 
     QPDFWriter writer(document);
     writer.setOutputMemory();

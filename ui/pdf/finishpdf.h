@@ -1,21 +1,53 @@
 #pragma once
 
+#include "proof/reportmetadata.h"
+
 #include <QByteArray>
+#include <QRectF>
 #include <QString>
+#include <vector>
 
 namespace palmer::ui {
 
-/// What a PDF says about itself.
-struct PdfProperties {
+/// A file inside a PDF.
+struct PdfAttachment {
+    QString name;
+    QByteArray mimeType;
+    const char *relationship; ///< "/Source", "/Data"
+    QString description;
+    QByteArray bytes;
+};
+
+/// The top of what is shown there.
+struct PdfPlace {
+    int page = 0; ///< from 0
+    double y = 0; ///< points from the top
+};
+
+/// Level 0 or, below the last one of level 0, level 1.
+struct PdfBookmark {
+    int level = 0;
     QString title;
-    QString author;
-    QString language; ///< "en", "fr"
-    QString date;     ///< YYYY-MM-DD; empty: the PDF carries none
+    PdfPlace target;
+};
+
+struct PdfLink {
+    int page = 0;
+    QRectF area; ///< points from the top left corner
+    PdfPlace target;
+};
+
+/// What a PDF says about itself, and what it carries beside its pages.
+struct PdfProperties {
+    ReportMetadata metadata;
+    std::vector<PdfAttachment> attachments;
+    std::vector<PdfBookmark> bookmarks;
+    std::vector<PdfLink> links;
 };
 
 /// Takes out of a PDF what comes from the clock and the machine it was written on, and puts in what the
-/// report says: the same pages and properties give the same bytes. Throws std::runtime_error when `pdf` is no
-/// PDF.
+/// report says: the same pages and properties give the same bytes. With an output intent in `pdf` the result
+/// is a PDF/A-3b. Throws std::runtime_error when `pdf` is no PDF.
 [[nodiscard]] QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties);
 
 } // namespace palmer::ui

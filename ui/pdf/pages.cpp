@@ -175,6 +175,7 @@ class PageMaker {
 public:
     PageMaker(const Report &report, QSizeF size)
         : m_report(report)
+        , m_inTest(inTest(report.blocks))
         , m_size(size)
         , m_width(size.width() - leftMargin - rightMargin) {}
 
@@ -208,6 +209,10 @@ private:
                 y += wide ? wideGap(strip) : strip.gap;
             if (strip.draw)
                 page.parts.push_back({{leftMargin, y}, strip.draw});
+            if (strip.block >= 0)
+                addBookmark(page, static_cast<std::size_t>(strip.block), y);
+            if (!strip.link.isEmpty())
+                page.links.push_back({QRectF(leftMargin, y, m_width, strip.height), strip.link});
             y += strip.height;
         }
         const bool tableGoesOn =
@@ -218,6 +223,30 @@ private:
                      drawRule(painter, at, width, outerRule);
                  }});
         }
+    }
+
+    /// Of sections within a test the bookmark stands below that of the test.
+    void addBookmark(PrintedPage &page, std::size_t index, double y) const {
+        const Block &block = m_report.blocks[index];
+        if (const auto *head = std::get_if<TestHead>(&block))
+            page.bookmarks.push_back(
+                {0, head->subtitle.isEmpty() ? head->title : head->subtitle, y, head->anchor});
+        else if (const auto *heading = std::get_if<Heading>(&block); heading && heading->level <= 2)
+            page.bookmarks.push_back({m_inTest[index] ? 1 : 0, heading->text, y, heading->anchor});
+    }
+
+    /// Of each block, whether it belongs to the head of a test above it; a new page without head ends that.
+    static std::vector<bool> inTest(const std::vector<Block> &blocks) {
+        std::vector<bool> result;
+        bool within = false;
+        for (const Block &block : blocks) {
+            if (std::holds_alternative<PageBreak>(block))
+                within = false;
+            else if (std::holds_alternative<TestHead>(block))
+                within = true;
+            result.push_back(within);
+        }
+        return result;
     }
 
     void addRunningHead(PrintedPage &page, const RunningHead &running) const {
@@ -249,6 +278,7 @@ private:
     }
 
     const Report &m_report;
+    std::vector<bool> m_inTest;
     QSizeF m_size;
     double m_width;
 };

@@ -3,6 +3,7 @@
 #include "report/report.h"
 
 #include <QPointF>
+#include <QRectF>
 #include <QSizeF>
 #include <functional>
 #include <vector>
@@ -17,10 +18,26 @@ struct PagePart {
     std::function<void(QPainter &, QPointF)> draw;
 };
 
+/// The beginning of a test (level 0, also what stands behind the last test) or of a section in it (1).
+struct Bookmark {
+    int level = 0;
+    QString title;
+    double y = 0;   ///< points from the top
+    QString anchor; ///< what links lead to it by; may be empty
+};
+
+/// An area that leads to the place of the bookmark with this anchor, on whatever page that stands.
+struct PageLink {
+    QRectF area;
+    QString anchor;
+};
+
 /// A page ready to be drawn; it needs nothing of the report it was made from. Size in points.
 struct PrintedPage {
     QSizeF size;
     std::vector<PagePart> parts; ///< in the order of reading; running head first, footer last
+    std::vector<Bookmark> bookmarks = {};
+    std::vector<PageLink> links = {};
 };
 
 using Pages = std::vector<PrintedPage>;

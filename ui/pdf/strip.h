@@ -27,6 +27,7 @@ struct Strip {
     bool pageBreak = false;             ///< nothing but the end of a page
     std::optional<RunningHead> running; ///< nothing but the running head from here on
     int block = -1;                     ///< index of the block that it begins
+    QString link;                       ///< the anchor it leads to
 };
 
 constexpr double sectionGap = 6 * mm; ///< usual gap above a section

@@ -221,9 +221,10 @@ struct RowEdges {
     double below = 0;
     bool groupEnds = false;
     bool tableEnds = false;
+    QString link = {};
 };
 
-void addRow(Strips &strips, Row row, double lineHeight, double width, RowEdges edges,
+void addRow(Strips &strips, Row row, double lineHeight, double width, const RowEdges &edges,
             const std::shared_ptr<Strip> &head) {
     const double height = static_cast<double>(row.lines) * lineHeight;
     std::vector<Row> parts;
@@ -240,6 +241,7 @@ void addRow(Strips &strips, Row row, double lineHeight, double width, RowEdges e
         strip.height = above + static_cast<double>(parts[i].lines) * lineHeight + (last ? edges.below : 0);
         strip.head = head;
         strip.closingRule = width;
+        strip.link = edges.link;
         strip.draw = [part = std::make_shared<Row>(std::move(parts[i])), above, width, height = strip.height,
                       group = last && edges.groupEnds,
                       end = last && edges.tableEnds](QPainter &painter, QPointF at) {
@@ -413,7 +415,8 @@ Strips tableStrips(const Table &table, double width) {
         const bool last = r + 1 == table.rows.size();
         const bool group = std::binary_search(table.rulesAfter.begin(), table.rulesAfter.end(), r);
         addRow(strips, std::move(row), textSize * cellStyle.leading, width,
-               {rowPadding, rowPadding, group, last}, head);
+               {rowPadding, rowPadding, group, last, r < table.links.size() ? table.links[r] : QString()},
+               head);
     }
     if (table.headless && !strips.empty()) {
         strips.front().draw = [draw = strips.front().draw, width](QPainter &painter, QPointF at) {

@@ -8,6 +8,8 @@
 #include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
+#include <algorithm>
+#include <map>
 
 namespace palmer::ui {
 
@@ -20,6 +22,7 @@ QByteArray pagesAsPdf(const Pages &pages) {
     QBuffer buffer(&pdf);
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
+    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b); // output intent, nothing transparent
     writer.setResolution(dotsPerInch);
     writer.setPageLayout(QPageLayout(
         QPageSize(pages.front().size, QPageSize::Point, QString(), QPageSize::FuzzyOrientationMatch),
@@ -39,11 +42,56 @@ QByteArray pagesAsPdf(const Pages &pages) {
     return pdf;
 }
 
+/// One line of a property: control characters are no part of a title.
+QString oneLine(QString text) {
+    std::ranges::replace_if(
+        text, [](QChar c) { return c.category() == QChar::Other_Control; }, u' ');
+    return text;
+}
+
+std::vector<PdfAttachment> attachmentsOf(const Report &report, const QByteArray &results) {
+    std::vector<PdfAttachment> attachments;
+    if (!report.testFile.isEmpty())
+        attachments.push_back({report.testFileName, "application/vnd.palmer+json", "/Source",
+                               QStringLiteral("Test file"), report.testFile});
+    if (!results.isEmpty())
+        attachments.push_back({QStringLiteral("results.json"), "application/json", "/Data",
+                               QStringLiteral("Results"), results});
+    return attachments;
+}
+
+PdfPlace placeOf(std::size_t page, double y) {
+    return {static_cast<int>(page), y};
+}
+
+/// Bookmarks of all pages, and the links to those that have an anchor.
+void addNavigation(PdfProperties &properties, const Pages &pages) {
+    std::map<QString, PdfPlace> anchors;
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        for (const Bookmark &bookmark : pages[i].bookmarks) {
+            properties.bookmarks.push_back({bookmark.level, oneLine(bookmark.title), placeOf(i, bookmark.y)});
+            if (!bookmark.anchor.isEmpty())
+                anchors.emplace(bookmark.anchor, placeOf(i, bookmark.y));
+        }
+    }
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        for (const PageLink &link : pages[i].links) {
+            if (const auto target = anchors.find(link.anchor); target != anchors.end())
+                properties.links.push_back({static_cast<int>(i), link.area, target->second});
+        }
+    }
+}
+
 } // namespace
 
-void writePdf(const Report &report, QIODevice &device) {
-    const QByteArray pdf = finishPdf(pagesAsPdf(layoutPages(report)),
-                                     {report.title, report.laboratory, report.language, report.date});
+void writePdf(const Report &report, QIODevice &device, const QByteArray &results) {
+    const Pages pages = layoutPages(report);
+    PdfProperties properties;
+    properties.metadata = {oneLine(report.title), oneLine(report.laboratory), report.language, report.date,
+                           report.making};
+    properties.attachments = attachmentsOf(report, results);
+    addNavigation(properties, pages);
+    const QByteArray pdf = finishPdf(pagesAsPdf(pages), properties);
     if (device.write(pdf) != pdf.size())
         throw Error(
             Error::Kind::unwritable,

@@ -6,9 +6,11 @@
 
 namespace palmer::ui {
 
-/// Writes the report as a PDF: vectors and text, fonts embedded, with title and language. The same report
-/// gives the same bytes at any time, place and locale, provided QHashSeed::setDeterministicGlobalSeed() was
-/// called before the QApplication. Throws Error(unwritable) when the device does not take all.
-void writePdf(const Report &report, QIODevice &device);
+/// Writes the report as a PDF/A-3b: vectors and text, fonts embedded, with title, language, bookmarks and
+/// links; its test file and the `results` (of attachedResults; empty: none) as associated files. The same
+/// report gives the same bytes at any time, place and locale, provided
+/// QHashSeed::setDeterministicGlobalSeed() was called before the QApplication. Throws Error(unwritable) when
+/// the device does not take all.
+void writePdf(const Report &report, QIODevice &device, const QByteArray &results = {});
 
 } // namespace palmer::ui

@@ -1,6 +1,7 @@
 #include "ui/window/mainwindow.h"
 #include "ui/sizeonscreen.h"
 
+#include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
 #include "editing/newtest.h"
@@ -17,6 +18,8 @@
 #include "ui/help/helpwindow.h"
 #include "ui/import/importassistant.h"
 #include "ui/model/editname.h"
+#include "ui/proof/reportbar.h"
+#include "ui/proof/verifyreport.h"
 #include "ui/readings/readingspage.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
@@ -93,6 +96,7 @@ MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
     , m_centre(new QWidget(this))
     , m_notice(new NoticeBar(m_centre))
+    , m_reportBar(new ReportBar(m_centre))
     , m_stack(new QStackedWidget(m_centre))
     , m_welcome(new WelcomePage(m_stack))
     , m_workplace(new Workplace(m_model, m_evaluator, m_stack)) {
@@ -108,6 +112,7 @@ MainWindow::MainWindow(QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_notice);
+    column->addWidget(m_reportBar);
     column->addWidget(m_stack, 1);
     makeActions();
     makeToolBar();
@@ -122,6 +127,7 @@ MainWindow::MainWindow(QWidget *parent)
 }
 
 MainWindow::~MainWindow() {
+    m_stopReading.request_stop();
     m_reader.waitForDone();
     m_model.undoStack()->disconnect(this);
     m_model.disconnect(this);
@@ -435,7 +441,7 @@ void MainWindow::chooseFile() {
                        QSettings().value(QStringLiteral("window/folder")).toString());
     dialog.setObjectName(QStringLiteral("openDialog"));
     dialog.setFileMode(QFileDialog::ExistingFiles);
-    dialog.setNameFilters({tr("Test files (*.palmer)"), tr("All files (*)")});
+    dialog.setNameFilters({tr("Test files and reports (*.palmer *.pdf)"), tr("All files (*)")});
     if (dialog.exec() != QDialog::Accepted)
         return;
     QSettings().setValue(QStringLiteral("window/folder"), dialog.directory().absolutePath());
@@ -523,7 +529,8 @@ void MainWindow::openFile(const QString &path) {
     const QString whole = isExample(path) ? path : QFileInfo(path).absoluteFilePath();
     for (QWidget *widget : QApplication::topLevelWidgets()) {
         auto *other = qobject_cast<MainWindow *>(widget);
-        if (other && !isExample(whole) && other->hasDocument() && other->m_model.path() == whole) {
+        if (other && !isExample(whole) && other->hasDocument() &&
+            (other->m_model.path() == whole || other->m_reportPath == whole)) {
             other->raise();
             other->activateWindow();
             return;
@@ -533,10 +540,15 @@ void MainWindow::openFile(const QString &path) {
 }
 
 void MainWindow::read(const QString &path) {
-    using Outcome = std::variant<Document, Error>;
-    const auto open = [path]() -> Outcome {
+    using Outcome = std::variant<std::monostate, Document, OpenedReport, Error>;
+    const auto open = [path, stop = m_stopReading.get_token()]() -> Outcome {
         try {
-            return openDocument(path);
+            const QByteArray bytes = readBytes(path);
+            if (!isPdf(bytes))
+                return readDocument(bytes);
+            if (auto report = openReport(bytes, 0, stop))
+                return std::move(*report);
+            return {}; // the window is being closed
         } catch (const Error &error) {
             return error;
         }
@@ -544,10 +556,13 @@ void MainWindow::read(const QString &path) {
     const auto finish = [this, path](Outcome outcome) {
         if (auto *error = std::get_if<Error>(&outcome))
             showError(tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), path, *error);
-        else
-            take(std::move(std::get<Document>(outcome)), path);
+        else if (auto *report = std::get_if<OpenedReport>(&outcome))
+            takeReport(*report, path);
+        else if (auto *document = std::get_if<Document>(&outcome))
+            take(std::move(*document), path);
     };
-    if (QFileInfo(path).size() <= readAtOnce) {
+    const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulations
+    if (QFileInfo(path).size() <= readAtOnce && !mayTakeLong) {
         finish(open());
         return;
     }
@@ -568,22 +583,36 @@ void MainWindow::read(const QString &path) {
     });
 }
 
-MainWindow *MainWindow::take(Document document, const QString &path, bool modified) {
+MainWindow *MainWindow::take(Document document, const QString &path, bool modified,
+                             const QString &reportPath) {
     if (m_open) {
         auto *other = new MainWindow;
         other->resize(size());
         other->move(pos() + QPoint(24, 24));
         other->show();
-        return other->take(std::move(document), path, modified);
+        return other->take(std::move(document), path, modified, reportPath);
     }
     m_open = true;
     m_savedAt.clear();
+    m_reportPath = reportPath;
     m_rememberNext = !isExample(path);
     m_stack->setCurrentWidget(m_workplace); // has its size before it is filled
     m_model.setDocument(std::move(document), isExample(path) ? QString() : path, modified);
     watchFile();
     showState();
     return this;
+}
+
+void MainWindow::takeReport(const OpenedReport &report, const QString &path) {
+    MainWindow *window = take(*report.evaluated.document, {}, false, path);
+    const auto verify = [window, report] {
+        try {
+            window->m_reportBar->showResult(verifyReport(report));
+        } catch (const Error &error) {
+            window->m_reportBar->showProblem(error.message);
+        }
+    };
+    QMetaObject::invokeMethod(window, verify, Qt::QueuedConnection); // the document is seen before
 }
 
 std::optional<Test> MainWindow::askForTest(Kind kind, bool ofThisFile) {
@@ -799,7 +828,10 @@ bool MainWindow::saveAs() {
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters({tr("Test files (*.palmer)"), tr("All files (*)")});
     dialog.setDefaultSuffix(QStringLiteral("palmer"));
-    if (m_model.path().isEmpty())
+    const QFileInfo report(m_reportPath);
+    if (!m_reportPath.isEmpty() && m_model.path().isEmpty())
+        dialog.selectFile(report.dir().filePath(report.completeBaseName() + QStringLiteral(".palmer")));
+    else if (m_model.path().isEmpty())
         dialog.setDirectory(QSettings().value(QStringLiteral("window/folder")).toString());
     else
         dialog.selectFile(m_model.path());
@@ -823,8 +855,9 @@ bool MainWindow::saveTo(const QString &path) {
 }
 
 void MainWindow::remember() {
-    if (!m_model.path().isEmpty())
-        rememberFile(describeFile(m_model.path(), m_evaluator.current()));
+    const QString path = m_model.path().isEmpty() ? m_reportPath : m_model.path();
+    if (!path.isEmpty())
+        rememberFile(describeFile(path, m_evaluator.current()));
 }
 
 QString MainWindow::notTaken(const QStringList &refused) {
@@ -964,8 +997,10 @@ void MainWindow::showState() {
         return;
     }
     setWindowFilePath(m_model.path());
-    const QString name = m_model.path().isEmpty() ? QString::fromStdString(m_model.document()->report.title)
-                                                  : QFileInfo(m_model.path()).fileName();
+    QString name = QFileInfo(m_model.path()).fileName();
+    if (m_model.path().isEmpty())
+        name = m_reportPath.isEmpty() ? QString::fromStdString(m_model.document()->report.title)
+                                      : tr("%1 (copy)").arg(QFileInfo(m_reportPath).fileName());
     setWindowTitle(QStringLiteral("%1[*] — Palmer").arg(name.isEmpty() ? tr("Untitled") : name));
     setWindowModified(isUnsaved());
     if (!m_reading.isEmpty())
@@ -978,7 +1013,9 @@ void MainWindow::showState() {
     else if (!m_savedAt.isEmpty())
         m_state->setText(tr("Saved at %1").arg(m_savedAt));
     else
-        m_state->setText(m_model.path().isEmpty() ? tr("Example") : QString());
+        m_state->setText(!m_model.path().isEmpty() ? QString()
+                         : m_reportPath.isEmpty()  ? tr("Example")
+                                                   : tr("Copy of the test file in a report"));
 }
 
 void MainWindow::showReport() {

@@ -12,6 +12,7 @@
 #include <QMainWindow>
 #include <QPointer>
 #include <QThreadPool>
+#include <stop_token>
 
 class QLabel;
 class QMenu;
@@ -23,8 +24,10 @@ namespace palmer::ui {
 class HelpWindow;
 class ImportAssistant;
 class NoticeBar;
+class ReportBar;
 class WelcomePage;
 class Workplace;
+struct OpenedReport;
 
 /// One window, one file. Builds the parts and connects them; computes nothing.
 class MainWindow : public QMainWindow {
@@ -36,6 +39,7 @@ public:
 
     /// Opens a test file: here when nothing is open, else in another window; a file that is open already is
     /// brought to the front. What cannot be opened is said in one sentence, and nothing changes.
+    /// A report (PDF) opens as a copy of the test file inside it, with a bar that says whether it follows.
     /// A file that is no test file is a measurement: it goes to the import assistant, several one after the
     /// other.
     void openFile(const QString &path);
@@ -95,7 +99,10 @@ private:
     bool mayForget(const QStringList &refused);
     [[nodiscard]] static QString notTaken(const QStringList &refused);
     void read(const QString &path);
-    MainWindow *take(Document document, const QString &path, bool modified = false);
+    /// Opens what a report was made from, and verifies the report.
+    void takeReport(const OpenedReport &report, const QString &path);
+    MainWindow *take(Document document, const QString &path, bool modified = false,
+                     const QString &reportPath = {});
     /// `ofThisFile`: the statements of the test in view may be taken over.
     [[nodiscard]] std::optional<Test> askForTest(Kind kind, bool ofThisFile);
     void newFile(Kind kind);
@@ -128,6 +135,8 @@ private:
     FileWatch m_watch;
     QThreadPool m_reader;
     QStringList m_reading; ///< files being read on that thread
+    std::stop_source m_stopReading;
+    QString m_reportPath; ///< of the report that the document was opened from; empty: it was not
     bool m_open = false;
     bool m_rememberNext = false;
     QStringList m_toImport; ///< measurement files that wait for the assistant
@@ -140,6 +149,7 @@ private:
 
     QWidget *m_centre; ///< made first: whatever moves to another parent costs all styles below it anew
     NoticeBar *m_notice;
+    ReportBar *m_reportBar;
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;
     Workplace *m_workplace;

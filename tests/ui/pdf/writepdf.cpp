@@ -7,6 +7,9 @@
 #include <QApplication>
 #include <QHashSeed>
 #include <ctime>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFOutlineDocumentHelper.hh>
+#include <set>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -165,6 +168,11 @@ private slots:
     void logoIsPartOfTheHead();
     void isSoundForOtherReaders();
     void saysThatTheDeviceIsFull();
+    void isArchivalWithItsData_data() { addStoredDocuments(); }
+    void isArchivalWithItsData();
+    void bookmarksAndLinksLeadToTheirPages();
+    void attachedNamesAreNamesOfFiles_data();
+    void attachedNamesAreNamesOfFiles();
 };
 
 void WritePdf::textIsThatOfTheReport() {
@@ -296,6 +304,165 @@ void WritePdf::saysThatTheDeviceIsFull() {
     } catch (const Error &error) {
         QCOMPARE(error.kind, Error::Kind::unwritable);
     }
+}
+
+/// What ISO 19005-3 asks of such a file and no packaged program checks, piece by piece.
+void WritePdf::isArchivalWithItsData() {
+    QFETCH(const QString, name);
+    QFETCH(const Language::Id, language);
+    const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(storedDocument(name)));
+    const Report report = composeReport(evaluated, Language(language), {u"Palmer 0.1.0"_s, true, {}, {}});
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    ui::writePdf(report, buffer, attachedResults(evaluated));
+    const QByteArray bytes = buffer.data();
+    QVERIFY(bytes.startsWith("%PDF-1.7\n%"));
+    QVERIFY(static_cast<uchar>(bytes[10]) > 127 && static_cast<uchar>(bytes[11]) > 127); // a binary comment
+
+    QPDF pdf;
+    pdf.processMemoryFile("report", bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    QPDFObjectHandle root = pdf.getRoot();
+    QVERIFY(!pdf.isEncrypted());
+    QVERIFY(pdf.getTrailer().getKey("/ID").isArray());
+    QCOMPARE(QString::fromStdString(root.getKey("/Lang").getUTF8Value()), report.language);
+    for (const char *forbidden : {"/OpenAction", "/AA", "/AcroForm", "/OCProperties"})
+        QVERIFY2(!root.hasKey(forbidden), forbidden);
+
+    // One profile of colours, for red, green and blue; it is unpacked where it says so itself.
+    QCOMPARE(root.getKey("/OutputIntents").getArrayNItems(), 1);
+    QPDFObjectHandle intent = root.getKey("/OutputIntents").getArrayItem(0);
+    QCOMPARE(intent.getKey("/S").getName(), "/GTS_PDFA1");
+    QPDFObjectHandle profile = intent.getKey("/DestOutputProfile");
+    QCOMPARE(profile.getDict().getKey("/N").getIntValue(), 3LL);
+    const auto icc = profile.getStreamData();
+    const QByteArray data(reinterpret_cast<const char *>(icc->getBuffer()),
+                          static_cast<qsizetype>(icc->getSize()));
+    QCOMPARE(data.mid(36, 4), "acsp");
+    QCOMPARE(data.mid(12, 8), "mntrRGB ");
+
+    // The packet is not packed, and says what the dictionary says.
+    QPDFObjectHandle metadata = root.getKey("/Metadata");
+    QVERIFY(!metadata.getDict().hasKey("/Filter"));
+    const auto packet = metadata.getStreamData();
+    const QString xmp = QString::fromUtf8(reinterpret_cast<const char *>(packet->getBuffer()),
+                                          static_cast<qsizetype>(packet->getSize()));
+    for (const QString &expected :
+         {u"<pdfaid:part>3</pdfaid:part>"_s, u"<pdfaid:conformance>B</pdfaid:conformance>"_s,
+          report.title.toHtmlEscaped(), u"<xmp:CreatorTool>Palmer</xmp:CreatorTool>"_s,
+          u"<pdfaSchema:prefix>palmer</pdfaSchema:prefix>"_s, u"<rdf:li>%1</rdf:li>"_s.arg(report.language)})
+        QVERIFY2(xmp.contains(expected), qPrintable(expected));
+    QPDFObjectHandle information = pdf.getTrailer().getKey("/Info");
+    QCOMPARE(QString::fromStdString(information.getKey("/Title").getUTF8Value()), report.title);
+    QCOMPARE(information.hasKey("/CreationDate"), xmp.contains(u"<xmp:CreateDate>"));
+
+    // Both files, associated, typed, named, and byte for byte.
+    QPDFObjectHandle files = root.getKey("/AF");
+    QCOMPARE(files.getArrayNItems(), 2);
+    const struct {
+        const char *relationship;
+        const char *type;
+        QString name;
+        QByteArray content;
+    } expected[]{{"/Source", "/application/vnd.palmer+json", report.testFileName, report.testFile},
+                 {"/Data", "/application/json", u"results.json"_s, attachedResults(evaluated)}};
+    for (int i = 0; i < 2; ++i) {
+        QPDFObjectHandle file = files.getArrayItem(i);
+        QCOMPARE(file.getKey("/AFRelationship").getName(), expected[i].relationship);
+        for (const char *key : {"/F", "/UF"})
+            QCOMPARE(QString::fromStdString(file.getKey(key).getUTF8Value()), expected[i].name);
+        QPDFObjectHandle stream = file.getKey("/EF").getKey("/F");
+        QCOMPARE(stream.getDict().getKey("/Subtype").getName(), expected[i].type);
+        const auto content = stream.getStreamData();
+        QCOMPARE(QByteArray(reinterpret_cast<const char *>(content->getBuffer()),
+                            static_cast<qsizetype>(content->getSize())),
+                 expected[i].content);
+        QCOMPARE(stream.getDict().getKey("/Params").hasKey("/ModDate"), !report.date.isEmpty());
+    }
+    QCOMPARE(fingerprint(expected[0].content), report.fingerprint);
+
+    // Nothing transparent, no annotation that is not printed, every font inside.
+    for (QPDFObjectHandle object : pdf.getAllObjects()) {
+        if (object.isStream())
+            object = object.getDict();
+        if (!object.isDictionary())
+            continue;
+        for (const char *key : {"/CA", "/ca"})
+            QVERIFY(!object.hasKey(key) || object.getKey(key).getNumericValue() == 1);
+        QVERIFY(!object.hasKey("/SMask") || object.getKey("/SMask").isName());
+        QVERIFY(!object.hasKey("/JS") && !object.hasKey("/Launch"));
+        if (object.isDictionaryOfType("/Annot"))
+            QCOMPARE(object.getKey("/F").getIntValue(), 4LL);
+        if (object.isDictionaryOfType("/FontDescriptor"))
+            QVERIFY(object.getKey("/FontFile2").isStream());
+    }
+}
+
+void WritePdf::bookmarksAndLinksLeadToTheirPages() {
+    const Report report = reportOf(storedDocument(u"mixed"_s), Language::Id::english);
+    const QByteArray bytes = pdfOf(report);
+    const QStringList pages = pageTexts(bytes);
+    QPDF pdf;
+    pdf.processMemoryFile("report", bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    const auto &all = pdf.getAllPages();
+    const auto pageOf = [&](QPDFObjectHandle destination) {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (QPDFObjectHandle(all[i]).getObjGen() == destination.getArrayItem(0).getObjGen())
+                return static_cast<qsizetype>(i);
+        }
+        return qsizetype(-1);
+    };
+    int tests = 0, sections = 0;
+    QPDFOutlineDocumentHelper outline(pdf);
+    for (QPDFOutlineObjectHelper test : outline.getTopLevelOutlines()) {
+        ++tests;
+        std::vector<QPDFOutlineObjectHelper> items = test.getKids();
+        sections += static_cast<int>(items.size());
+        items.push_back(test);
+        for (QPDFOutlineObjectHelper &item : items) {
+            const qsizetype page = pageOf(item.getDest());
+            QVERIFY(page >= 0);
+            const QString title = squeezed(QString::fromStdString(item.getTitle()));
+            QVERIFY2(squeezed(pages[page]).contains(title), qPrintable(title));
+        }
+    }
+    qsizetype heads = 0;
+    for (const Block &block : report.blocks)
+        heads += std::holds_alternative<TestHead>(block) ? 1 : 0;
+    QVERIFY(heads > 2);
+    QVERIFY2(tests > heads, "summary, tests, and what stands behind them");
+    QVERIFY(sections > 3 * heads);
+    // From the summary to each test, and from the verdict of a test to its findings.
+    QPDFObjectHandle first = all.front();
+    std::set<qsizetype> targets;
+    QPDFObjectHandle links = first.getKey("/Annots");
+    for (int i = 0; i < links.getArrayNItems(); ++i)
+        targets.insert(pageOf(links.getArrayItem(i).getKey("/Dest")));
+    QCOMPARE(qsizetype(targets.size()), heads - 1);
+    QVERIFY(!targets.contains(-1) && !targets.contains(0));
+    int others = 0;
+    for (std::size_t i = 1; i < all.size(); ++i)
+        others += QPDFObjectHandle(all[i]).hasKey("/Annots") ? 1 : 0;
+    QVERIFY(others > 0);
+    QCOMPARE(pdf.getRoot().getKey("/PageLabels").getKey("/Nums").getArrayNItems(), 2);
+}
+
+void WritePdf::attachedNamesAreNamesOfFiles_data() {
+    QTest::addColumn<QString>("number");
+    QTest::addColumn<QString>("name");
+    QTest::newRow("a number") << u"2026-0117"_s << u"2026-0117.palmer"_s;
+    QTest::newRow("none") << QString() << u"report.palmer"_s;
+    QTest::newRow("folders") << u"../etc/R:1\\2"_s << u"etc-R-1-2.palmer"_s;
+    QTest::newRow("control characters") << u"a\nb\u202Ec"_s << u"a-b-c.palmer"_s;
+    QTest::newRow("an option") << u"--help"_s << u"help.palmer"_s;
+    QTest::newRow("letters of any language") << u"Nº 7é"_s << u"Nº 7é.palmer"_s;
+}
+
+void WritePdf::attachedNamesAreNamesOfFiles() {
+    QFETCH(const QString, number);
+    QFETCH(const QString, name);
+    Document document;
+    document.report.number = number.toStdString();
+    QCOMPARE(attachedFileName(document), name);
 }
 
 int main(int argc, char **argv) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "kernel/simulation/simulate.h"
+#include "language/language.h"
+
+#include <chrono>
+
+namespace palmer {
+
+/// How far a simulation is: a line on a terminal that is written over and over, and taken away at the end.
+/// Where stderr is no terminal nothing is written.
+class ProgressLine {
+public:
+    explicit ProgressLine(const Language &language);
+    ~ProgressLine();
+    ProgressLine(const ProgressLine &) = delete;
+    ProgressLine &operator=(const ProgressLine &) = delete;
+
+    void show(const SimulationProgress &progress);
+
+private:
+    const Language &m_language;
+    bool m_terminal;
+    bool m_shown = false;
+    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+};
+
+} // namespace palmer

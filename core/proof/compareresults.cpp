@@ -1,0 +1,104 @@
+#include "document/documenterror.h"
+#include "document/json.h"
+#include "proof/comparewords.h"
+
+#include <nlohmann/json.hpp>
+
+namespace palmer {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t mostDifferences = 10'000;
+
+QString textOf(const json &value) {
+    constexpr qsizetype longest = 300;
+    const QString text = value.is_string() ? QString::fromStdString(value.get<std::string>())
+                                           : QString::fromStdString(compactJson(value));
+    return text.size() > longest ? text.left(longest) + u'…' : text;
+}
+
+class ResultsComparison {
+public:
+    explicit ResultsComparison(bool sameProgram)
+        : m_sameProgram(sameProgram) {}
+
+    void compare(const json &printed, const json &follows, const QString &path) {
+        if (m_found.size() >= mostDifferences || printed == follows)
+            return;
+        if (printed.is_object() && follows.is_object())
+            compareObjects(printed, follows, path);
+        else if (printed.is_array() && follows.is_array() && printed.size() == follows.size())
+            compareArrays(printed, follows, path);
+        else
+            add(textOf(printed), textOf(follows), path);
+    }
+
+    [[nodiscard]] std::vector<Difference> take() { return std::move(m_found); }
+
+private:
+    void add(const QString &printed, const QString &follows, const QString &path) {
+        Difference difference;
+        difference.printed = printed;
+        difference.follows = follows;
+        difference.context = QStringLiteral("results.json: ") + path;
+        m_found.push_back(std::move(difference));
+    }
+
+    void compareObjects(const json &printed, const json &follows, const QString &path) {
+        for (const auto &[key, value] : follows.items()) {
+            const QString place = (path.isEmpty() ? path : path + u'.') + QString::fromStdString(key);
+            if (!m_sameProgram && path.isEmpty() && key == "program")
+                continue;
+            if (const auto found = printed.find(key); found != printed.end())
+                compare(*found, value, place);
+            else if (m_sameProgram) // a newer program has more to say
+                add({}, textOf(value), place);
+        }
+        for (const auto &[key, value] : printed.items()) {
+            if (!follows.contains(key))
+                add(textOf(value), {}, (path.isEmpty() ? path : path + u'.') + QString::fromStdString(key));
+        }
+    }
+
+    void compareArrays(const json &printed, const json &follows, const QString &path) {
+        for (std::size_t i = 0; i < follows.size(); ++i)
+            compare(printed[i], follows[i], path + u'[' + QString::number(i) + u']');
+    }
+
+    bool m_sameProgram;
+    std::vector<Difference> m_found;
+};
+
+Difference said(Text what) {
+    Difference difference;
+    difference.what = Message{what, {}, {}};
+    return difference;
+}
+
+} // namespace
+
+std::vector<Difference> compareResults(const QByteArray &printed, const QByteArray &follows,
+                                       bool sameProgram) {
+    if (printed == follows)
+        return {};
+    if (printed.isEmpty())
+        return {
+            said(REPORT_TEXT("report", "the results (results.json) that the report carried are missing"))};
+    try {
+        const auto parsed = [](const QByteArray &bytes) {
+            return parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+        };
+        ResultsComparison comparison(sameProgram);
+        comparison.compare(parsed(printed), parsed(follows), {});
+        std::vector<Difference> found = comparison.take();
+        if (found.empty() && sameProgram)
+            return {said(REPORT_TEXT("report", "the results (results.json) are written in another form"))};
+        return found;
+    } catch (const Error &) {
+        return {said(REPORT_TEXT("report", "the results (results.json) cannot be read"))};
+    }
+}
+
+} // namespace palmer

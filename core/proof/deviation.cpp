@@ -1,0 +1,79 @@
+#include "proof/deviation.h"
+
+namespace palmer {
+
+namespace {
+
+Argument count(int value) {
+    return Number{static_cast<double>(value), Quantity::count, 0};
+}
+
+Difference said(int page, Text what, const QString &context = {}, std::vector<Argument> arguments = {}) {
+    Difference result;
+    result.page = page;
+    result.what = Message{what, std::move(arguments), {}};
+    result.context = context;
+    return result;
+}
+
+Difference at(const QRectF &area, Difference difference) {
+    difference.area = area;
+    return difference;
+}
+
+} // namespace
+
+Difference differenceOf(const Addition &addition) {
+    switch (addition.kind) {
+    case Addition::Kind::attachment:
+        return said(0, REPORT_TEXT("report", "a file was attached that the report did not carry"),
+                    addition.name);
+    case Addition::Kind::annotation:
+        return said(addition.page, REPORT_TEXT("report", "an annotation was put on the page"), addition.name);
+    case Addition::Kind::form:
+        return said(addition.page, REPORT_TEXT("report", "a form field was put on the page"));
+    case Addition::Kind::action:
+        break;
+    }
+    return said(
+        addition.page,
+        REPORT_TEXT("report", "the PDF does something that a report does not (action, layer, script)"),
+        addition.name);
+}
+
+Difference otherPageCount(int printed, int follows) {
+    return said(0, REPORT_TEXT("report", "pages of the PDF: %1; pages that follow from the data: %2"), {},
+                {count(printed), count(follows)});
+}
+
+Difference otherPageSize(int page) {
+    return said(page, REPORT_TEXT("report", "the page has another size, or not all of it is shown"));
+}
+
+Difference drawnOtherwise(int page, const QRectF &area, const QString &words) {
+    return at(area,
+              said(page, REPORT_TEXT("report", "the page is drawn otherwise than it follows from the data"),
+                   words));
+}
+
+Difference coveredBySignature(int page, const QRectF &area, const QString &words) {
+    return at(area, said(page, REPORT_TEXT("report", "a signature covers what is printed"), words));
+}
+
+Difference brokenSignature(const QString &signer) {
+    return said(0, REPORT_TEXT("report", "a signature is not valid: the file was changed after it"), signer);
+}
+
+Difference otherFileName(const QString &name) {
+    return said(0, REPORT_TEXT("report", "the attached test file has another name"), name);
+}
+
+Error unreadablePages() {
+    return {
+        Error::Kind::syntax,
+        {REPORT_TEXT("report", "the pages of this PDF cannot be read; ask for it again where it came from"),
+         {},
+         {}}};
+}
+
+} // namespace palmer

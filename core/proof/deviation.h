@@ -1,0 +1,24 @@
+#pragma once
+
+#include "document/documenterror.h"
+#include "proof/readreportpdf.h"
+#include "proof/verification.h"
+
+namespace palmer {
+
+// What may be wrong with a report beside its words and results, each as one difference.
+
+[[nodiscard]] Difference differenceOf(const Addition &addition);
+[[nodiscard]] Difference otherPageCount(int printed, int follows);
+[[nodiscard]] Difference otherPageSize(int page);
+/// The words of the page are the same, and it looks otherwise: in `area`, where these words stand.
+[[nodiscard]] Difference drawnOtherwise(int page, const QRectF &area, const QString &words);
+/// A signature that is seen hides words.
+[[nodiscard]] Difference coveredBySignature(int page, const QRectF &area, const QString &words);
+[[nodiscard]] Difference brokenSignature(const QString &signer);
+[[nodiscard]] Difference otherFileName(const QString &name);
+
+/// For pages that no reader can show, or not in reasonable time.
+[[nodiscard]] Error unreadablePages();
+
+} // namespace palmer

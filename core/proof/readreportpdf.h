@@ -1,0 +1,49 @@
+#pragma once
+
+#include "document/documenterror.h"
+#include "proof/reportmetadata.h"
+
+#include <QByteArray>
+#include <QByteArrayView>
+#include <QRectF>
+#include <QString>
+#include <vector>
+
+namespace palmer {
+
+/// Something that a report does not have when it is made, and that may show its reader other than what it
+/// says.
+struct Addition {
+    enum class Kind { action, form, attachment, annotation };
+    Kind kind = Kind::action;
+    int page = 0; ///< from 1; 0: of the whole file
+    QString name; ///< of the attachment, the key of the PDF
+};
+
+/// The place of a signature on a page, points from its top left corner.
+struct SignatureField {
+    int page = 1; ///< from 1
+    QRectF area;
+};
+
+/// A report of this program, taken apart: its last revision, if something was appended.
+struct ReportPdf {
+    ReportMetadata metadata; ///< as readXmp has it
+    QByteArray testFile;
+    QString testFileName;
+    QByteArray results; ///< results.json; empty: none
+    std::vector<Addition> additions;
+    std::vector<SignatureField> signatureFields; ///< those that are seen
+};
+
+/// Largest sum of what the streams of a PDF unpack to, bytes.
+inline constexpr qint64 mostUnpacked = qint64(1) << 29;
+
+/// Whether the bytes begin as a PDF does.
+[[nodiscard]] bool isPdf(QByteArrayView bytes);
+
+/// Takes a report apart; bounded in memory, whatever the bytes say. Throws Error with one sentence: damaged,
+/// encrypted, too large (mostUnpacked), not made by Palmer, without its test file, with more than one.
+[[nodiscard]] ReportPdf readReportPdf(const QByteArray &pdf);
+
+} // namespace palmer

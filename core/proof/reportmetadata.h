@@ -1,0 +1,28 @@
+#pragma once
+
+#include "report/report.h"
+
+#include <QByteArray>
+#include <optional>
+
+namespace palmer {
+
+/// What the XMP packet of a report states: beside what every reader shows, how to make the report again.
+struct ReportMetadata {
+    QString title;
+    QString author;
+    QString language; ///< "en", "fr"
+    QString date;     ///< YYYY-MM-DD; empty: none
+    Making making;
+
+    bool operator==(const ReportMetadata &) const = default;
+};
+
+/// The packet, with the declaration of PDF/A-3b and the schema of our own properties. Nothing of the clock.
+[[nodiscard]] QByteArray xmpPacket(const ReportMetadata &metadata);
+
+/// Reads a packet of ours: language and `making`, no more. Null for what is no XML, or was written by another
+/// program, or has words that we do not write.
+[[nodiscard]] std::optional<ReportMetadata> readXmp(const QByteArray &packet);
+
+} // namespace palmer

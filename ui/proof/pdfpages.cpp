@@ -1,0 +1,109 @@
+#include "ui/proof/pdfpages.h"
+
+#include "proof/deviation.h"
+
+#include <QDateTime>
+#include <poppler/qt6/poppler-form.h>
+#include <poppler/qt6/poppler-qt6.h>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr qint64 longest = 30'000; ///< ms for all pages
+
+bool isLate(const QVariant &since) {
+    return since.value<const QElapsedTimer *>()->hasExpired(longest);
+}
+
+SignatureStatement::State stateOf(Poppler::SignatureValidationInfo::SignatureStatus status) {
+    using Info = Poppler::SignatureValidationInfo;
+    switch (status) {
+    case Info::SignatureValid:
+        return SignatureStatement::State::valid;
+    case Info::SignatureInvalid:
+    case Info::SignatureDigestMismatch:
+    case Info::SignatureDecodingError:
+        return SignatureStatement::State::broken;
+    default:
+        return SignatureStatement::State::unknown;
+    }
+}
+
+} // namespace
+
+PdfPages::PdfPages(const QByteArray &pdf) {
+    Poppler::setDebugErrorFunction([](const QString &, const QVariant &) {}, {});
+    m_since.start();
+    m_document = Poppler::Document::loadFromData(pdf);
+    if (!m_document || m_document->isLocked())
+        throw unreadablePages();
+    m_document->setRenderHint(Poppler::Document::Antialiasing);
+    m_document->setRenderHint(Poppler::Document::TextAntialiasing);
+    m_document->setRenderHint(Poppler::Document::HideAnnotations);
+}
+
+PdfPages::~PdfPages() = default;
+
+int PdfPages::count() const {
+    return m_document->numPages();
+}
+
+void PdfPages::demandInTime() const {
+    if (m_since.hasExpired(longest))
+        throw unreadablePages();
+}
+
+std::unique_ptr<Poppler::Page> PdfPages::page(int index) const {
+    auto result = m_document->page(index);
+    if (!result)
+        throw unreadablePages();
+    return result;
+}
+
+QSizeF PdfPages::size(int index) const {
+    return page(index)->pageSizeF();
+}
+
+PrintedWords PdfPages::words(int index) const {
+    PrintedWords result;
+    const QVariant since = QVariant::fromValue(&m_since);
+    for (const auto &box : page(index)->textList(Poppler::Page::Rotate0, isLate, since))
+        result.push_back({box->text(), box->boundingBox()});
+    demandInTime();
+    return result;
+}
+
+QImage PdfPages::picture(int index) const {
+    constexpr double dotsPerInch = 72;
+    const QVariant since = QVariant::fromValue(&m_since);
+    const QImage image = page(index)->renderToImage(dotsPerInch, dotsPerInch, -1, -1, -1, -1,
+                                                    Poppler::Page::Rotate0, nullptr, nullptr, isLate, since);
+    demandInTime();
+    return image.convertToFormat(QImage::Format_RGB32);
+}
+
+std::vector<SignatureStatement> PdfPages::signatures() const {
+    using Info = Poppler::SignatureValidationInfo;
+    using Field = Poppler::FormFieldSignature;
+    std::vector<SignatureStatement> result;
+    for (const auto &field : m_document->signatures()) {
+        if (field->signatureType() == Field::UnsignedSignature)
+            continue;
+        // Nothing is asked of servers.
+        const Info info =
+            field->validate(Field::ValidateVerifyCertificate | Field::ValidateWithoutOCSPRevocationCheck,
+                            QDateTime::currentDateTime());
+        SignatureStatement statement;
+        statement.signer = info.signerName();
+        if (info.signingTime() > 0)
+            statement.time = QDateTime::fromSecsSinceEpoch(info.signingTime(), Qt::UTC).toString(Qt::ISODate);
+        statement.state = stateOf(info.signatureStatus());
+        statement.whole = info.signsTotalDocument();
+        statement.trusted = info.certificateStatus() == Info::CertificateTrusted;
+        result.push_back(std::move(statement));
+    }
+    return result;
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,108 @@
+#include "ui/proof/reportbar.h"
+
+#include "ui/windowlanguage.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int listHeight = 120;
+
+} // namespace
+
+ReportBar::ReportBar(QWidget *parent)
+    : QFrame(parent)
+    , m_sentence(new QLabel(this))
+    , m_list(new QListWidget(this))
+    , m_details(new QPushButton(this))
+    , m_close(new QPushButton(this)) {
+    setObjectName(QStringLiteral("reportBar"));
+    setProperty("notice", true);
+    m_sentence->setObjectName(QStringLiteral("reportSentence"));
+    m_sentence->setTextFormat(Qt::PlainText);
+    m_sentence->setWordWrap(true);
+    m_list->setObjectName(QStringLiteral("reportDifferences"));
+    m_list->setFixedHeight(listHeight);
+    m_list->setWordWrap(true);
+    m_list->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_details->setObjectName(QStringLiteral("reportDetails"));
+    m_details->setCheckable(true);
+    m_close->setObjectName(QStringLiteral("closeReportBar"));
+    auto *row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(m_sentence, 1);
+    row->addWidget(m_details);
+    row->addWidget(m_close);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 6, 16, 6);
+    column->addLayout(row);
+    column->addWidget(m_list);
+    connect(m_details, &QPushButton::toggled, m_list, &QWidget::setVisible);
+    connect(m_close, &QPushButton::clicked, this, &QWidget::hide);
+    hide();
+}
+
+void ReportBar::showResult(const Verification &verification) {
+    m_verification = verification;
+    m_problem.reset();
+    m_details->setChecked(!verification.follows());
+    m_list->setVisible(!verification.follows());
+    retranslate();
+    show();
+}
+
+void ReportBar::showProblem(const Message &sentence) {
+    m_verification.reset();
+    m_problem = sentence;
+    m_details->setChecked(false);
+    m_list->hide();
+    retranslate();
+    show();
+}
+
+QString ReportBar::sentence() const {
+    return m_sentence->text();
+}
+
+QStringList ReportBar::lines() const {
+    QStringList result;
+    for (int i = 0; i < m_list->count(); ++i)
+        result << m_list->item(i)->text();
+    return result;
+}
+
+void ReportBar::retranslate() {
+    const Language &language = windowLanguage();
+    m_details->setText(tr("&Details"));
+    m_close->setText(tr("&Close"));
+    m_list->setAccessibleName(tr("Differences of the report"));
+    m_list->clear();
+    m_details->setVisible(m_verification.has_value());
+    if (m_problem)
+        m_sentence->setText(QStringLiteral("⚠ ") +
+                            tr("The report was not verified: %1").arg(language.sentence(*m_problem)));
+    if (m_verification) {
+        QStringList lines = verificationText(*m_verification, language).trimmed().split(u'\n');
+        const QString sign = m_verification->follows() ? QStringLiteral("✓ ") : QStringLiteral("⚠ ");
+        const QString head = m_verification->follows() ? tr("Report verified.") : tr("Report NOT verified.");
+        m_sentence->setText(sign + head + u' ' + lines.takeFirst());
+        for (const QString &line : lines)
+            m_list->addItem(line.trimmed());
+    }
+    setAccessibleName(m_sentence->text());
+}
+
+void ReportBar::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QFrame::changeEvent(event);
+}
+
+} // namespace palmer::ui

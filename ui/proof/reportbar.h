@@ -1,0 +1,43 @@
+#pragma once
+
+#include "proof/verification.h"
+
+#include <QFrame>
+#include <optional>
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace palmer::ui {
+
+/// Above a document that was opened from a report: whether the report follows from its data, and each place
+/// where it does not.
+class ReportBar : public QFrame {
+    Q_OBJECT
+
+public:
+    explicit ReportBar(QWidget *parent = nullptr);
+
+    void showResult(const Verification &verification);
+    /// For a report whose pages cannot be read.
+    void showProblem(const Message &sentence);
+
+    [[nodiscard]] QString sentence() const;
+    [[nodiscard]] QStringList lines() const;
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void retranslate();
+
+    QLabel *m_sentence;
+    QListWidget *m_list;
+    QPushButton *m_details;
+    QPushButton *m_close;
+    std::optional<Verification> m_verification;
+    std::optional<Message> m_problem;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,194 @@
+#include "ui/proof/verifyreport.h"
+
+#include "document/readdocument.h"
+#include "proof/comparewords.h"
+#include "proof/deviation.h"
+#include "report/composereport.h"
+#include "report/wording.h"
+#include "ui/pdf/writepdf.h"
+#include "ui/proof/pdfpages.h"
+
+#include <QBuffer>
+#include <algorithm>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double sizeTolerance = 0.01; ///< points: a size is written with two decimals
+
+Document attachedDocument(const QByteArray &testFile) {
+    try {
+        return readDocument(testFile);
+    } catch (Error &error) {
+        error.place = "test file" + (error.place.empty() ? std::string() : ": " + error.place);
+        throw;
+    }
+}
+
+/// The words of a page in which something stands.
+QString wordsIn(const PrintedWords &words, const QRectF &area) {
+    constexpr qsizetype longest = 120;
+    QStringList found;
+    for (const PrintedWord &word : words) {
+        if (word.area.intersects(area))
+            found << word.text;
+    }
+    const QString text = found.join(u' ');
+    return text.size() > longest ? text.left(longest) + u'…' : text;
+}
+
+/// The box of all pixels that differ; empty: none do.
+QRectF differingArea(const QImage &a, const QImage &b) {
+    if (a.size() != b.size())
+        return {0, 0, static_cast<double>(a.width()), static_cast<double>(a.height())};
+    QRectF area;
+    for (int y = 0; y < a.height(); ++y) {
+        const auto *left = reinterpret_cast<const QRgb *>(a.constScanLine(y));
+        const auto *right = reinterpret_cast<const QRgb *>(b.constScanLine(y));
+        for (int x = 0; x < a.width(); ++x) {
+            if (left[x] != right[x])
+                area |= QRectF(x, y, 1, 1);
+        }
+    }
+    return area;
+}
+
+class PageComparison {
+public:
+    PageComparison(const OpenedReport &report, const Report &composed, const Language &language,
+                   const QByteArray &pdf, Verification &result)
+        : m_report(report)
+        , m_fingerprint(shortFingerprint(composed.fingerprint))
+        , m_language(language)
+        , m_printed(report.pdf)
+        , m_follows(pdf)
+        , m_result(result) {}
+
+    void run(bool sameProgram) {
+        const int pages = std::min(m_printed.count(), m_follows.count());
+        for (int page = 0; page < pages; ++page)
+            compare(page, sameProgram);
+        if (m_printed.count() != m_follows.count())
+            m_result.differences.push_back(otherPageCount(m_printed.count(), m_follows.count()));
+        m_result.signatures = m_printed.signatures();
+        for (const SignatureStatement &signature : m_result.signatures) {
+            if (signature.state == SignatureStatement::State::broken)
+                m_result.differences.push_back(brokenSignature(signature.signer));
+        }
+    }
+
+private:
+    void compare(int page, bool sameProgram) {
+        const QSizeF size = m_printed.size(page) - m_follows.size(page);
+        if (std::abs(size.width()) > sizeTolerance || std::abs(size.height()) > sizeTolerance) {
+            m_result.differences.push_back(otherPageSize(page + 1));
+            return;
+        }
+        const PrintedWords printed = m_printed.words(page);
+        const PrintedWords follows = m_follows.words(page);
+        QStringList words;
+        for (const PrintedWord &word : printed)
+            words << word.text;
+        m_result.fingerprintPrinted &= words.join(u' ').contains(m_fingerprint);
+        const std::vector<Difference> found = compareWords(printed, follows, page + 1);
+        for (const Difference &difference : found) {
+            const bool counts = sameProgram || isSerious(difference);
+            (counts ? m_result.differences : m_result.wording).push_back(difference);
+        }
+        if (found.empty())
+            comparePictures(page, follows);
+        demandFree(page + 1, follows);
+    }
+
+    /// The words are the same: so has to be what is seen.
+    void comparePictures(int page, const PrintedWords &words) {
+        const QRectF area = differingArea(m_printed.picture(page), m_follows.picture(page));
+        if (area.isEmpty())
+            return;
+        m_result.differences.push_back(drawnOtherwise(page + 1, area, wordsIn(words, area)));
+    }
+
+    /// The picture of a signature must not hide what is printed.
+    void demandFree(int page, const PrintedWords &words) {
+        for (const SignatureField &field : m_report.parts.signatureFields) {
+            const QString covered = field.page == page ? wordsIn(words, field.area) : QString();
+            if (!covered.isEmpty())
+                m_result.differences.push_back(coveredBySignature(page, field.area, covered));
+        }
+    }
+
+    /// Numbers, dates and verdicts; the other words of a report may change with the version of the program.
+    [[nodiscard]] bool isSerious(const Difference &difference) const {
+        const QString both = difference.printed + u' ' + difference.follows;
+        if (std::ranges::any_of(both, [](QChar c) { return c.isDigit(); }))
+            return true;
+        for (const Verdict verdict : {Verdict::conforms, Verdict::notProven, Verdict::doesNotConform}) {
+            const QStringList words = m_language.text(verdictText(verdict)).split(u' ');
+            for (const QString &word : both.split(u' ')) {
+                if (words.contains(word, Qt::CaseInsensitive))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    const OpenedReport &m_report;
+    QString m_fingerprint;
+    const Language &m_language;
+    PdfPages m_printed;
+    PdfPages m_follows;
+    Verification &m_result;
+};
+
+} // namespace
+
+std::optional<OpenedReport> openReport(const QByteArray &pdf, int threads, const std::stop_token &stop,
+                                       const std::function<void(const SimulationProgress &)> &progress) {
+    OpenedReport result{pdf, readReportPdf(pdf), {}};
+    result.evaluated = evaluate(std::make_shared<const Document>(attachedDocument(result.parts.testFile)));
+    for (const int number : result.parts.metadata.making.simulated) {
+        const std::size_t test = static_cast<std::size_t>(number) - 1;
+        if (test >= result.evaluated.tests.size())
+            continue; // the report follows without it, and differs
+        SimulationOptions options = simulationOptions(*result.evaluated.document->tests[test]);
+        options.threads = threads;
+        auto simulation = simulateTest(result.evaluated, test, options, stop, progress);
+        if (stop.stop_requested())
+            return std::nullopt;
+        if (simulation)
+            result.evaluated = withSimulation(result.evaluated, test, std::move(*simulation));
+    }
+    return result;
+}
+
+Verification verifyReport(const OpenedReport &report) {
+    const ReportMetadata &metadata = report.parts.metadata;
+    const Language language = Language::fromName(metadata.language).value_or(Language(Language::Id::english));
+    const Report composed =
+        composeReport(report.evaluated, language,
+                      {metadata.making.program, metadata.making.selfTestPassed, {}, report.parts.testFile});
+    const QByteArray results = attachedResults(report.evaluated);
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    writePdf(composed, buffer, results);
+
+    Verification result;
+    result.madeBy = metadata.making.program;
+    result.fingerprint = composed.fingerprint;
+    result.identical = report.pdf == buffer.data();
+    if (result.identical)
+        return result;
+    result.appended = report.pdf.startsWith(buffer.data());
+    const bool sameProgram = metadata.making.program == QLatin1StringView("Palmer " PALMER_VERSION);
+    for (const Addition &addition : report.parts.additions)
+        result.differences.push_back(differenceOf(addition));
+    if (report.parts.testFileName != composed.testFileName)
+        result.differences.push_back(otherFileName(report.parts.testFileName));
+    PageComparison(report, composed, language, buffer.data(), result).run(sameProgram);
+    for (Difference &difference : compareResults(report.parts.results, results, sameProgram))
+        result.differences.push_back(std::move(difference));
+    return result;
+}
+
+} // namespace palmer::ui
