@@ -158,7 +158,7 @@ QByteArray writeTemplate(const Template &content) {
     }
     const QByteArray bytes = writeDocument(document);
     const json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    json result{{"format", templateFormat}, {"version", fileVersion}, {"name", content.name}};
+    json result{{"format", templateFormat}, {"version", file["version"]}, {"name", content.name}};
     if (const auto *set = std::get_if<LimitSet>(&content.content)) {
         const json &written = file["tests"][0];
         result["kind"] = fileWord(set->kind);

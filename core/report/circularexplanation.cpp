@@ -17,7 +17,9 @@ using namespace iso230_4;
 
 constexpr int decimals = 2;      ///< of 0.01 µm, as statistics per target have them
 constexpr int angleDecimals = 1; ///< of the ruling points
-constexpr std::array whyNoValue{"noValue", "arcs", "centring", "minimumZone", "referenceLength"};
+/// Requirements and notes without which there may be no value.
+constexpr std::array whyNoValue{"noValue",  "arcs",        "bothSenses",   "fullCircles",
+                                "centring", "minimumZone", "leastSquares", "referenceLength"};
 
 /// How one function of parameters.h is explained. In the formulas stand
 ///   %s symbol of the parameter    [=]  the result with its unit
@@ -275,8 +277,7 @@ private:
     [[nodiscard]] QStringList reasons() const {
         QStringList result;
         for (const Finding &finding : m_evaluation.findings) {
-            if (finding.grade == Grade::requirement &&
-                std::ranges::find(whyNoValue, std::string_view(finding.id)) != whyNoValue.end())
+            if (std::ranges::find(whyNoValue, std::string_view(finding.id)) != whyNoValue.end())
                 result << m_language.sentence(finding.message);
         }
         return result;

@@ -1,6 +1,7 @@
 #include "report/conditionparts.h"
 
 #include "figures/linefigure.h"
+#include "kernel/evaluation/agreedpoints.h"
 #include "report/uncertaintyparts.h"
 #include "report/wording.h"
 
@@ -411,21 +412,18 @@ void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
     for (const AgreementPoint &point : edition.points) {
         const auto found = std::ranges::find(part.test.agreedPoints, point.point, &AgreedPoint::point);
         const bool listed = found != part.test.agreedPoints.end();
-        const AgreementState state = listed ? found->state : AgreementState::notAgreed;
         Cell agreement;
-        switch (state) {
-        case AgreementState::agreed:
+        if (roleOf(point, part.test) == PointRole::notApplicable) {
+            agreement = write.text(REPORT_TEXT("report", "not applicable"));
+        } else if (!listed) {
+            agreement = write.text(REPORT_TEXT("report", "not declared"));
+        } else if (found->state == AgreementState::agreed) {
             agreement = write.text(REPORT_TEXT("report", "agreed"));
             agreement.mark = Mark::check;
-            break;
-        case AgreementState::notAgreed:
+        } else {
             agreement = write.text(REPORT_TEXT("report", "not agreed"));
             agreement.mark = Mark::cross;
             agreement.bold = true;
-            break;
-        case AgreementState::notApplicable:
-            agreement = write.text(REPORT_TEXT("report", "not applicable"));
-            break;
         }
         std::vector<Cell> row;
         if (letters)
@@ -443,8 +441,9 @@ void addUncertainty(std::vector<Block> &blocks, const TestPart &part, Uncertaint
     if (part.leavesOut(ReportPart::uncertainty))
         return;
     const Writer &write = part.write;
-    const auto &findings = part.evaluation.findings;
-    const bool asked = std::ranges::find(findings, "uncertainty", &Finding::id) != findings.end();
+    const bool asked = std::ranges::any_of(part.evaluation.findings, [](const Finding &finding) {
+        return finding.id == "uncertainty" && finding.source == Source::text;
+    });
     const bool any = std::ranges::any_of(
         part.evaluation.parameters, [](const Parameter &p) { return p.expandedUncertainty.has_value(); });
     if (!asked && (!any || usesBudget(part.evaluation)))

@@ -18,6 +18,10 @@ namespace palmer {
 /// The clause of a finding; an annex as the language calls it.
 [[nodiscard]] QString clauseText(const std::string &clause, const Language &language);
 
+/// "ISO 230-2:2006" as it stands after a preposition: with its article where the language has one. Empty
+/// without an edition.
+[[nodiscard]] QString standardName(const Language &language, const Edition *edition);
+
 /// "anticlockwise", "clockwise".
 [[nodiscard]] Text senseText(Sense sense);
 

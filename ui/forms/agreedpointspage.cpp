@@ -2,6 +2,7 @@
 
 #include "document/bounds.h"
 #include "document/edits.h"
+#include "kernel/evaluation/agreedpoints.h"
 #include "report/agreedtext.h"
 #include "ui/elidedlabel.h"
 #include "ui/model/documentmodel.h"
@@ -185,10 +186,13 @@ const AgreedPoint *AgreedPointsPage::agreed(const AgreementPoint &point) const {
 
 void AgreedPointsPage::setState(const AgreementPoint &point, AgreementState state) {
     const AgreedPoint *before = agreed(point);
+    const bool takenBack = before && before->state == state;
     m_model.edit(QT_TRANSLATE_NOOP("edits", "change a point to agree"),
                  [&, text = before ? before->text : std::string()](Document &document) {
-                     editTest(document, m_test,
-                              [&](Test &test) { setAgreedPoint(test, point.point, state, text); });
+                     editTest(document, m_test, [&](Test &test) {
+                         setAgreedPoint(test, point.point, takenBack ? std::nullopt : std::optional(state),
+                                        text);
+                     });
                  });
     refresh(); // the button is checked as the document says, whatever was clicked
 }
@@ -211,15 +215,15 @@ bool AgreedPointsPage::refuses(const Row &row, const QString &text) const {
     return tooLong;
 }
 
-/// A text for what was not agreed is its agreement; taken away again, it is not.
+/// A text for what was not declared or not agreed is its agreement; taken away again, nothing is declared.
 void AgreedPointsPage::setText(const AgreementPoint &point, const QString &text) {
     const AgreedPoint *before = agreed(point);
-    AgreementState state = before ? before->state : AgreementState::notAgreed;
+    std::optional<AgreementState> state = before ? std::optional(before->state) : std::nullopt;
     const bool wasEmpty = !before || before->text.empty();
-    if (state == AgreementState::notAgreed && wasEmpty && !text.isEmpty())
+    if (state.value_or(AgreementState::notAgreed) == AgreementState::notAgreed && wasEmpty && !text.isEmpty())
         state = AgreementState::agreed;
     else if (state == AgreementState::agreed && !wasEmpty && text.isEmpty())
-        state = AgreementState::notAgreed;
+        state.reset();
     m_model.edit(
         changeOf(context, QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Text of an agreement"))
             .constData(),
@@ -270,15 +274,18 @@ void AgreedPointsPage::refresh() {
     int open = 0;
     for (const Row &row : m_rows) {
         const auto found = std::ranges::find(test.agreedPoints, row.point->point, &AgreedPoint::point);
-        const AgreementState state =
-            found == test.agreedPoints.end() ? AgreementState::notAgreed : found->state;
-        const bool settled = state != AgreementState::notAgreed;
+        const std::optional<AgreementState> state =
+            found == test.agreedPoints.end() ? std::nullopt : std::optional(found->state);
+        const bool settled = state == AgreementState::agreed || state == AgreementState::notApplicable ||
+                             roleOf(*row.point, test) == PointRole::notApplicable;
         open += settled ? 0 : 1;
         const QString letter = QString::fromUtf8(row.point->letter);
         row.letter->setContent(
             letter, letter.isEmpty() ? QString::fromLatin1(settled ? "check" : "miss") : QString(),
             settled ? Token::ok : Token::unsure, settled ? Token::okGround : Token::unsureGround);
-        row.letter->setAccessibleName(settled ? tr("settled") : tr("not agreed"));
+        row.letter->setAccessibleName(settled ? tr("settled")
+                                      : state ? tr("not agreed")
+                                              : tr("not declared"));
         row.letter->setFixedWidth(letterWidth);
         row.name->setText(m_language.text(row.point->name));
         row.agreed->setText(tr("Agreed"));
@@ -295,11 +302,12 @@ void AgreedPointsPage::refresh() {
         }
         row.take->setText(tr("take from the conditions"));
         row.take->setFont(themeFont(TextSize::small));
-        row.take->setVisible(text.isEmpty() && state == AgreementState::notAgreed &&
+        row.take->setVisible(text.isEmpty() && !settled &&
                              !agreedTextFromConditions(test, row.point->point, m_language).isEmpty());
         row.text->setPlaceholderText(tr("text of the agreement"));
         row.text->setAccessibleName(row.name->text());
-        row.text->setAccessibleDescription(state == AgreementState::agreed      ? row.agreed->text()
+        row.text->setAccessibleDescription(!state                               ? tr("not declared")
+                                           : state == AgreementState::agreed    ? row.agreed->text()
                                            : state == AgreementState::notAgreed ? row.notAgreed->text()
                                                                                 : row.notApplicable->text());
     }

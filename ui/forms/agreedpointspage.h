@@ -19,8 +19,8 @@ class AgreementEdit;
 class Chip;
 class DocumentModel;
 
-/// The points to be agreed between supplier/manufacturer and user: each agreed, not agreed or not applicable,
-/// with its text.
+/// The points to be agreed between supplier/manufacturer and user: each agreed, not agreed, not applicable or
+/// (no button down; a click on the one that is takes it back) not declared, with its text.
 class AgreedPointsPage : public QWidget {
     Q_OBJECT
 

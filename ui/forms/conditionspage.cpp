@@ -1,5 +1,7 @@
 #include "ui/forms/conditionspage.h"
 
+#include "document/edits.h"
+#include "kernel/evaluation/agreedpoints.h"
 #include "language/decimals.h"
 
 #include <QCheckBox>
@@ -118,6 +120,40 @@ SensorLabels labelsOf(SensorMeasures what, bool another) {
                                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument %1, end")}
                    : SensorLabels{QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, start"),
                                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, end")};
+}
+
+/// The number that was agreed on a point; to state one is to agree.
+Member<std::optional<double>> agreedValue(const char *point) {
+    return {[point](const FormSource &source) {
+                const AgreedPoint *agreed = source.test ? agreedPoint(*source.test, point) : nullptr;
+                return agreed ? agreed->value : std::nullopt;
+            },
+            [point](Document &document, std::size_t index, const std::optional<double> &value) {
+                editTest(document, index, [&](Test &test) {
+                    const AgreedPoint *before = agreedPoint(test, point);
+                    if (value || before)
+                        setAgreedPoint(test, point, value ? AgreementState::agreed : before->state,
+                                       before ? before->text : std::string());
+                    for (AgreedPoint &agreed : test.agreedPoints) {
+                        if (agreed.point == point)
+                            agreed.value = value;
+                    }
+                });
+            }};
+}
+
+/// Faces of the polygon: a whole number.
+Member<std::optional<double>> faces() {
+    const auto member = positioning<&PositioningMeasurement::targetChoice, &TargetChoice::faces>();
+    return {[member](const FormSource &source) -> std::optional<double> {
+                const auto value = member.read(source);
+                return value ? std::optional<double>(*value) : std::nullopt;
+            },
+            [member](Document &document, std::size_t index, const std::optional<double> &value) {
+                member.write(document, index,
+                             value && *value < 1e6 ? std::optional(std::max(1, static_cast<int>(*value)))
+                                                   : std::nullopt);
+            }};
 }
 
 std::size_t shownSensors(const Conditions &conditions, SensorMeasures what) {
@@ -243,6 +279,23 @@ void ConditionsPage::addTemperatures(const Test &test) {
     addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another instrument sensor"),
            SensorMeasures::instrument, QStringLiteral("addInstrumentSensor"));
     addWidget(new QWidget(body()));
+    beginRow();
+    addYesNo("temperatureControlled",
+             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Room temperature can be controlled"),
+             common<&Conditions::temperatureControlled>());
+    addYesNo("stabilised",
+             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Thermally stable before the test"),
+             common<&Conditions::stabilised>());
+    addChoice("instrumentCompensation",
+              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Compensation by the instrument"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "switched on"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "switched off"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "the instrument has none")},
+              choiceOf<InstrumentCompensation>(common<&Conditions::instrumentCompensation>(),
+                                               {InstrumentCompensation::notStated, InstrumentCompensation::on,
+                                                InstrumentCompensation::off, InstrumentCompensation::none}),
+              true);
     if (!std::holds_alternative<PositioningMeasurement>(test.measurement))
         return;
     constexpr auto conditionsMember = &PositioningMeasurement::conditions;
@@ -253,6 +306,12 @@ void ConditionsPage::addTemperatures(const Test &test) {
               Quantity::percent, positioning<conditionsMember, &PositioningConditions::airHumidity>());
     addNumber("gradientPerHour", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperature gradient"),
               Quantity::gradient, positioning<conditionsMember, &PositioningConditions::gradientPerHour>());
+    beginRow();
+    addNumber("gradientHoursBefore",
+              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Gradient: hours before the test"),
+              Quantity::number, positioning<conditionsMember, &PositioningConditions::gradientHoursBefore>());
+    addNumber("gradient", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed limit of the gradient"),
+              Quantity::gradient, agreedValue("gradient"));
 }
 
 void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
@@ -296,9 +355,32 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details"),
             commonPart<&Conditions::warmUp, &WarmUp::text>(), 7);
     beginRow();
+    addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up specified by"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "the maker"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreement")},
+              choiceOf<SpecifiedBy>(commonPart<&Conditions::warmUp, &WarmUp::specifiedBy>(),
+                                    {SpecifiedBy::notStated, SpecifiedBy::maker, SpecifiedBy::agreement}),
+              true);
+    if (isPositioning)
+        addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate"),
+                  rotary ? Quantity::angularFeed : Quantity::feed, agreedValue("feed"));
+    if (isPositioning && rotary)
+        addYesNo(
+            "continuousDevice",
+            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Continuous measuring device"),
+            positioning<&PositioningMeasurement::conditions, &PositioningConditions::continuousDevice>());
+    if (!isPositioning) {
+        addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified diameter"),
+                  Quantity::position, circular<&CircularMeasurement::specified, &SpecifiedCircle::diameter>(),
+                  1, Allowed::positive);
+        addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified feed"), Quantity::feed,
+                  circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), 1, Allowed::positive);
+    }
+    beginRow();
     addText("compensation", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Active compensation"),
             common<&Conditions::compensation>());
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), common<&Conditions::load>());
+    addText("load", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), common<&Conditions::load>());
     beginRow();
     addYesNo("complete", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Complete, in working order"),
              common<&Conditions::complete>());
@@ -307,9 +389,10 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
     addYesNo("unloaded", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Unloaded"),
              common<&Conditions::unloaded>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Soaking time"), common<&Conditions::soak>(),
-            2);
-    addYesNo("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Shielded from draughts and radiation"),
+    addText("soak", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Soaking time"),
+            common<&Conditions::soak>(), 2);
+    addYesNo("shielded",
+             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Shielded from draughts and radiation"),
              common<&Conditions::shielded>(), 3);
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Thermal guidelines of the maker"),
@@ -320,7 +403,8 @@ void ConditionsPage::addPositions(bool isPositioning) {
     constexpr auto mm = Quantity::position;
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the instrument"),
+    addText("instrumentPosition",
+            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the instrument"),
             common<&Conditions::instrumentPosition>());
     addText("otherAxes", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axes not under test"),
             common<&Conditions::otherAxes>());
@@ -369,7 +453,37 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
             ofTest([](auto &test) { return &test.date; }), 5);
     addTime("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Time"),
             ofTest([](auto &test) { return &test.time; }), 3);
+    beginRow();
+    addChoice("purpose", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Purpose of the test"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "type test"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "acceptance"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "comparison"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "periodic check"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "compensation"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "after repair"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "after collision"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "other purpose")},
+              choiceOf<Purpose>(ofTest([](auto &test) { return &test.purpose; }),
+                                {Purpose::notStated, Purpose::type, Purpose::acceptance, Purpose::comparison,
+                                 Purpose::periodic, Purpose::compensation, Purpose::afterRepair,
+                                 Purpose::afterCollision, Purpose::other}),
+              true);
+    addChoice("role", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "As found or as left"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as found"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as left")},
+              choiceOf<TestRole>(ofTest([](auto &test) { return &test.role; }),
+                                 {TestRole::notStated, TestRole::asFound, TestRole::asLeft}),
+              true);
     addInstruments();
+    beginRow();
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Rest of the requirements declared met by"),
+            ofTest([](auto &test) { return &test.declaredAccordance.by; }), 6);
+    addDate("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declared on"),
+            ofTest([](auto &test) { return &test.declaredAccordance.date; }), 4);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Text of the declaration"),
+            ofTest([](auto &test) { return &test.declaredAccordance.text; }), 6);
     if (!measurement) {
         beginRow();
         addText("positionFeedback",
@@ -418,6 +532,12 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
               positioning<&Measurement::targetChoice, &TargetChoice::interval>());
     addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Period of the error"), position,
               positioning<&Measurement::targetChoice, &TargetChoice::period>());
+    addNumber("faces", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Faces of the polygon, number"),
+              Quantity::count, faces(), 1, Allowed::positive);
+    if (measurement->axis.motion == Motion::linear)
+        addNumber("scaleElement",
+                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Element of the scale (0: continuous)"),
+                  position, positioning<&Measurement::axis, &Axis::scaleElement>());
     beginRow();
     addChoice("cycle", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test cycle"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "standard test cycle"),

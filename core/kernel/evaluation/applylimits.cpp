@@ -27,17 +27,24 @@ double room(const Parameter &p, double limit, Bound bound) {
     return p.value ? judgedLimit(limit, bound) - judgedValue(*p.value, bound) : 0;
 }
 
+void note(TestEvaluation &evaluation, const char *id, Source source, Message message) {
+    Finding finding;
+    finding.source = source;
+    finding.subject = Subject::limits;
+    finding.id = id;
+    finding.keys = {id};
+    finding.message = std::move(message);
+    evaluation.findings.push_back(std::move(finding));
+}
+
 void findSecondLimit(TestEvaluation &evaluation, const Parameter &p, const std::string &other, bool worse) {
-    evaluation.findings.push_back(
-        {Grade::note,
-         "limits",
-         "",
+    note(evaluation, "limits", Source::program,
          {worse
               ? REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
                                       "%2, which has the worse verdict.")
               : REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
                                       "%2, which is the tighter one."),
-          {plainSymbol(p), p.limitOf, other}}});
+          {plainSymbol(p), p.limitOf, other}});
 }
 
 /// Puts the limit of `key` and its verdict into the row, unless the one that stands there rules. A limit for
@@ -73,23 +80,17 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
             continue;
         const std::vector<Judged> found = judged(id);
         if (found.empty()) {
-            evaluation.findings.push_back(
-                {Grade::note,
-                 "limits",
-                 "",
+            note(evaluation, "limits", Source::program,
                  {REPORT_TEXT("report",
                               "The limit of %1 has no verdict: this test has no such parameter under %2."),
-                  {id, std::string(evaluation.edition->word)}}});
+                  {id, std::string(evaluation.edition->word)}});
             continue;
         }
         if (!holds(limit, evaluation)) {
-            evaluation.findings.push_back(
-                {Grade::note,
-                 "limits",
-                 "",
+            note(evaluation, "limits", Source::program,
                  {REPORT_TEXT("report", "The limit of %1 has no verdict: it was agreed for %2, the test is "
                                         "evaluated under %3."),
-                  {id, *limit.edition, std::string(evaluation.edition->word)}}});
+                  {id, *limit.edition, std::string(evaluation.edition->word)}});
             continue;
         }
         for (const Judged &one : found) {
@@ -109,12 +110,9 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
         }
     }
     if (uncertaintyMissing)
-        evaluation.findings.push_back(
-            {Grade::requirement,
-             "decisionRule",
-             "",
+        note(evaluation, "decisionRule", Source::laboratory,
              {REPORT_TEXT("report", "The decision rule needs the measurement uncertainty: without it "
-                                    "nothing is proven.")}});
+                                    "nothing is proven.")});
 }
 
 } // namespace palmer

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "kernel/evaluation/commonchecks.h"
+#include "kernel/evaluation/requirement.h"
+#include "kernel/evaluation/stated.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+/// Good practice of a laboratory, asked of tests of all kinds: notes that never count.
+namespace palmer::laboratory {
+
+template <class Case>
+bool offsets(const Case &test) {
+    return common::allStated(test.common().toolOffset) && common::allStated(test.common().workpieceOffset);
+}
+
+/// The machine and the date. `named`: the name of the machine, or its type.
+template <class Case>
+bool named(const Case &test) {
+    return stated::ofMachine<&Machine::name>(test) || stated::ofMachine<&Machine::model>(test);
+}
+
+template <class Case>
+bool startAndEnd(const Case &test) {
+    return common::temperaturesAtStartAndEnd(test.common());
+}
+
+// clang-format off
+template <class Case>
+inline constexpr std::array machineTable{
+    RequirementOf<Case>{"date", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, stating<stated::date<Case>>, REPORT_TEXT("report", "date of the test"), {}, {"date"}},
+    RequirementOf<Case>{"machineName", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<named<Case>>, REPORT_TEXT("report", "name of the machine"), {}, {"machine.name"}},
+    RequirementOf<Case>{"manufacturer", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::manufacturer, Case>>, REPORT_TEXT("report", "manufacturer of the machine"), {}, {"machine.manufacturer"}},
+    RequirementOf<Case>{"model", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::model, Case>>, REPORT_TEXT("report", "type of the machine"), {}, {"machine.model"}},
+    RequirementOf<Case>{"machineSerialNumber", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::serialNumber, Case>>, REPORT_TEXT("report", "serial number of the machine"), {}, {"machine.serialNumber"}},
+    RequirementOf<Case>{"load", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, stating<stated::common<&Conditions::load, Case>>, REPORT_TEXT("report", "load of the machine"), {}, {"conditions.load"}},
+    RequirementOf<Case>{"startAndEnd", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, stating<startAndEnd<Case>>, REPORT_TEXT("report", "temperatures at start and end"), {}, {"conditions.sensors"}},
+};
+
+template <class Case>
+inline constexpr std::array instrumentTable{
+    RequirementOf<Case>{"instruments", Source::laboratory, "", Grade::note, Subject::namedInstruments, nullptr, stating<stated::instruments<Case>>, REPORT_TEXT("report", "instrument"), {}, {"instruments"}},
+    RequirementOf<Case>{"instrumentSerialNumber", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::instrumentSerial<Case>>, REPORT_TEXT("report", "serial number of each instrument"), {}, {"instruments.serialNumber"}},
+    RequirementOf<Case>{"certificate", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::certificate<Case>>, REPORT_TEXT("report", "calibration certificate of each instrument"), {}, {"instruments.certificate"}},
+    RequirementOf<Case>{"calibrationDate", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::calibrationDate<Case>>, REPORT_TEXT("report", "calibration date of each instrument"), {}, {"instruments.calibrationDate"}},
+    RequirementOf<Case>{"calibrationDue", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::calibrationDue<Case>>, REPORT_TEXT("report", "end of validity of each calibration"), {}, {"instruments.calibrationDue"}},
+};
+// clang-format on
+
+template <class Case>
+std::span<const RequirementOf<Case>> rows() {
+    return machineTable<Case>;
+}
+
+template <class Case>
+std::span<const RequirementOf<Case>> instrumentRows() {
+    return instrumentTable<Case>;
+}
+
+} // namespace palmer::laboratory
