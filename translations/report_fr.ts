@@ -76,22 +76,6 @@
         <translation>La règle de décision exige l’incertitude de mesure&#xa0;: sans elle, rien n’est prouvé.</translation>
     </message>
     <message>
-        <source>Not stated: %1.</source>
-        <translation>Non indiqué&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>To be agreed between supplier/manufacturer and user, not agreed: %1.</source>
-        <translation>Soumis à accord entre le fournisseur/constructeur et l’utilisateur, non convenu&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>The machine was at %1 on average and the results are not corrected to 20 °C.</source>
-        <translation>La machine était à %1 en moyenne et les résultats ne sont pas ramenés à 20&#xa0;°C.</translation>
-    </message>
-    <message>
-        <source>Temperature %1: where it can be controlled, 20 °C ± 0.5 °C are asked for.</source>
-        <translation>Température %1&#xa0;: lorsqu’elle peut être régulée, 20&#xa0;°C ±&#xa0;0,5&#xa0;°C sont demandés.</translation>
-    </message>
-    <message>
         <source>The correction to 20 °C cannot be applied: it needs the temperatures at start and end and the coefficients of thermal expansion of machine and instrument (0 for a laser whose compensation covers the air only).</source>
         <translation>La correction à 20&#xa0;°C ne peut pas être appliquée&#xa0;: il y faut les températures au début et à la fin ainsi que les coefficients de dilatation thermique de la machine et de l’instrument (0 pour un laser dont la compensation ne porte que sur l’air).</translation>
     </message>
@@ -102,34 +86,6 @@
     <message>
         <source>The stated uncertainty of the expansion coefficient of the machine, %1, is below the typical minimum of %2.</source>
         <translation>L’incertitude indiquée du coefficient de dilatation de la machine, %1, est inférieure au minimum usuel de %2.</translation>
-    </message>
-    <message>
-        <source>The machine was not complete.</source>
-        <translation>La machine n’était pas complète.</translation>
-    </message>
-    <message>
-        <source>The machine was not levelled and aligned.</source>
-        <translation>La machine n’était pas mise à niveau ni alignée.</translation>
-    </message>
-    <message>
-        <source>The machine was not unloaded.</source>
-        <translation>La machine n’était pas à vide.</translation>
-    </message>
-    <message>
-        <source>A dry run without an agreed warm-up: only the movements needed to set up the instrument are allowed.</source>
-        <translation>Essai à blanc préalable sans mise en température convenue&#xa0;: seuls les mouvements nécessaires au réglage de l’instrument sont admis.</translation>
-    </message>
-    <message>
-        <source>The warm-up procedure is neither described nor agreed.</source>
-        <translation>La procédure de mise en température n’est ni décrite ni convenue.</translation>
-    </message>
-    <message>
-        <source>Not stated: compensation active during the test.</source>
-        <translation>Non indiqué&#xa0;: compensation active pendant l’essai.</translation>
-    </message>
-    <message>
-        <source>The measurement uncertainty is not stated beside every result.</source>
-        <translation>L’incertitude de mesure n’est pas indiquée à côté de chaque résultat.</translation>
     </message>
     <message>
         <source>Acceptance code for machine tools — Part 2: Determination of accuracy and repeatability of positioning of numerically controlled machine tools</source>
@@ -148,30 +104,15 @@
     </message>
     <message>
         <source>Approaches in the positive direction: %1, in the negative: %2; 5 each way are required.</source>
-        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2 ; 5 par sens sont exigées.</translation>
-    </message>
-    <message>
-        <source>Approaches in the positive direction: %1, in the negative: %2; practice asks for 5 each way (not verified against the text of the edition).</source>
-        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2 ; l’usage en demande 5 par sens (non vérifié sur le texte de l’édition).</translation>
+        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; 5 par sens sont exigées.</translation>
     </message>
     <message>
         <source>Approaches in the positive direction: %1, in the negative: %2; at least 1 each way is required.</source>
-        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2 ; au moins 1 par sens est exigée.</translation>
-    </message>
-    <message>
-        <source>Approaches in the positive direction: %1, in the negative: %2; practice asks for at least 1 each way (not verified against the text of the edition).</source>
-        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2 ; l’usage en demande au moins 1 par sens (non vérifié sur le texte de l’édition).</translation>
+        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; au moins 1 par sens est exigée.</translation>
     </message>
     <message>
         <source>Runs in the positive direction: %1, in the negative: %2; each direction is evaluated with its own.</source>
-        <translation>Séries dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2 ; chaque sens est évalué avec les siennes.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Readings set aside (%n): %1. The standard knows no rejection of readings.</source>
-        <translation>
-            <numerusform>Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés.</numerusform>
-            <numerusform>Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés.</numerusform>
-        </translation>
+        <translation>Séries dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; chaque sens est évalué avec les siennes.</translation>
     </message>
     <message numerus="yes">
         <source>Readings set aside without a reason: %n.</source>
@@ -186,7 +127,7 @@
     </message>
     <message>
         <source>The range method is defined for 2 to 10 readings; target %1 has %2.</source>
-        <translation>La méthode de l’étendue est définie pour 2 à 10 relevés ; le point visé %1 en a %2.</translation>
+        <translation>La méthode de l’étendue est définie pour 2 à 10 relevés&#x202f;; le point visé %1 en a %2.</translation>
     </message>
     <message>
         <source>The deviations at the same target progress steadily from approach to approach: D = %1 from the first to the last (t = %2, above %3). The thermal conditions may be unstable.</source>
@@ -195,10 +136,6 @@
     <message>
         <source>The deviations at the same target progress steadily from approach to approach: D = %1 from the first to the last, beside %4 = %5 (t = %2, above %3). The thermal conditions may be unstable.</source>
         <translation>Les écarts à un même point visé progressent régulièrement d’une approche à l’autre&#xa0;: D = %1 de la première à la dernière, à côté de %4 = %5 (t = %2, au-dessus de %3). Les conditions thermiques sont peut-être instables.</translation>
-    </message>
-    <message>
-        <source>Step cycle without a written agreement: not an acceptance result under this standard.</source>
-        <translation>Cycle en pas sans accord écrit&#xa0;: ce n’est pas un résultat de réception selon cette norme.</translation>
     </message>
     <message>
         <source>largest temperature gradient, 12 h before and during the test</source>
@@ -221,10 +158,6 @@
         <translation>cycle de mesurage</translation>
     </message>
     <message>
-        <source>place of the 2 m working zone</source>
-        <translation>emplacement de la zone de travail de 2&#xa0;m</translation>
-    </message>
-    <message>
         <source>temperature gradient, 12 h before and during the test</source>
         <translation>gradient de température, 12&#xa0;h avant et pendant l’essai</translation>
     </message>
@@ -235,10 +168,6 @@
     <message>
         <source>feed rate between targets</source>
         <translation>vitesse d’avance entre les points visés</translation>
-    </message>
-    <message>
-        <source>place of the working zone of 2 000 mm or 360°</source>
-        <translation>emplacement de la zone de travail de 2 000&#xa0;mm ou 360°</translation>
     </message>
     <message>
         <source>position of the axes not under test</source>
@@ -496,36 +425,12 @@
         <translation>date d’étalonnage de chaque instrument</translation>
     </message>
     <message>
-        <source>measuring line: offset to the tool reference</source>
-        <translation>ligne de mesurage&#xa0;: décalage par rapport à la référence de l’outil</translation>
-    </message>
-    <message>
-        <source>measuring line: offset to the workpiece reference</source>
-        <translation>ligne de mesurage&#xa0;: décalage par rapport à la référence de la pièce</translation>
-    </message>
-    <message>
-        <source>temperature of the machine at start and end</source>
-        <translation>température de la machine au début et à la fin</translation>
-    </message>
-    <message>
-        <source>temperature of the instrument at start and end</source>
-        <translation>température de l’instrument au début et à la fin</translation>
-    </message>
-    <message>
-        <source>temperature of the air at start and end</source>
-        <translation>température de l’air au début et à la fin</translation>
-    </message>
-    <message>
         <source>position of the temperature sensors</source>
         <translation>position des capteurs de température</translation>
     </message>
     <message>
         <source>coefficients of thermal expansion of machine and instrument</source>
         <translation>coefficients de dilatation thermique de la machine et de l’instrument</translation>
-    </message>
-    <message>
-        <source>compensation of the nominal differential expansion (NDE)</source>
-        <translation>compensation de la dilatation différentielle nominale (DDN)</translation>
     </message>
     <message>
         <source>air pressure</source>
@@ -536,14 +441,6 @@
         <translation>humidité de l’air</translation>
     </message>
     <message>
-        <source>temperature gradient</source>
-        <translation>gradient de température</translation>
-    </message>
-    <message>
-        <source>warm-up done</source>
-        <translation>mise en température effectuée</translation>
-    </message>
-    <message>
         <source>feed rate</source>
         <translation>vitesse d’avance</translation>
     </message>
@@ -552,16 +449,8 @@
         <translation>machine complète et en état de marche</translation>
     </message>
     <message>
-        <source>machine levelled and aligned</source>
-        <translation>machine mise à niveau et alignée</translation>
-    </message>
-    <message>
         <source>machine unloaded</source>
         <translation>machine à vide</translation>
-    </message>
-    <message>
-        <source>Axis travel not stated: the measurement travel of %1 takes its place.</source>
-        <translation>Longueur d’axe non indiquée&#xa0;: la course de mesurage de %1 en tient lieu.</translation>
     </message>
     <message>
         <source>%1 targets over %2: at least 5 per metre are required, %3 here.</source>
@@ -569,35 +458,19 @@
     </message>
     <message>
         <source>Number of targets: %1; at least 5 are required.</source>
-        <translation>Nombre de points visés&#xa0;: %1 ; au moins 5 sont exigés.</translation>
+        <translation>Nombre de points visés&#xa0;: %1&#x202f;; au moins 5 sont exigés.</translation>
     </message>
     <message>
         <source>%1 targets over %2: a long axis has a target in each element of its measuring system or every 250 mm.</source>
         <translation>%1 points visés sur %2&#xa0;: un axe long a un point visé dans chaque élément de son système de mesure ou tous les 250&#xa0;mm.</translation>
     </message>
     <message>
-        <source>%1 targets over %2: practice asks for a mean interval of 250 mm and a target in each segment of the scale (not verified against the text of the edition).</source>
-        <translation>%1 points visés sur %2&#xa0;: l’usage demande un intervalle moyen de 250&#xa0;mm et un point visé dans chaque segment de la règle (non vérifié sur le texte de l’édition).</translation>
-    </message>
-    <message>
         <source>The targets leave out %1 of the axis travel of %2: neither the whole travel nor a test inside the agreed zone.</source>
         <translation>Les points visés laissent de côté %1 de la longueur d’axe de %2&#xa0;: ce n’est ni la longueur entière ni un essai dans la zone convenue.</translation>
     </message>
     <message>
-        <source>The targets leave out %1 of the axis travel of %2: practice asks for the whole travel (not verified against the text of the edition).</source>
-        <translation>Les points visés laissent de côté %1 de la longueur d’axe de %2&#xa0;: l’usage demande la longueur entière (non vérifié sur le texte de l’édition).</translation>
-    </message>
-    <message>
         <source>A rotary axis is tested at 0°, 90°, 180° and 270° or at the faces of the polygon; missing: %1.</source>
-        <translation>Un axe rotatif est contrôlé à 0°, 90°, 180° et 270° ou aux faces du polygone ; manquent&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>%1 targets over %2: practice asks for at least %3 (not verified against the text of the edition).</source>
-        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins %3 (non vérifié sur le texte de l’édition).</translation>
-    </message>
-    <message>
-        <source>%1 targets over %2: practice asks for at least 8 per turn, up to 1 800° (not verified against the text of the edition).</source>
-        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins 8 par tour, jusqu’à 1 800° (non vérifié sur le texte de l’édition).</translation>
+        <translation>Un axe rotatif est contrôlé à 0°, 90°, 180° et 270° ou aux faces du polygone&#x202f;; manquent&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Only the zone of this long axis (%1) is tested: the test over the whole travel is missing in this file.</source>
@@ -609,19 +482,15 @@
     </message>
     <message>
         <source>The zone is %1 long; the full test is made on an agreed %2.</source>
-        <translation>La zone a une longueur de %1 ; le contrôle complet se fait sur une longueur convenue de %2.</translation>
-    </message>
-    <message>
-        <source>The zone is %1 long; practice asks for a full test on an agreed %2 (not verified against the text of the edition).</source>
-        <translation>La zone a une longueur de %1 ; l’usage demande un contrôle complet sur une longueur convenue de %2 (non vérifié sur le texte de l’édition).</translation>
+        <translation>La zone a une longueur de %1&#x202f;; le contrôle complet se fait sur une longueur convenue de %2.</translation>
     </message>
     <message>
         <source>The first and the last target have to be approached from both sides; beyond them the axis has %1 and %2, the approach distance is %3.</source>
-        <translation>Le premier et le dernier points visés doivent être approchés des deux côtés ; au-delà, l’axe dispose de %1 et de %2, la distance d’approche est de %3.</translation>
+        <translation>Le premier et le dernier points visés doivent être approchés des deux côtés&#x202f;; au-delà, l’axe dispose de %1 et de %2, la distance d’approche est de %3.</translation>
     </message>
     <message>
         <source>The first and the last target have to be approached from both sides; beyond them the axis has %1 and %2.</source>
-        <translation>Le premier et le dernier points visés doivent être approchés des deux côtés ; au-delà, l’axe dispose de %1 et de %2.</translation>
+        <translation>Le premier et le dernier points visés doivent être approchés des deux côtés&#x202f;; au-delà, l’axe dispose de %1 et de %2.</translation>
     </message>
     <message>
         <source>The ends of the axis are not stated: whether the first and the last target can be approached from both sides is not checked.</source>
@@ -637,7 +506,7 @@
     </message>
     <message>
         <source>The targets leave their nominal interval of %1 by up to ± %2; the random part is to stay within ± %3.</source>
-        <translation>Les points visés s’écartent de leur intervalle nominal de %1 jusqu’à ±&#xa0;%2 ; la part aléatoire doit rester dans ±&#xa0;%3.</translation>
+        <translation>Les points visés s’écartent de leur intervalle nominal de %1 jusqu’à ±&#xa0;%2&#x202f;; la part aléatoire doit rester dans ±&#xa0;%3.</translation>
     </message>
     <message>
         <source>Test code for machine tools — Part 4: Circular tests for numerically controlled machine tools</source>
@@ -673,7 +542,7 @@
     </message>
     <message>
         <source>this key stands here twice; expected it once</source>
-        <translation>cette clé figure ici deux fois ; attendu&#xa0;: une seule fois</translation>
+        <translation>cette clé figure ici deux fois&#x202f;; attendu&#xa0;: une seule fois</translation>
     </message>
     <message>
         <source>more keys than a test file can have</source>
@@ -693,7 +562,7 @@
     </message>
     <message>
         <source>more than 10 000 000 readings or points</source>
-        <translation>plus de 10 000 000 de relevés ou de points</translation>
+        <translation>plus de 10&#x202f;000&#x202f;000 de relevés ou de points</translation>
     </message>
     <message>
         <source>nested deeper than a test file can be</source>
@@ -705,27 +574,27 @@
     </message>
     <message>
         <source>this number is too large; expected a finite number</source>
-        <translation>ce nombre est trop grand ; attendu&#xa0;: un nombre fini</translation>
+        <translation>ce nombre est trop grand&#x202f;; attendu&#xa0;: un nombre fini</translation>
     </message>
     <message>
         <source>the file ends inside this text; expected a quotation mark</source>
-        <translation>le fichier s’arrête à l’intérieur de ce texte ; attendu&#xa0;: un guillemet</translation>
+        <translation>le fichier s’arrête à l’intérieur de ce texte&#x202f;; attendu&#xa0;: un guillemet</translation>
     </message>
     <message>
         <source>a text cannot hold this character; expected UTF-8 without line breaks and control characters</source>
-        <translation>un texte ne peut pas contenir ce caractère ; attendu&#xa0;: de l’UTF-8 sans saut de ligne ni caractère de commande</translation>
+        <translation>un texte ne peut pas contenir ce caractère&#x202f;; attendu&#xa0;: de l’UTF-8 sans saut de ligne ni caractère de commande</translation>
     </message>
     <message>
         <source>the file ends here; expected %1</source>
-        <translation>le fichier s’arrête ici ; attendu&#xa0;: %1</translation>
+        <translation>le fichier s’arrête ici&#x202f;; attendu&#xa0;: %1</translation>
     </message>
     <message>
         <source>this is no character of UTF-8; expected a test file in UTF-8</source>
-        <translation>ceci n’est pas un caractère UTF-8 ; attendu&#xa0;: un fichier d’essai en UTF-8</translation>
+        <translation>ceci n’est pas un caractère UTF-8&#x202f;; attendu&#xa0;: un fichier d’essai en UTF-8</translation>
     </message>
     <message>
         <source>found “%1”; expected %2</source>
-        <translation>trouvé&#xa0;: «&#xa0;%1&#xa0;» ; attendu&#xa0;: %2</translation>
+        <translation>trouvé&#xa0;: «&#xa0;%1&#xa0;»&#x202f;; attendu&#xa0;: %2</translation>
     </message>
     <message>
         <source>a file cannot hold a number that is not finite</source>
@@ -733,7 +602,7 @@
     </message>
     <message>
         <source>this key is unknown; what others want to add goes into “extensions”</source>
-        <translation>cette clé est inconnue ; ce que d’autres veulent ajouter se place dans «&#xa0;extensions&#xa0;»</translation>
+        <translation>cette clé est inconnue&#x202f;; ce que d’autres veulent ajouter se place dans «&#xa0;extensions&#xa0;»</translation>
     </message>
     <message>
         <source>expected “from” to be less than “to”</source>
@@ -757,11 +626,11 @@
     </message>
     <message>
         <source>this reading is excluded twice; expected it once</source>
-        <translation>ce relevé est écarté deux fois ; attendu&#xa0;: une seule fois</translation>
+        <translation>ce relevé est écarté deux fois&#x202f;; attendu&#xa0;: une seule fois</translation>
     </message>
     <message>
         <source>unknown edition “%1”; expected a designation such as ISO 230-2:1988</source>
-        <translation>édition «&#xa0;%1&#xa0;» inconnue ; attendu&#xa0;: une désignation telle que ISO 230-2:1988</translation>
+        <translation>édition «&#xa0;%1&#xa0;» inconnue&#x202f;; attendu&#xa0;: une désignation telle que ISO 230-2:1988</translation>
     </message>
     <message>
         <source>expected at least one language</source>
@@ -769,7 +638,7 @@
     </message>
     <message>
         <source>unknown parameter “%1”; expected one of this kind of test, such as %2</source>
-        <translation>paramètre «&#xa0;%1&#xa0;» inconnu ; attendu&#xa0;: un paramètre de ce type d’essai, tel que %2</translation>
+        <translation>paramètre «&#xa0;%1&#xa0;» inconnu&#x202f;; attendu&#xa0;: un paramètre de ce type d’essai, tel que %2</translation>
     </message>
     <message>
         <source>“%1” is not for this kind of test</source>
@@ -777,19 +646,19 @@
     </message>
     <message>
         <source>unknown point “%1”; expected one that this kind of test agrees on</source>
-        <translation>point «&#xa0;%1&#xa0;» inconnu ; attendu&#xa0;: un point faisant l’objet d’un accord pour ce type d’essai</translation>
+        <translation>point «&#xa0;%1&#xa0;» inconnu&#x202f;; attendu&#xa0;: un point faisant l’objet d’un accord pour ce type d’essai</translation>
     </message>
     <message>
         <source>“%1” stands here twice; expected it once</source>
-        <translation>«&#xa0;%1&#xa0;» figure ici deux fois ; attendu&#xa0;: une seule fois</translation>
+        <translation>«&#xa0;%1&#xa0;» figure ici deux fois&#x202f;; attendu&#xa0;: une seule fois</translation>
     </message>
     <message>
         <source>expected the id of an instrument of this file; “%1” is none</source>
-        <translation>attendu&#xa0;: l’identifiant d’un instrument de ce fichier ; «&#xa0;%1&#xa0;» n’en est pas un</translation>
+        <translation>attendu&#xa0;: l’identifiant d’un instrument de ce fichier&#x202f;; «&#xa0;%1&#xa0;» n’en est pas un</translation>
     </message>
     <message>
         <source>expected the id of a drift test of this file; “%1” is none</source>
-        <translation>attendu&#xa0;: l’identifiant d’un essai de dérive de ce fichier ; «&#xa0;%1&#xa0;» n’en est pas un</translation>
+        <translation>attendu&#xa0;: l’identifiant d’un essai de dérive de ce fichier&#x202f;; «&#xa0;%1&#xa0;» n’en est pas un</translation>
     </message>
     <message>
         <source>the key “%1” is missing</source>
@@ -801,7 +670,7 @@
     </message>
     <message>
         <source>unknown word “%1”; expected one of: %2</source>
-        <translation>mot «&#xa0;%1&#xa0;» inconnu ; attendu&#xa0;: l’un des mots suivants&#xa0;: %2</translation>
+        <translation>mot «&#xa0;%1&#xa0;» inconnu&#x202f;; attendu&#xa0;: l’un des mots suivants&#xa0;: %2</translation>
     </message>
     <message>
         <source>expected an object, in braces</source>
@@ -869,7 +738,7 @@
     </message>
     <message>
         <source>this is not a test file of Palmer; expected %1</source>
-        <translation>ceci n’est pas un fichier d’essai de Palmer ; attendu&#xa0;: %1</translation>
+        <translation>ceci n’est pas un fichier d’essai de Palmer&#x202f;; attendu&#xa0;: %1</translation>
     </message>
     <message>
         <source>expected a whole number from 1 on</source>
@@ -877,19 +746,19 @@
     </message>
     <message>
         <source>the file was written by a newer version of Palmer (format %1); this one reads up to format %2: install a newer Palmer</source>
-        <translation>le fichier a été écrit par une version plus récente de Palmer (format %1) ; celle-ci lit jusqu’au format %2&#xa0;: installez une version plus récente de Palmer</translation>
+        <translation>le fichier a été écrit par une version plus récente de Palmer (format %1)&#x202f;; celle-ci lit jusqu’au format %2&#xa0;: installez une version plus récente de Palmer</translation>
     </message>
     <message>
         <source>this is a folder; expected the name of a file to save to</source>
-        <translation>ceci est un dossier ; attendu&#xa0;: le nom du fichier à enregistrer</translation>
+        <translation>ceci est un dossier&#x202f;; attendu&#xa0;: le nom du fichier à enregistrer</translation>
     </message>
     <message>
         <source>the folder does not exist; create it or save in another folder</source>
-        <translation>le dossier n’existe pas ; créez-le ou enregistrez dans un autre dossier</translation>
+        <translation>le dossier n’existe pas&#x202f;; créez-le ou enregistrez dans un autre dossier</translation>
     </message>
     <message>
         <source>this is a folder; expected a test file</source>
-        <translation>ceci est un dossier ; attendu&#xa0;: un fichier d’essai</translation>
+        <translation>ceci est un dossier&#x202f;; attendu&#xa0;: un fichier d’essai</translation>
     </message>
     <message>
         <source>there is no such file</source>
@@ -901,7 +770,7 @@
     </message>
     <message>
         <source>the file is larger than 1 GiB</source>
-        <translation>le fichier dépasse 1 Gio</translation>
+        <translation>le fichier dépasse 1&#x202f;Gio</translation>
     </message>
     <message>
         <source>bidirectional</source>
@@ -1035,11 +904,11 @@
     </message>
     <message>
         <source>m = %1; n = %2 each way</source>
-        <translation>m = %1 ; n = %2 par sens</translation>
+        <translation>m = %1&#x202f;; n = %2 par sens</translation>
     </message>
     <message>
         <source>m = %1; n = %2 ↑, %3 ↓</source>
-        <translation>m = %1 ; n = %2 ↑, %3 ↓</translation>
+        <translation>m = %1&#x202f;; n = %2 ↑, %3 ↓</translation>
     </message>
     <message>
         <source>guard band %1 U</source>
@@ -1124,17 +993,6 @@
     <message>
         <source>Results</source>
         <translation>Résultats</translation>
-    </message>
-    <message>
-        <source>In accordance with %1.</source>
-        <translation>Essai conforme à l’édition %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>NOT in accordance with %1: %n requirement(s) not met.</source>
-        <translation>
-            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigence non satisfaite.</numerusform>
-            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigences non satisfaites.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Limits: no verdict.</source>
@@ -1242,7 +1100,7 @@
     </message>
     <message>
         <source>unknown language %1; known: fr, en</source>
-        <translation>langue inconnue %1 ; connues&#xa0;: fr, en</translation>
+        <translation>langue inconnue %1&#x202f;; connues&#xa0;: fr, en</translation>
     </message>
     <message>
         <source>the command %1 needs a file (%2)</source>
@@ -1266,11 +1124,11 @@
     </message>
     <message>
         <source>results as JSON; of several files one object a line</source>
-        <translation>résultats en JSON ; pour plusieurs fichiers, un objet par ligne</translation>
+        <translation>résultats en JSON&#x202f;; pour plusieurs fichiers, un objet par ligne</translation>
     </message>
     <message>
         <source>unknown edition %1; known: %2</source>
-        <translation>édition inconnue %1 ; connues&#xa0;: %2</translation>
+        <translation>édition inconnue %1&#x202f;; connues&#xa0;: %2</translation>
     </message>
     <message>
         <source>results of the tests as a table or as JSON</source>
@@ -1286,27 +1144,27 @@
     </message>
     <message>
         <source>a command is missing; palmer-cli --help lists them</source>
-        <translation>il manque une commande ; palmer-cli --help les énumère</translation>
+        <translation>il manque une commande&#x202f;; palmer-cli --help les énumère</translation>
     </message>
     <message>
         <source>unknown command %1; palmer-cli --help lists them</source>
-        <translation>commande inconnue %1 ; palmer-cli --help les énumère</translation>
+        <translation>commande inconnue %1&#x202f;; palmer-cli --help les énumère</translation>
     </message>
     <message>
         <source>unknown escape in a text; expected one that JSON knows</source>
-        <translation>séquence d’échappement inconnue dans un texte ; attendu&#xa0;: une séquence que JSON connaît</translation>
+        <translation>séquence d’échappement inconnue dans un texte&#x202f;; attendu&#xa0;: une séquence que JSON connaît</translation>
     </message>
     <message>
         <source>number of values found: %1; expected: %2</source>
-        <translation>nombre de valeurs trouvées&#xa0;: %1 ; attendu&#xa0;: %2</translation>
+        <translation>nombre de valeurs trouvées&#xa0;: %1&#x202f;; attendu&#xa0;: %2</translation>
     </message>
     <message>
         <source>the file could not be saved, for want of permission or space; what was there before is unchanged: save it under another name or in another folder</source>
-        <translation>le fichier n’a pas pu être enregistré, faute de droits ou de place ; l’ancien fichier est inchangé&#xa0;: enregistrez sous un autre nom ou dans un autre dossier</translation>
+        <translation>le fichier n’a pas pu être enregistré, faute de droits ou de place&#x202f;; l’ancien fichier est inchangé&#xa0;: enregistrez sous un autre nom ou dans un autre dossier</translation>
     </message>
     <message>
         <source>the file cannot be read; check its permissions and the medium it is on</source>
-        <translation>le fichier ne peut pas être lu ; vérifiez ses droits d’accès et le support sur lequel il se trouve</translation>
+        <translation>le fichier ne peut pas être lu&#x202f;; vérifiez ses droits d’accès et le support sur lequel il se trouve</translation>
     </message>
     <message>
         <source>No value for %1: see what the test lacks.</source>
@@ -1353,10 +1211,6 @@
         <translation>Pas de valeur pour F et D&#xa0;: la longueur de référence n’est pas étalonnée.</translation>
     </message>
     <message>
-        <source>F and D need a calibrated reference length: whether it is calibrated is not stated.</source>
-        <translation>F et D demandent une longueur de référence étalonnée&#xa0;: il n’est pas indiqué si elle l’est.</translation>
-    </message>
-    <message>
         <source>F and D are not corrected to 20 °C, and the test was made at another temperature.</source>
         <translation>F et D ne sont pas ramenés à 20&#xa0;°C, et l’essai a été fait à une autre température.</translation>
     </message>
@@ -1365,12 +1219,8 @@
         <translation>F et D ne peuvent pas être ramenés à 20&#xa0;°C&#xa0;: il y faut les températures au début et à la fin et les coefficients de dilatation thermique de la machine et de l’instrument.</translation>
     </message>
     <message>
-        <source>The instrument was centred anew between the runs.</source>
-        <translation>L’instrument a été recentré entre les parcours.</translation>
-    </message>
-    <message>
         <source>Feedback signal: the annex speaks of machines with linear scales; what lies between scale and tool is not seen.</source>
-        <translation>Signal de retour&#xa0;: l’annexe parle de machines à règles de mesure linéaires ; ce qui se trouve entre la règle et l’outil n’est pas vu.</translation>
+        <translation>Signal de retour&#xa0;: l’annexe parle de machines à règles de mesure linéaires&#x202f;; ce qui se trouve entre la règle et l’outil n’est pas vu.</translation>
     </message>
     <message>
         <source>F and D cannot be had from a feedback signal.</source>
@@ -1445,22 +1295,6 @@
         <translation>vitesse d’avance de contournage</translation>
     </message>
     <message>
-        <source>location of the instrument: centre of the circle</source>
-        <translation>position de l’instrument&#xa0;: centre du cercle</translation>
-    </message>
-    <message>
-        <source>location of the instrument: offset to the tool reference</source>
-        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de l’outil</translation>
-    </message>
-    <message>
-        <source>location of the instrument: offset to the workpiece reference</source>
-        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de la pièce</translation>
-    </message>
-    <message>
-        <source>correction of F and D to 20 °C</source>
-        <translation>correction de F et D à 20&#xa0;°C</translation>
-    </message>
-    <message>
         <source>start point</source>
         <translation>point de départ</translation>
     </message>
@@ -1471,10 +1305,6 @@
     <message>
         <source>data smoothing</source>
         <translation>lissage des données</translation>
-    </message>
-    <message>
-        <source>measured one after the other without re-centring</source>
-        <translation>mesures successives sans recentrage</translation>
     </message>
     <message>
         <source>compensation active during the test</source>
@@ -1922,11 +1752,11 @@
     </message>
     <message>
         <source>%1 asks for the uncertainty beside every result; some are not stated.</source>
-        <translation>L’édition %1 demande l’incertitude de chaque résultat ; certaines ne sont pas indiquées.</translation>
+        <translation>L’édition %1 demande l’incertitude de chaque résultat&#x202f;; certaines ne sont pas indiquées.</translation>
     </message>
     <message>
         <source>%1 asks for the uncertainty beside every result; none is stated.</source>
-        <translation>L’édition %1 demande l’incertitude de chaque résultat ; aucune n’est indiquée.</translation>
+        <translation>L’édition %1 demande l’incertitude de chaque résultat&#x202f;; aucune n’est indiquée.</translation>
     </message>
     <message>
         <source>The correction was to be made here, but temperatures or coefficients of expansion are missing: nothing is corrected.</source>
@@ -1934,7 +1764,7 @@
     </message>
     <message>
         <source>Made here for the expansion of the machine (α = %1, θ = %2); the instrument compensates the air only.</source>
-        <translation>Faite ici pour la dilatation de la machine (α = %1, θ = %2) ; l’instrument ne compense que l’air.</translation>
+        <translation>Faite ici pour la dilatation de la machine (α = %1, θ = %2)&#x202f;; l’instrument ne compense que l’air.</translation>
     </message>
     <message>
         <source>Made here for the expansion of the machine (α = %1, θ = %2) and of the instrument (α = %3, θ = %4).</source>
@@ -1958,7 +1788,7 @@
     </message>
     <message>
         <source>factor %1; bold: the value that rules the parameter of the axis</source>
-        <translation>facteur %1 ; en gras la valeur qui gouverne le paramètre de l’axe</translation>
+        <translation>facteur %1&#x202f;; en gras la valeur qui gouverne le paramètre de l’axe</translation>
     </message>
     <message>
         <source>positioning deviations</source>
@@ -2079,11 +1909,11 @@
     </message>
     <message>
         <source>m = %1; n = %2 %3</source>
-        <translation>m = %1 ; n = %2 %3</translation>
+        <translation>m = %1&#x202f;; n = %2 %3</translation>
     </message>
     <message>
         <source>m = %1; n = %2 per direction</source>
-        <translation>m = %1 ; n = %2 par sens</translation>
+        <translation>m = %1&#x202f;; n = %2 par sens</translation>
     </message>
     <message>
         <source>Acceptance test report</source>
@@ -2146,10 +1976,6 @@
         <translation>Tous les essais ont été exécutés conformément à leur édition.</translation>
     </message>
     <message>
-        <source>Tests NOT in accordance with their edition: %1 of %2.</source>
-        <translation>Essais NON conformes à leur édition&#xa0;: %1 sur %2.</translation>
-    </message>
-    <message>
         <source>%1 readings: mean %2, range %3</source>
         <translation>%1 relevés&#xa0;: moyenne %2, étendue %3</translation>
     </message>
@@ -2198,7 +2024,7 @@
     </message>
     <message>
         <source>limit. Value left of the limit: conforms; right of it: does not conform.</source>
-        <translation>limite. Valeur à gauche de la limite&#xa0;: conforme ; à droite&#xa0;: non conforme.</translation>
+        <translation>limite. Valeur à gauche de la limite&#xa0;: conforme&#x202f;; à droite&#xa0;: non conforme.</translation>
     </message>
     <message>
         <source>limit</source>
@@ -2207,11 +2033,11 @@
     </message>
     <message>
         <source>limit ± %1. Value left of the band: conforms; within: non-conformity not proven; right: does not conform.</source>
-        <translation>limite ± %1. À gauche de la bande&#xa0;: conforme ; dedans&#xa0;: non-conformité non démontrée ; à droite&#xa0;: non conforme.</translation>
+        <translation>limite ± %1. À gauche de la bande&#xa0;: conforme&#x202f;; dedans&#xa0;: non-conformité non démontrée&#x202f;; à droite&#xa0;: non conforme.</translation>
     </message>
     <message>
         <source>limit ± %1. Value left of the band: conforms; in the band: not proven; right of the band: does not conform.</source>
-        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: conforme ; dans la bande&#xa0;: non prouvé ; à droite&#xa0;: non conforme.</translation>
+        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: conforme&#x202f;; dans la bande&#xa0;: non prouvé&#x202f;; à droite&#xa0;: non conforme.</translation>
     </message>
     <message>
         <source>%1 (%2 against %3)</source>
@@ -2269,10 +2095,6 @@
         <source>Verdict of the test</source>
         <translation>Verdict de l’essai</translation>
     </message>
-    <message>
-        <source>Test carried out in accordance with %1.</source>
-        <translation>Essai exécuté conformément à %1.</translation>
-    </message>
     <message numerus="yes">
         <source>Test NOT in accordance with %1: %n requirement(s) not met</source>
         <translation>
@@ -2320,15 +2142,15 @@
     </message>
     <message>
         <source>Simple acceptance: a value conforms when it is not above its limit; the uncertainty has no part in it.</source>
-        <translation>Acceptation simple&#xa0;: une valeur est conforme lorsqu’elle ne dépasse pas sa limite ; l’incertitude n’intervient pas.</translation>
+        <translation>Acceptation simple&#xa0;: une valeur est conforme lorsqu’elle ne dépasse pas sa limite&#x202f;; l’incertitude n’intervient pas.</translation>
     </message>
     <message>
         <source>ISO 14253-1, conformity has to be proven: a value conforms when it is at least g below its limit, does not conform when it is more than g above it, and is not proven between; g = %1·U.</source>
-        <translation>ISO 14253-1, conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g, non conforme lorsqu’elle la dépasse de plus de g, et non prouvée entre les deux ; g = %1·U.</translation>
+        <translation>ISO 14253-1, conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g, non conforme lorsqu’elle la dépasse de plus de g, et non prouvée entre les deux&#x202f;; g = %1·U.</translation>
     </message>
     <message>
         <source>Non-conformity has to be proven: a value conforms when it is at least g below its limit and does not conform when it is more than g above it; between, non-conformity is not proven: may not be rejected; g = %1·U.</source>
-        <translation>Non-conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g et non conforme lorsqu’elle la dépasse de plus de g ; entre les deux, non-conformité non démontrée&#xa0;: ne peut être refusé ; g = %1·U.</translation>
+        <translation>Non-conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g et non conforme lorsqu’elle la dépasse de plus de g&#x202f;; entre les deux, non-conformité non démontrée&#xa0;: ne peut être refusé&#x202f;; g = %1·U.</translation>
     </message>
     <message>
         <source>The factor 1 is the guard band of the earlier editions of ISO 14253-1.</source>
@@ -2340,7 +2162,7 @@
     </message>
     <message>
         <source>Signed results are compared by their absolute value; the verdict is taken from the unrounded values.</source>
-        <translation>Les résultats signés sont comparés par leur valeur absolue ; le verdict est pris sur les valeurs non arrondies.</translation>
+        <translation>Les résultats signés sont comparés par leur valeur absolue&#x202f;; le verdict est pris sur les valeurs non arrondies.</translation>
     </message>
     <message>
         <source>accuracy</source>
@@ -2453,15 +2275,15 @@
     </message>
     <message>
         <source>which test of the file, from 1; without it the first</source>
-        <translation>quel essai du fichier, à partir de 1 ; sans elle, le premier</translation>
+        <translation>quel essai du fichier, à partir de 1&#x202f;; sans elle, le premier</translation>
     </message>
     <message>
         <source>which figure; without it that of the test</source>
-        <translation>quelle figure ; sans elle, celle de l’essai</translation>
+        <translation>quelle figure&#x202f;; sans elle, celle de l’essai</translation>
     </message>
     <message>
         <source>there is no test %1; the file has %2</source>
-        <translation>il n’y a pas d’essai %1 ; le fichier en a %2</translation>
+        <translation>il n’y a pas d’essai %1&#x202f;; le fichier en a %2</translation>
     </message>
     <message>
         <source>the command %1 needs a file to write (%2)</source>
@@ -2473,7 +2295,7 @@
     </message>
     <message>
         <source>unknown figure %1; known: %2</source>
-        <translation>figure %1 inconnue ; connues&#xa0;: %2</translation>
+        <translation>figure %1 inconnue&#x202f;; connues&#xa0;: %2</translation>
     </message>
     <message>
         <source>the test %1 has no figure %2</source>
@@ -2485,15 +2307,15 @@
     </message>
     <message>
         <source>the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf</source>
-        <translation>le PDF à écrire ; pour deux langues OUT.fr.pdf et OUT.en.pdf</translation>
+        <translation>le PDF à écrire&#x202f;; pour deux langues OUT.fr.pdf et OUT.en.pdf</translation>
     </message>
     <message>
         <source>language of the report; without it those the file asks for</source>
-        <translation>langue du rapport ; sans elle, celles que le fichier demande</translation>
+        <translation>langue du rapport&#x202f;; sans elle, celles que le fichier demande</translation>
     </message>
     <message>
         <source>standard output takes one report; choose --language</source>
-        <translation>la sortie standard prend un seul rapport ; choisir --language</translation>
+        <translation>la sortie standard prend un seul rapport&#x202f;; choisir --language</translation>
     </message>
     <message>
         <source>the printed report as PDF</source>
@@ -2506,10 +2328,6 @@
     <message>
         <source>no verdict</source>
         <translation>pas de verdict</translation>
-    </message>
-    <message>
-        <source>Worked example of ISO 230-2:1988 (table 2): the position of the first target and ten readings are stand-ins with the published mean and s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) and the values per target, never the single readings.</source>
-        <translation>Exemple traité de l’ISO 230-2:1988 (tableau 2)&#xa0;: la position du premier point visé et dix relevés sont des valeurs de remplacement ayant la moyenne et le s publiés. Comparer l’erreur moyenne de réversibilité (publiée&#xa0;: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) et les valeurs par point visé, jamais les relevés isolés.</translation>
     </message>
     <message>
         <source>Nominal radius</source>
@@ -2557,19 +2375,15 @@
     </message>
     <message>
         <source>the disk is read-only; save in a folder of another disk</source>
-        <translation>le disque est en lecture seule ; enregistrer dans un dossier d’un autre disque</translation>
+        <translation>le disque est en lecture seule&#x202f;; enregistrer dans un dossier d’un autre disque</translation>
     </message>
     <message>
         <source>the disk is full; what was there before is unchanged: free some space or save on another disk</source>
-        <translation>le disque est plein ; ce qui y était avant est inchangé&#xa0;: libérer de la place ou enregistrer sur un autre disque</translation>
+        <translation>le disque est plein&#x202f;; ce qui y était avant est inchangé&#xa0;: libérer de la place ou enregistrer sur un autre disque</translation>
     </message>
     <message>
         <source>this is no template of Palmer</source>
         <translation>ce n’est pas un modèle de Palmer</translation>
-    </message>
-    <message>
-        <source>expected one of machine, instrument, laboratory and limits, not two</source>
-        <translation>un seul attendu parmi machine, instrument, laboratory et limits, pas deux</translation>
     </message>
     <message>
         <source>this key is unknown</source>
@@ -2609,7 +2423,7 @@
     </message>
     <message>
         <source>all readings are very small: is this the unit?</source>
-        <translation>tous les relevés sont très petits&#xa0;: est-ce la bonne unité ?</translation>
+        <translation>tous les relevés sont très petits&#xa0;: est-ce la bonne unité&#x202f;?</translation>
     </message>
     <message>
         <source>the range of a compensation begins before it ends</source>
@@ -2617,7 +2431,7 @@
     </message>
     <message>
         <source>the interval of a compensation is positive and gives at most 100 000 points</source>
-        <translation>le pas d’une compensation est positif et donne au plus 100 000 points</translation>
+        <translation>le pas d’une compensation est positif et donne au plus 100&#x202f;000 points</translation>
     </message>
     <message>
         <source>“%1” is no line of a compensation table</source>
@@ -2629,7 +2443,7 @@
     </message>
     <message>
         <source>a compensation is made of a positioning test; this test is none</source>
-        <translation>une compensation se fait à partir d’un essai de positionnement ; cet essai n’en est pas un</translation>
+        <translation>une compensation se fait à partir d’un essai de positionnement&#x202f;; cet essai n’en est pas un</translation>
     </message>
     <message>
         <source>a compensation needs two targets at least</source>
@@ -2637,15 +2451,15 @@
     </message>
     <message>
         <source>target %1 has no mean; a compensation needs one at every target</source>
-        <translation>le point visé %1 n’a pas de moyenne ; une compensation en demande une à chaque point</translation>
+        <translation>le point visé %1 n’a pas de moyenne&#x202f;; une compensation en demande une à chaque point</translation>
     </message>
     <message>
         <source>this format knows absolute values of one sign only; choose compensation-csv</source>
-        <translation>ce format ne connaît que des valeurs absolues d’un seul signe ; choisir compensation-csv</translation>
+        <translation>ce format ne connaît que des valeurs absolues d’un seul signe&#x202f;; choisir compensation-csv</translation>
     </message>
     <message>
         <source>this format has one value a point; combine the directions, and state the reversal value as backlash</source>
-        <translation>ce format a une valeur par point ; combiner les sens et déclarer la valeur de réversibilité comme jeu</translation>
+        <translation>ce format a une valeur par point&#x202f;; combiner les sens et déclarer la valeur de réversibilité comme jeu</translation>
     </message>
     <message>
         <source>the positions of a compensation table ascend</source>
@@ -2653,7 +2467,7 @@
     </message>
     <message>
         <source>positioning test of axis %1; targets: %2; runs each way: %3</source>
-        <translation>essai de positionnement de l’axe %1 ; points visés&#xa0;: %2 ; passes par sens&#xa0;: %3</translation>
+        <translation>essai de positionnement de l’axe %1&#x202f;; points visés&#xa0;: %2&#x202f;; passes par sens&#xa0;: %3</translation>
     </message>
     <message>
         <source>moves from %1 to %2: check the room before the start</source>
@@ -2749,11 +2563,11 @@
     </message>
     <message>
         <source>the plane cannot be %1; expected two axes, for example XY</source>
-        <translation>le plan ne peut être %1 ; deux axes sont attendus, par exemple XY</translation>
+        <translation>le plan ne peut être %1&#x202f;; deux axes sont attendus, par exemple XY</translation>
     </message>
     <message>
         <source>Plane: nothing in the file says it; taken as XY.</source>
-        <translation>Plan&#xa0;: rien ne le dit dans le fichier ; pris comme XY.</translation>
+        <translation>Plan&#xa0;: rien ne le dit dans le fichier&#x202f;; pris comme XY.</translation>
     </message>
     <message>
         <source>Whether the length is calibrated is not stated: F and D need it.</source>
@@ -2773,15 +2587,15 @@
     </message>
     <message>
         <source>this is no whole XML (%1); the file was cut off or damaged</source>
-        <translation>ce n’est pas un XML complet (%1) ; le fichier est tronqué ou endommagé</translation>
+        <translation>ce n’est pas un XML complet (%1)&#x202f;; le fichier est tronqué ou endommagé</translation>
     </message>
     <message>
         <source>“%1” is no direction of a run; expected CW or CCW</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas le sens d’une passe ; CW ou CCW est attendu</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas le sens d’une passe&#x202f;; CW ou CCW est attendu</translation>
     </message>
     <message>
         <source>“%1” is no reading; expected numbers separated by blanks</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas un relevé ; des nombres séparés par des blancs sont attendus</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un relevé&#x202f;; des nombres séparés par des blancs sont attendus</translation>
     </message>
     <message>
         <source>there are no readings of a ballbar in it</source>
@@ -2789,7 +2603,7 @@
     </message>
     <message>
         <source>the nominal length is missing; state it as nominalRadius</source>
-        <translation>la longueur nominale manque ; la donner par nominalRadius</translation>
+        <translation>la longueur nominale manque&#x202f;; la donner par nominalRadius</translation>
     </message>
     <message>
         <source>the nominal radius is not positive</source>
@@ -2797,7 +2611,7 @@
     </message>
     <message>
         <source>Results of the instrument&apos;s own program: %1; they are shown beside ours.</source>
-        <translation>Résultats du logiciel de l’instrument&#xa0;: %1 ; ils sont montrés à côté des nôtres.</translation>
+        <translation>Résultats du logiciel de l’instrument&#xa0;: %1&#x202f;; ils sont montrés à côté des nôtres.</translation>
     </message>
     <message>
         <source>Elements that are not known and were not read: %1.</source>
@@ -2809,11 +2623,11 @@
     </message>
     <message>
         <source>Readings: the file states no unit; about %1 they are read as lengths of the bar in %2.</source>
-        <translation>Relevés&#xa0;: le fichier n’indique pas d’unité ; autour de %1, ils sont lus comme longueurs de la barre en %2.</translation>
+        <translation>Relevés&#xa0;: le fichier n’indique pas d’unité&#x202f;; autour de %1, ils sont lus comme longueurs de la barre en %2.</translation>
     </message>
     <message>
         <source>Readings: the file states no unit; up to %1 they are read as deviations in %2, positive outwards.</source>
-        <translation>Relevés&#xa0;: le fichier n’indique pas d’unité ; jusqu’à %1, ils sont lus comme écarts en %2, positifs vers l’extérieur.</translation>
+        <translation>Relevés&#xa0;: le fichier n’indique pas d’unité&#x202f;; jusqu’à %1, ils sont lus comme écarts en %2, positifs vers l’extérieur.</translation>
     </message>
     <message>
         <source>start angle, arc or overshoot is beyond sense</source>
@@ -2821,7 +2635,7 @@
     </message>
     <message>
         <source>Arc: the file has no angles; %1 at constant feed are assumed.</source>
-        <translation>Arc&#xa0;: le fichier ne donne pas d’angles ; %1 à vitesse constante sont supposés.</translation>
+        <translation>Arc&#xa0;: le fichier ne donne pas d’angles&#x202f;; %1 à vitesse constante sont supposés.</translation>
     </message>
     <message>
         <source>Start angle: taken as %1. A wrong one turns squareness into scale mismatch.</source>
@@ -2829,7 +2643,7 @@
     </message>
     <message>
         <source>A run states no direction; taken as counterclockwise.</source>
-        <translation>Une passe n’indique pas son sens ; prise comme antihoraire.</translation>
+        <translation>Une passe n’indique pas son sens&#x202f;; prise comme antihoraire.</translation>
     </message>
     <message>
         <source>a run of one reading is no circle</source>
@@ -2837,7 +2651,7 @@
     </message>
     <message>
         <source>Understood: paths: %1; points: %2.</source>
-        <translation>Compris&#xa0;: trajectoires&#xa0;: %1 ; points&#xa0;: %2.</translation>
+        <translation>Compris&#xa0;: trajectoires&#xa0;: %1&#x202f;; points&#xa0;: %2.</translation>
     </message>
     <message>
         <source>table</source>
@@ -2893,7 +2707,7 @@
     </message>
     <message>
         <source>semicolon ;</source>
-        <translation>point-virgule ;</translation>
+        <translation>point-virgule&#x202f;;</translation>
     </message>
     <message>
         <source>comma ,</source>
@@ -3153,15 +2967,15 @@
     </message>
     <message>
         <source>unknown choice %1; known: %2</source>
-        <translation>choix inconnu&#xa0;: %1 ; connus&#xa0;: %2</translation>
+        <translation>choix inconnu&#xa0;: %1&#x202f;; connus&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 cannot be %2; known: %3</source>
-        <translation>%1 ne peut être %2 ; connus&#xa0;: %3</translation>
+        <translation>%1 ne peut être %2&#x202f;; connus&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 cannot be %2; expected a number</source>
-        <translation>%1 ne peut être %2 ; un nombre est attendu</translation>
+        <translation>%1 ne peut être %2&#x202f;; un nombre est attendu</translation>
     </message>
     <message>
         <source>unknown edition %1</source>
@@ -3177,7 +2991,7 @@
     </message>
     <message>
         <source>one column of numbers does not make a circle; expected x and y, angle and radius, or angle and deviation</source>
-        <translation>une seule colonne de nombres ne fait pas un cercle ; x et y, angle et rayon ou angle et écart sont attendus</translation>
+        <translation>une seule colonne de nombres ne fait pas un cercle&#x202f;; x et y, angle et rayon ou angle et écart sont attendus</translation>
     </message>
     <message>
         <source>Content: the columns are read as x and y of points of a circle.</source>
@@ -3193,7 +3007,7 @@
     </message>
     <message>
         <source>Unit of x and y: nothing in the file says it; read as %1.</source>
-        <translation>Unité de x et y&#xa0;: rien ne le dit dans le fichier ; lus en %1.</translation>
+        <translation>Unité de x et y&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
     </message>
     <message>
         <source>the points do not lie on a circle</source>
@@ -3201,23 +3015,23 @@
     </message>
     <message>
         <source>Centre: nothing in the file says it; taken at %1; %2.</source>
-        <translation>Centre&#xa0;: rien ne le dit dans le fichier ; pris en %1 ; %2.</translation>
+        <translation>Centre&#xa0;: rien ne le dit dans le fichier&#x202f;; pris en %1&#x202f;; %2.</translation>
     </message>
     <message>
         <source>Nominal radius: nothing in the file says it; taken as %1.</source>
-        <translation>Rayon nominal&#xa0;: rien ne le dit dans le fichier ; pris à %1.</translation>
+        <translation>Rayon nominal&#xa0;: rien ne le dit dans le fichier&#x202f;; pris à %1.</translation>
     </message>
     <message>
         <source>Unit of the angles: nothing in the file says it; read as %1.</source>
-        <translation>Unité des angles&#xa0;: rien ne le dit dans le fichier ; lus en %1.</translation>
+        <translation>Unité des angles&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
     </message>
     <message>
         <source>Unit of the radial deviations: nothing in the file says it; read as %1.</source>
-        <translation>Unité des écarts radiaux&#xa0;: rien ne le dit dans le fichier ; lus en %1.</translation>
+        <translation>Unité des écarts radiaux&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
     </message>
     <message>
         <source>The nominal radius is not in the file: %1 is put in its place; set it.</source>
-        <translation>Le rayon nominal n’est pas dans le fichier&#xa0;: %1 en tient lieu ; le donner.</translation>
+        <translation>Le rayon nominal n’est pas dans le fichier&#xa0;: %1 en tient lieu&#x202f;; le donner.</translation>
     </message>
     <message>
         <source>Sign: radial deviations are read as positive outwards.</source>
@@ -3229,55 +3043,55 @@
     </message>
     <message>
         <source>Sense: the angles run against the sense the file names; the points are taken in the opposite order.</source>
-        <translation>Sens&#xa0;: les angles vont à l’encontre du sens indiqué par le fichier ; les points sont pris dans l’ordre inverse.</translation>
+        <translation>Sens&#xa0;: les angles vont à l’encontre du sens indiqué par le fichier&#x202f;; les points sont pris dans l’ordre inverse.</translation>
     </message>
     <message>
         <source>this is no character of UTF-16; expected a text file</source>
-        <translation>ce n’est pas un caractère UTF-16 ; un fichier texte est attendu</translation>
+        <translation>ce n’est pas un caractère UTF-16&#x202f;; un fichier texte est attendu</translation>
     </message>
     <message>
         <source>this is no character of UTF-8 nor of Windows-1252; expected a text file</source>
-        <translation>ce n’est un caractère ni d’UTF-8 ni de Windows-1252 ; un fichier texte est attendu</translation>
+        <translation>ce n’est un caractère ni d’UTF-8 ni de Windows-1252&#x202f;; un fichier texte est attendu</translation>
     </message>
     <message>
         <source>this Qt does not know the encoding GB18030; save the text as UTF-8</source>
-        <translation>cette version de Qt ne connaît pas le codage GB18030 ; enregistrer le texte en UTF-8</translation>
+        <translation>cette version de Qt ne connaît pas le codage GB18030&#x202f;; enregistrer le texte en UTF-8</translation>
     </message>
     <message>
         <source>this is no character of GB18030; expected a text file</source>
-        <translation>ce n’est pas un caractère de GB18030 ; un fichier texte est attendu</translation>
+        <translation>ce n’est pas un caractère de GB18030&#x202f;; un fichier texte est attendu</translation>
     </message>
     <message>
         <source>this is binary data; expected a text file, a workbook or an instrument file that can be read</source>
-        <translation>ce sont des données binaires ; un fichier texte, un classeur ou un fichier d’instrument lisible est attendu</translation>
+        <translation>ce sont des données binaires&#x202f;; un fichier texte, un classeur ou un fichier d’instrument lisible est attendu</translation>
     </message>
     <message>
         <source>this is no character of UTF-8; expected a text file in UTF-8</source>
-        <translation>ce n’est pas un caractère UTF-8 ; un fichier texte en UTF-8 est attendu</translation>
+        <translation>ce n’est pas un caractère UTF-8&#x202f;; un fichier texte en UTF-8 est attendu</translation>
     </message>
     <message>
         <source>the file is empty; expected a table of readings or the file of an instrument</source>
-        <translation>le fichier est vide ; un tableau de relevés ou un fichier d’instrument est attendu</translation>
+        <translation>le fichier est vide&#x202f;; un tableau de relevés ou un fichier d’instrument est attendu</translation>
     </message>
     <message>
         <source>Correction to 20 °C: whether the instrument has applied one is not stated; say it.</source>
-        <translation>Correction à 20&#xa0;°C&#xa0;: rien ne dit si l’instrument en a appliqué une ; l’indiquer.</translation>
+        <translation>Correction à 20&#xa0;°C&#xa0;: rien ne dit si l’instrument en a appliqué une&#x202f;; l’indiquer.</translation>
     </message>
     <message>
         <source>there are numbers in it that no machine has; check units and decimal mark</source>
-        <translation>il contient des nombres qu’aucune machine n’a ; vérifier les unités et les décimales</translation>
+        <translation>il contient des nombres qu’aucune machine n’a&#x202f;; vérifier les unités et les décimales</translation>
     </message>
     <message>
         <source>this is a test file or a report, not a measurement; open it instead</source>
-        <translation>c’est un fichier d’essai ou un rapport, non une mesure ; l’ouvrir</translation>
+        <translation>c’est un fichier d’essai ou un rapport, non une mesure&#x202f;; l’ouvrir</translation>
     </message>
     <message>
         <source>temperatures need a test that they belong to; import the measurement before them</source>
-        <translation>des températures demandent un essai auquel elles appartiennent ; importer d’abord la mesure</translation>
+        <translation>des températures demandent un essai auquel elles appartiennent&#x202f;; importer d’abord la mesure</translation>
     </message>
     <message>
         <source>Unit of the positions: nothing in the file says it; read as %1.</source>
-        <translation>Unité des positions&#xa0;: rien ne le dit dans le fichier ; lues en %1.</translation>
+        <translation>Unité des positions&#xa0;: rien ne le dit dans le fichier&#x202f;; lues en %1.</translation>
     </message>
     <message>
         <source>%1 cannot be %2 here: the axis moves the other way</source>
@@ -3289,7 +3103,7 @@
     </message>
     <message>
         <source>The head names %1 targets, the list has %2; the list counts.</source>
-        <translation>L’en-tête annonce %1 points visés, la liste en a %2 ; la liste compte.</translation>
+        <translation>L’en-tête annonce %1 points visés, la liste en a %2&#x202f;; la liste compte.</translation>
     </message>
     <message>
         <source>Lines of text that were not used: %1.</source>
@@ -3313,11 +3127,11 @@
     </message>
     <message>
         <source>The head names %1 cycles, the readings have %2; the readings count.</source>
-        <translation>L’en-tête annonce %1 cycles, les relevés en ont %2 ; les relevés comptent.</translation>
+        <translation>L’en-tête annonce %1 cycles, les relevés en ont %2&#x202f;; les relevés comptent.</translation>
     </message>
     <message>
         <source>All readings of run %1 are zero: was it measured at all?</source>
-        <translation>Tous les relevés de la passe %1 sont nuls&#xa0;: a-t-elle été mesurée ?</translation>
+        <translation>Tous les relevés de la passe %1 sont nuls&#xa0;: a-t-elle été mesurée&#x202f;?</translation>
     </message>
     <message>
         <source>Readings missing: %1.</source>
@@ -3329,35 +3143,35 @@
     </message>
     <message>
         <source>Understood: targets: %1; runs ↑: %2; runs ↓: %3.</source>
-        <translation>Compris&#xa0;: points visés&#xa0;: %1 ; passes ↑&#xa0;: %2 ; passes ↓&#xa0;: %3.</translation>
+        <translation>Compris&#xa0;: points visés&#xa0;: %1&#x202f;; passes ↑&#xa0;: %2&#x202f;; passes ↓&#xa0;: %3.</translation>
     </message>
     <message>
         <source>there are no readings in it; expected target positions and deviations</source>
-        <translation>il ne contient aucun relevé ; des points visés et des écarts sont attendus</translation>
+        <translation>il ne contient aucun relevé&#x202f;; des points visés et des écarts sont attendus</translation>
     </message>
     <message>
         <source>Readings that stand at a target twice in one run: %1; the first is kept.</source>
-        <translation>Relevés en double à un point visé d’une même passe&#xa0;: %1 ; le premier est gardé.</translation>
+        <translation>Relevés en double à un point visé d’une même passe&#xa0;: %1&#x202f;; le premier est gardé.</translation>
     </message>
     <message>
         <source>Content: the values run from %1 to %2 as the targets do; they are read as positions, not as deviations.</source>
-        <translation>Contenu&#xa0;: les valeurs vont de %1 à %2 comme les points visés ; elles sont lues comme positions, non comme écarts.</translation>
+        <translation>Contenu&#xa0;: les valeurs vont de %1 à %2 comme les points visés&#x202f;; elles sont lues comme positions, non comme écarts.</translation>
     </message>
     <message>
         <source>Content: the values run from %1 to %2; they are read as deviations, not as positions.</source>
-        <translation>Contenu&#xa0;: les valeurs vont de %1 à %2 ; elles sont lues comme écarts, non comme positions.</translation>
+        <translation>Contenu&#xa0;: les valeurs vont de %1 à %2&#x202f;; elles sont lues comme écarts, non comme positions.</translation>
     </message>
     <message>
         <source>Unit of the target positions: nothing in the file says it; read as %1.</source>
-        <translation>Unité des points visés&#xa0;: rien ne le dit dans le fichier ; lus en %1.</translation>
+        <translation>Unité des points visés&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
     </message>
     <message>
         <source>Unit of the deviations: nothing in the file says it; read as %1 after their size.</source>
-        <translation>Unité des écarts&#xa0;: rien ne le dit dans le fichier ; lus en %1 d’après leur grandeur.</translation>
+        <translation>Unité des écarts&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1 d’après leur grandeur.</translation>
     </message>
     <message>
         <source>Sign: nothing in the file says it; read as actual − target.</source>
-        <translation>Signe&#xa0;: rien ne le dit dans le fichier ; lu comme «&#xa0;réel − visé&#xa0;».</translation>
+        <translation>Signe&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme «&#xa0;réel − visé&#xa0;».</translation>
     </message>
     <message>
         <source>Layout: the first line is read as the targets, each further one as a run.</source>
@@ -3365,39 +3179,39 @@
     </message>
     <message>
         <source>The targets stand in no order; they were sorted.</source>
-        <translation>Les points visés ne sont pas dans l’ordre ; ils ont été triés.</translation>
+        <translation>Les points visés ne sont pas dans l’ordre&#x202f;; ils ont été triés.</translation>
     </message>
     <message>
         <source>“%1” is no target position; the line was not read.</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas un point visé ; la ligne n’a pas été lue.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un point visé&#x202f;; la ligne n’a pas été lue.</translation>
     </message>
     <message>
         <source>the file does not say which runs are ↑ and which ↓; choose another word for “directions”</source>
-        <translation>le fichier ne dit pas quelles passes sont ↑ et lesquelles ↓ ; choisir un autre mot pour «&#xa0;directions&#xa0;»</translation>
+        <translation>le fichier ne dit pas quelles passes sont ↑ et lesquelles ↓&#x202f;; choisir un autre mot pour «&#xa0;directions&#xa0;»</translation>
     </message>
     <message>
         <source>Directions: nothing in the file says them; the lines are read as ↑ and ↓ in turn.</source>
-        <translation>Sens&#xa0;: rien ne le dit dans le fichier ; les lignes sont lues comme ↑ et ↓ tour à tour.</translation>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; les lignes sont lues comme ↑ et ↓ tour à tour.</translation>
     </message>
     <message>
         <source>Directions: nothing in the file says them; the blocks are read as ↑ and ↓ in turn.</source>
-        <translation>Sens&#xa0;: rien ne le dit dans le fichier ; les blocs sont lus comme ↑ et ↓ tour à tour.</translation>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; les blocs sont lus comme ↑ et ↓ tour à tour.</translation>
     </message>
     <message>
         <source>Directions: nothing in the file says them; the runs are read as ↑ and ↓ in turn.</source>
-        <translation>Sens&#xa0;: rien ne le dit dans le fichier ; les passes sont lues comme ↑ et ↓ tour à tour.</translation>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; les passes sont lues comme ↑ et ↓ tour à tour.</translation>
     </message>
     <message>
         <source>Directions: nothing in the file says them; the first half of the runs is read as ↑, the second as ↓.</source>
-        <translation>Sens&#xa0;: rien ne le dit dans le fichier ; la première moitié des passes est lue comme ↑, la seconde comme ↓.</translation>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; la première moitié des passes est lue comme ↑, la seconde comme ↓.</translation>
     </message>
     <message>
         <source>Directions: nothing in the file says them; all runs are read as ↑.</source>
-        <translation>Sens&#xa0;: rien ne le dit dans le fichier ; toutes les passes sont lues comme ↑.</translation>
+        <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; toutes les passes sont lues comme ↑.</translation>
     </message>
     <message>
         <source>this is no file of import profiles; expected names with their choices</source>
-        <translation>ce n’est pas un fichier de profils d’import ; des noms avec leurs choix sont attendus</translation>
+        <translation>ce n’est pas un fichier de profils d’import&#x202f;; des noms avec leurs choix sont attendus</translation>
     </message>
     <message>
         <source>This line is not like the others and was not read.</source>
@@ -3409,7 +3223,7 @@
     </message>
     <message>
         <source>Start and end of the head are not those of the table; the table counts.</source>
-        <translation>Le début et la fin de l’en-tête ne sont pas ceux de la table ; la table compte.</translation>
+        <translation>Le début et la fin de l’en-tête ne sont pas ceux de la table&#x202f;; la table compte.</translation>
     </message>
     <message>
         <source>This is a compensation table, not a measurement: its values are read with the opposite sign as deviations, to compare.</source>
@@ -3417,7 +3231,7 @@
     </message>
     <message>
         <source>Unit of the compensation values: nothing in the file says it; read as %1.</source>
-        <translation>Unité des valeurs de compensation&#xa0;: rien ne le dit dans le fichier ; lues en %1.</translation>
+        <translation>Unité des valeurs de compensation&#xa0;: rien ne le dit dans le fichier&#x202f;; lues en %1.</translation>
     </message>
     <message>
         <source>the file ends before “%1”: it was cut off</source>
@@ -3433,19 +3247,19 @@
     </message>
     <message>
         <source>“%1” is not run, target and deviation; the line was not read.</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas passe, point visé et écart ; la ligne n’a pas été lue.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas passe, point visé et écart&#x202f;; la ligne n’a pas été lue.</translation>
     </message>
     <message>
         <source>there is no target %1; the list has %2</source>
-        <translation>il n’y a pas de point visé %1 ; la liste en a %2</translation>
+        <translation>il n’y a pas de point visé %1&#x202f;; la liste en a %2</translation>
     </message>
     <message>
         <source>The head names %1 runs, the rows have %2; the rows count.</source>
-        <translation>L’en-tête annonce %1 passes, les lignes en ont %2 ; les lignes comptent.</translation>
+        <translation>L’en-tête annonce %1 passes, les lignes en ont %2&#x202f;; les lignes comptent.</translation>
     </message>
     <message>
         <source>Directions: the order of the targets does not say them; odd runs are read as ↑, even ones as ↓.</source>
-        <translation>Sens&#xa0;: l’ordre des points visés ne le dit pas ; les passes impaires sont lues comme ↑, les paires comme ↓.</translation>
+        <translation>Sens&#xa0;: l’ordre des points visés ne le dit pas&#x202f;; les passes impaires sont lues comme ↑, les paires comme ↓.</translation>
     </message>
     <message>
         <source>Units of this format: targets in %1, deviations in %2, actual − target.</source>
@@ -3453,7 +3267,7 @@
     </message>
     <message>
         <source>The date %1 is no ISO date; it stays as text in the remarks.</source>
-        <translation>La date %1 n’est pas une date ISO ; elle reste en texte dans les remarques.</translation>
+        <translation>La date %1 n’est pas une date ISO&#x202f;; elle reste en texte dans les remarques.</translation>
     </message>
     <message>
         <source>“%1” is 0 °C: taken as not connected.</source>
@@ -3489,19 +3303,19 @@
     </message>
     <message>
         <source>Understood: a drift test; points: %1; duration: %2.</source>
-        <translation>Compris&#xa0;: un essai de dérive ; points&#xa0;: %1 ; durée&#xa0;: %2.</translation>
+        <translation>Compris&#xa0;: un essai de dérive&#x202f;; points&#xa0;: %1&#x202f;; durée&#xa0;: %2.</translation>
     </message>
     <message>
         <source>one column of numbers is no series; expected times and values</source>
-        <translation>une seule colonne de nombres n’est pas une série ; des temps et des valeurs sont attendus</translation>
+        <translation>une seule colonne de nombres n’est pas une série&#x202f;; des temps et des valeurs sont attendus</translation>
     </message>
     <message>
         <source>Unit of the times: nothing in the file says it; read as %1.</source>
-        <translation>Unité des temps&#xa0;: rien ne le dit dans le fichier ; lus en %1.</translation>
+        <translation>Unité des temps&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
     </message>
     <message>
         <source>the times do not rise; expected a series over time</source>
-        <translation>les temps ne croissent pas ; une série temporelle est attendue</translation>
+        <translation>les temps ne croissent pas&#x202f;; une série temporelle est attendue</translation>
     </message>
     <message>
         <source>Sensor “%1”: read as the temperature of the %2.</source>
@@ -3525,7 +3339,7 @@
     </message>
     <message>
         <source>there are no readings in it; expected times and deviations</source>
-        <translation>il ne contient aucun relevé ; des temps et des écarts sont attendus</translation>
+        <translation>il ne contient aucun relevé&#x202f;; des temps et des écarts sont attendus</translation>
     </message>
     <message>
         <source>more rows or cells than a table of readings can have</source>
@@ -3533,7 +3347,7 @@
     </message>
     <message>
         <source>there is no table of numbers in it; expected target positions and readings, points of a circle, or values over time</source>
-        <translation>il ne contient pas de tableau de nombres ; des points visés et des relevés, des points d’un cercle ou des valeurs en fonction du temps sont attendus</translation>
+        <translation>il ne contient pas de tableau de nombres&#x202f;; des points visés et des relevés, des points d’un cercle ou des valeurs en fonction du temps sont attendus</translation>
     </message>
     <message>
         <source>“%1” is read as a missing reading.</source>
@@ -3545,19 +3359,19 @@
     </message>
     <message>
         <source>Kind: nothing in the file says it; read as a circular test.</source>
-        <translation>Nature&#xa0;: rien ne le dit dans le fichier ; lu comme un essai de circularité.</translation>
+        <translation>Nature&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme un essai de circularité.</translation>
     </message>
     <message>
         <source>Kind: nothing in the file says it; read as a positioning test.</source>
-        <translation>Nature&#xa0;: rien ne le dit dans le fichier ; lu comme un essai de positionnement.</translation>
+        <translation>Nature&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme un essai de positionnement.</translation>
     </message>
     <message>
         <source>Encoding: the text is not UTF-8; read as Windows-1252.</source>
-        <translation>Codage&#xa0;: le texte n’est pas en UTF-8 ; lu en Windows-1252.</translation>
+        <translation>Codage&#xa0;: le texte n’est pas en UTF-8&#x202f;; lu en Windows-1252.</translation>
     </message>
     <message>
         <source>Encoding: the text is not UTF-8; read as Chinese (GB18030).</source>
-        <translation>Codage&#xa0;: le texte n’est pas en UTF-8 ; lu comme du chinois (GB18030).</translation>
+        <translation>Codage&#xa0;: le texte n’est pas en UTF-8&#x202f;; lu comme du chinois (GB18030).</translation>
     </message>
     <message>
         <source>Encoding: %1, as the file says.</source>
@@ -3565,11 +3379,11 @@
     </message>
     <message>
         <source>Decimal mark: the numbers can be read in several ways; the comma is taken as decimal mark.</source>
-        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons ; la virgule est prise comme marque décimale.</translation>
+        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; la virgule est prise comme marque décimale.</translation>
     </message>
     <message>
         <source>Decimal mark: the numbers can be read in several ways; the point is taken as decimal mark.</source>
-        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons ; le point est pris comme marque décimale.</translation>
+        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; le point est pris comme marque décimale.</translation>
     </message>
     <message>
         <source>save the test from Ballbar 20 as .b5r (XML), or export its readings as text</source>
@@ -3605,23 +3419,23 @@
     </message>
     <message>
         <source>the format %1 is not documented publicly and cannot be read; %2</source>
-        <translation>le format %1 n’est pas documenté publiquement et ne peut être lu ; %2</translation>
+        <translation>le format %1 n’est pas documenté publiquement et ne peut être lu&#x202f;; %2</translation>
     </message>
     <message>
         <source>the workbook is damaged or was cut off; save it again, or export the sheet as CSV</source>
-        <translation>le classeur est endommagé ou tronqué ; l’enregistrer de nouveau, ou exporter la feuille en CSV</translation>
+        <translation>le classeur est endommagé ou tronqué&#x202f;; l’enregistrer de nouveau, ou exporter la feuille en CSV</translation>
     </message>
     <message>
         <source>there is no sheet “%1”; there are: %2</source>
-        <translation>il n’y a pas de feuille «&#xa0;%1&#xa0;» ; il y a&#xa0;: %2</translation>
+        <translation>il n’y a pas de feuille «&#xa0;%1&#xa0;»&#x202f;; il y a&#xa0;: %2</translation>
     </message>
     <message>
         <source>this archive is no workbook; expected .xlsx or .ods</source>
-        <translation>cette archive n’est pas un classeur ; .xlsx ou .ods est attendu</translation>
+        <translation>cette archive n’est pas un classeur&#x202f;; .xlsx ou .ods est attendu</translation>
     </message>
     <message>
         <source>The workbook has %1 sheets; “%2” is read.</source>
-        <translation>Le classeur a %1 feuilles ; «&#xa0;%2&#xa0;» est lue.</translation>
+        <translation>Le classeur a %1 feuilles&#x202f;; «&#xa0;%2&#xa0;» est lue.</translation>
     </message>
     <message>
         <source>the workbook unpacks to more than a table of readings can be</source>
@@ -3669,7 +3483,7 @@
     </message>
     <message>
         <source>%1: budget and Monte Carlo differ by more than 20 %: an error that all points of a path have in common moves the circle and leaves its width; the budget counts it in full.</source>
-        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: une erreur commune à tous les points d’une trajectoire change le cercle sans en changer la largeur ; le budget la compte entière.</translation>
+        <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: une erreur commune à tous les points d’une trajectoire change le cercle sans en changer la largeur&#x202f;; le budget la compte entière.</translation>
     </message>
     <message>
         <source>%1: budget and Monte Carlo differ by more than 20 %: the ruling targets lie closer together than the length L = %2 of the budget.</source>
@@ -4164,7 +3978,7 @@
     </message>
     <message>
         <source>all paths in the order of measurement; further paths of a sense have no part in the results</source>
-        <translation>toutes les trajectoires dans l’ordre de mesure ; les suivantes d’un même sens n’entrent pas dans les résultats</translation>
+        <translation>toutes les trajectoires dans l’ordre de mesure&#x202f;; les suivantes d’un même sens n’entrent pas dans les résultats</translation>
     </message>
     <message>
         <source>No parameter of %1.</source>
@@ -4176,7 +3990,7 @@
     </message>
     <message>
         <source>The same readings under each edition; verdicts hold for the edition of the test alone.</source>
-        <translation>Les mêmes relevés selon chaque édition ; les verdicts ne valent que pour l’édition de l’essai.</translation>
+        <translation>Les mêmes relevés selon chaque édition&#x202f;; les verdicts ne valent que pour l’édition de l’essai.</translation>
     </message>
     <message>
         <source>All tests as under %1.</source>
@@ -4192,7 +4006,7 @@
     </message>
     <message>
         <source>commanded: of the programmed path; the centring error is taken out</source>
-        <translation>programmés&#xa0;: de la trajectoire programmée ; l’erreur de centrage est retirée</translation>
+        <translation>programmés&#xa0;: de la trajectoire programmée&#x202f;; l’erreur de centrage est retirée</translation>
     </message>
     <message>
         <source>polar: of the measured points</source>
@@ -4216,7 +4030,7 @@
     </message>
     <message>
         <source>Made here for F and D; temperatures are means of start and end.</source>
-        <translation>Faite ici pour F et D ; températures moyennes du début et de la fin.</translation>
+        <translation>Faite ici pour F et D&#x202f;; températures moyennes du début et de la fin.</translation>
     </message>
     <message>
         <source>not calibrated</source>
@@ -4289,7 +4103,7 @@
     </message>
     <message>
         <source>The measuring instrument. Each test names those it was measured with; the first one is taken for all tests.</source>
-        <translation>L’instrument de mesure. Chaque essai nomme ceux avec lesquels il a été mesuré ; le premier est pris pour tous les essais.</translation>
+        <translation>L’instrument de mesure. Chaque essai nomme ceux avec lesquels il a été mesuré&#x202f;; le premier est pris pour tous les essais.</translation>
     </message>
     <message>
         <source>Calibration certificate</source>
@@ -4341,7 +4155,7 @@
     </message>
     <message>
         <source>Freely chosen targets have a random part, so that periodic errors do not stay hidden; the plan proposes them.</source>
-        <translation>Les points choisis librement ont une part aléatoire, pour que les écarts périodiques ne restent pas cachés ; le plan les propose.</translation>
+        <translation>Les points choisis librement ont une part aléatoire, pour que les écarts périodiques ne restent pas cachés&#x202f;; le plan les propose.</translation>
     </message>
     <message>
         <source>Test cycle</source>
@@ -4349,7 +4163,7 @@
     </message>
     <message>
         <source>Standard: all targets up, all down, again. Step: all approaches at one target, then the next; only by written agreement.</source>
-        <translation>Normal&#xa0;: tous les points en montant, tous en descendant, et ainsi de suite. En pas&#xa0;: toutes les approches d’un point, puis le suivant ; seulement par accord écrit.</translation>
+        <translation>Normal&#xa0;: tous les points en montant, tous en descendant, et ainsi de suite. En pas&#xa0;: toutes les approches d’un point, puis le suivant&#x202f;; seulement par accord écrit.</translation>
     </message>
     <message>
         <source>Feed rate</source>
@@ -4357,7 +4171,7 @@
     </message>
     <message>
         <source>The feed between the targets, as programmed; or rapid.</source>
-        <translation>L’avance entre les points, telle que programmée ; ou rapide.</translation>
+        <translation>L’avance entre les points, telle que programmée&#x202f;; ou rapide.</translation>
     </message>
     <message>
         <source>Dwell at the target</source>
@@ -4409,7 +4223,7 @@
     </message>
     <message>
         <source>Which compensation of the control was on: pitch error, reversal, temperature; or none.</source>
-        <translation>Quelle compensation de la commande était active&#xa0;: pas de vis, réversibilité, température ; ou aucune.</translation>
+        <translation>Quelle compensation de la commande était active&#xa0;: pas de vis, réversibilité, température&#x202f;; ou aucune.</translation>
     </message>
     <message>
         <source>Axes not under test</source>
@@ -4441,7 +4255,7 @@
     </message>
     <message>
         <source>The machine was completely assembled and in working order; guards may be absent.</source>
-        <translation>La machine était complètement assemblée et en état de marche ; les protecteurs peuvent manquer.</translation>
+        <translation>La machine était complètement assemblée et en état de marche&#x202f;; les protecteurs peuvent manquer.</translation>
     </message>
     <message>
         <source>Levelled and aligned</source>
@@ -4493,7 +4307,7 @@
     </message>
     <message>
         <source>Filters of the instrument or its program that the data went through; or none.</source>
-        <translation>Filtres de l’instrument ou de son logiciel appliqués aux données ; ou aucun.</translation>
+        <translation>Filtres de l’instrument ou de son logiciel appliqués aux données&#x202f;; ou aucun.</translation>
     </message>
     <message>
         <source>Re-centred between the runs</source>
@@ -4525,7 +4339,7 @@
     </message>
     <message>
         <source>How many times the expanded uncertainty U the value has to stay away from the limit; 1 as a rule.</source>
-        <translation>À combien de fois l’incertitude élargie U la valeur doit rester de la limite ; 1 en règle générale.</translation>
+        <translation>À combien de fois l’incertitude élargie U la valeur doit rester de la limite&#x202f;; 1 en règle générale.</translation>
     </message>
     <message>
         <source>What the edition leaves to supplier and user. “Not agreed” is printed as it is, “not applicable” asks for nothing.</source>
@@ -4533,15 +4347,15 @@
     </message>
     <message>
         <source>r from the centre of the minimum zone circles of one path, or of its least squares circle where that was chosen; the report says which</source>
-        <translation>r depuis le centre des cercles de zone minimale d’une trajectoire, ou de son cercle des moindres carrés s’il a été choisi ; le rapport dit lequel</translation>
+        <translation>r depuis le centre des cercles de zone minimale d’une trajectoire, ou de son cercle des moindres carrés s’il a été choisi&#x202f;; le rapport dit lequel</translation>
     </message>
     <message>
         <source>the same for the points of both paths about one common centre; not the larger of two G</source>
-        <translation>de même pour les points des deux trajectoires autour d’un centre commun ; non le plus grand des deux G</translation>
+        <translation>de même pour les points des deux trajectoires autour d’un centre commun&#x202f;; non le plus grand des deux G</translation>
     </message>
     <message>
         <source>r from the chosen centre: least squares circle (full circles) or set-up; C corrects to 20 °C</source>
-        <translation>r depuis le centre choisi&#xa0;: cercle des moindres carrés (cercles complets) ou réglage ; C corrige à 20&#xa0;°C</translation>
+        <translation>r depuis le centre choisi&#xa0;: cercle des moindres carrés (cercles complets) ou réglage&#x202f;; C corrige à 20&#xa0;°C</translation>
     </message>
     <message>
         <source>likewise</source>
@@ -4581,11 +4395,11 @@
     </message>
     <message>
         <source>x_ij is actual position minus target position; i counts targets, j runs; ↑ and ↓ are approaches in the positive and the negative direction. A clause that is not known is not printed.</source>
-        <translation>x_ij est la position réelle moins le point visé ; i compte les points, j les passes ; ↑ et ↓ sont les approches dans le sens positif et négatif. Un article inconnu n’est pas imprimé.</translation>
+        <translation>x_ij est la position réelle moins le point visé&#x202f;; i compte les points, j les passes&#x202f;; ↑ et ↓ sont les approches dans le sens positif et négatif. Un article inconnu n’est pas imprimé.</translation>
     </message>
     <message>
         <source>The indices name the axes in the order in which the path crosses their positive ends: counterclockwise XY, clockwise YX. Figure 6 of the standard contradicts its clause 3.8; Palmer follows the clause.</source>
-        <translation>Les indices nomment les axes dans l’ordre où la trajectoire croise leurs extrémités positives&#xa0;: antihoraire XY, horaire YX. La figure 6 de la norme contredit son article 3.8 ; Palmer suit l’article.</translation>
+        <translation>Les indices nomment les axes dans l’ordre où la trajectoire croise leurs extrémités positives&#xa0;: antihoraire XY, horaire YX. La figure 6 de la norme contredit son article 3.8&#x202f;; Palmer suit l’article.</translation>
     </message>
     <message>
         <source>Workflow</source>
@@ -4626,7 +4440,7 @@
     </message>
     <message>
         <source>Machine, instruments, conditions, agreed points. What the edition requires is marked and counted; F8 walks what is missing. Nothing of it blocks the printing. Templates keep what is always the same.</source>
-        <translation>Machine, instruments, conditions, points convenus. Ce que l’édition exige est marqué et compté ; F8 parcourt ce qui manque. Rien n’empêche d’imprimer. Les modèles gardent ce qui est toujours pareil.</translation>
+        <translation>Machine, instruments, conditions, points convenus. Ce que l’édition exige est marqué et compté&#x202f;; F8 parcourt ce qui manque. Rien n’empêche d’imprimer. Les modèles gardent ce qui est toujours pareil.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -4658,7 +4472,7 @@
     </message>
     <message>
         <source>An empty field means “not stated”; 0 is a statement. Numbers are read with a point or a comma. What cannot be read stays in red, and the value before it is kept.</source>
-        <translation>Un champ vide signifie «&#xa0;non indiqué&#xa0;» ; 0 est une indication. Les nombres se lisent avec point ou virgule. Ce qui ne peut pas être lu reste en rouge, et la valeur précédente est gardée.</translation>
+        <translation>Un champ vide signifie «&#xa0;non indiqué&#xa0;»&#x202f;; 0 est une indication. Les nombres se lisent avec point ou virgule. Ce qui ne peut pas être lu reste en rouge, et la valeur précédente est gardée.</translation>
     </message>
     <message>
         <source>Validation</source>
@@ -4784,11 +4598,11 @@
     </message>
     <message>
         <source>Monte Carlo: %1 trials of the whole evaluation, seed %2; U is half of the shortest interval that holds 95.45 % of the results, the shift their mean less the evaluated value.</source>
-        <translation>Monte-Carlo&#xa0;: %1 tirages de l’évaluation complète, germe %2 ; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</translation>
+        <translation>Monte-Carlo&#xa0;: %1 tirages de l’évaluation complète, germe %2&#x202f;; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</translation>
     </message>
     <message>
         <source>The methods differ by more than 20 % for %1; reason: see the findings.</source>
-        <translation>Les méthodes diffèrent de plus de 20&#xa0;% pour %1 ; raison&#xa0;: voir les constats.</translation>
+        <translation>Les méthodes diffèrent de plus de 20&#xa0;% pour %1&#x202f;; raison&#xa0;: voir les constats.</translation>
     </message>
     <message>
         <source>The U of the Monte Carlo simulation decides.</source>
@@ -4796,7 +4610,7 @@
     </message>
     <message>
         <source>The U of the Monte Carlo simulation decides; for %1, which it shifts by more than a third of its U, that of the budget.</source>
-        <translation>L’U de la simulation de Monte-Carlo décide ; pour %1, qu’elle décale de plus d’un tiers de son U, celle du budget.</translation>
+        <translation>L’U de la simulation de Monte-Carlo décide&#x202f;; pour %1, qu’elle décale de plus d’un tiers de son U, celle du budget.</translation>
     </message>
     <message>
         <source>The U of the budget decides.</source>
@@ -4820,7 +4634,7 @@
     </message>
     <message>
         <source>FILE is a test file (.palmer) or a measurement file that can be imported; - is standard input.</source>
-        <translation>FILE est un fichier d’essai (.palmer) ou un fichier de mesure importable ; - est l’entrée standard.</translation>
+        <translation>FILE est un fichier d’essai (.palmer) ou un fichier de mesure importable&#x202f;; - est l’entrée standard.</translation>
     </message>
     <message>
         <source>what to write: readings and results, or a compensation table</source>
@@ -4832,23 +4646,23 @@
     </message>
     <message>
         <source>of CSV; without it the point</source>
-        <translation>du CSV ; sans elle, le point</translation>
+        <translation>du CSV&#x202f;; sans elle, le point</translation>
     </message>
     <message>
         <source>first position of the compensation; without it the first target</source>
-        <translation>première position de la compensation ; sans elle, le premier point visé</translation>
+        <translation>première position de la compensation&#x202f;; sans elle, le premier point visé</translation>
     </message>
     <message>
         <source>last position of the compensation; without it the last target</source>
-        <translation>dernière position de la compensation ; sans elle, le dernier point visé</translation>
+        <translation>dernière position de la compensation&#x202f;; sans elle, le dernier point visé</translation>
     </message>
     <message>
         <source>interval of the compensation; without it the targets</source>
-        <translation>pas de la compensation ; sans lui, les points visés</translation>
+        <translation>pas de la compensation&#x202f;; sans lui, les points visés</translation>
     </message>
     <message>
         <source>compensation of each direction; without it of their mean</source>
-        <translation>compensation de chaque sens ; sans elle, de leur moyenne</translation>
+        <translation>compensation de chaque sens&#x202f;; sans elle, de leur moyenne</translation>
     </message>
     <message>
         <source>compensation-csv: each value is the step from the one before</source>
@@ -4856,7 +4670,7 @@
     </message>
     <message>
         <source>siemens: index of the measuring system; without it 0, the first</source>
-        <translation>siemens&#xa0;: indice du système de mesure ; sans lui 0, le premier</translation>
+        <translation>siemens&#xa0;: indice du système de mesure&#x202f;; sans lui 0, le premier</translation>
     </message>
     <message>
         <source>predicted with the compensation applied:</source>
@@ -4908,15 +4722,15 @@
     </message>
     <message>
         <source>unknown profile %1; known: %2</source>
-        <translation>profil inconnu&#xa0;: %1 ; connus&#xa0;: %2</translation>
+        <translation>profil inconnu&#xa0;: %1&#x202f;; connus&#xa0;: %2</translation>
     </message>
     <message>
         <source>“%1” is no choice; expected key=value</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas un choix ; clé=valeur est attendu</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un choix&#x202f;; clé=valeur est attendu</translation>
     </message>
     <message>
         <source>files of instruments and tables into a test file; remarks on stderr</source>
-        <translation>fichiers d’instruments et tableaux vers un fichier d’essai ; remarques sur stderr</translation>
+        <translation>fichiers d’instruments et tableaux vers un fichier d’essai&#x202f;; remarques sur stderr</translation>
     </message>
     <message>
         <source>--%1 takes a whole number from %2 on, not %3</source>
@@ -4924,7 +4738,7 @@
     </message>
     <message>
         <source>unknown method %1; known: budget, monteCarlo</source>
-        <translation>méthode inconnue %1 ; connues&#xa0;: budget, monteCarlo</translation>
+        <translation>méthode inconnue %1&#x202f;; connues&#xa0;: budget, monteCarlo</translation>
     </message>
     <message>
         <source>Monte Carlo: %1 of %2 trials</source>
@@ -4944,15 +4758,15 @@
     </message>
     <message>
         <source>trials of the simulation; without it until two places are stable</source>
-        <translation>tirages de la simulation ; sans cette option, jusqu’à deux chiffres stables</translation>
+        <translation>tirages de la simulation&#x202f;; sans cette option, jusqu’à deux chiffres stables</translation>
     </message>
     <message>
         <source>threads of the simulation; the figures are the same</source>
-        <translation>fils d’exécution de la simulation ; les chiffres restent les mêmes</translation>
+        <translation>fils d’exécution de la simulation&#x202f;; les chiffres restent les mêmes</translation>
     </message>
     <message>
         <source>measurement travel, mm; of rotary axes degrees</source>
-        <translation>course de mesurage, mm ; degrés pour un axe rotatif</translation>
+        <translation>course de mesurage, mm&#x202f;; degrés pour un axe rotatif</translation>
     </message>
     <message>
         <source>a rotary axis</source>
@@ -4980,7 +4794,7 @@
     </message>
     <message>
         <source>whose rule chooses the targets; without it ISO 230-2:2014</source>
-        <translation>dont la règle choisit les points ; sans elle ISO 230-2:2014</translation>
+        <translation>dont la règle choisit les points&#x202f;; sans elle ISO 230-2:2014</translation>
     </message>
     <message>
         <source>the measuring cycle</source>
@@ -4988,19 +4802,19 @@
     </message>
     <message>
         <source>runs each way; without it as the standard asks</source>
-        <translation>passes par sens ; sans elle, selon la norme</translation>
+        <translation>passes par sens&#x202f;; sans elle, selon la norme</translation>
     </message>
     <message>
         <source>feed rate, mm/min or °/min; without it rapid feed</source>
-        <translation>vitesse d’avance, mm/min ou °/min ; sans elle, vitesse rapide</translation>
+        <translation>vitesse d’avance, mm/min ou °/min&#x202f;; sans elle, vitesse rapide</translation>
     </message>
     <message>
         <source>rest at each target, s; without it 5</source>
-        <translation>arrêt à chaque point, s ; sans elle 5</translation>
+        <translation>arrêt à chaque point, s&#x202f;; sans elle 5</translation>
     </message>
     <message>
         <source>distance beyond the ends, mm or degrees; without it 1</source>
-        <translation>distance au-delà des extrémités, mm ou degrés ; sans elle 1</translation>
+        <translation>distance au-delà des extrémités, mm ou degrés&#x202f;; sans elle 1</translation>
     </message>
     <message>
         <source>writes the part program in this dialect instead of the plan</source>
@@ -5008,7 +4822,7 @@
     </message>
     <message>
         <source>the file to write: the plan as text, as .pdf or as .palmer to fill in; or the part program</source>
-        <translation>le fichier à écrire&#xa0;: le plan en texte, en .pdf ou en .palmer à remplir ; ou le programme pièce</translation>
+        <translation>le fichier à écrire&#xa0;: le plan en texte, en .pdf ou en .palmer à remplir&#x202f;; ou le programme pièce</translation>
     </message>
     <message>
         <source>--%1 cannot be %2</source>
@@ -5048,7 +4862,7 @@
     </message>
     <message>
         <source>Sense: nothing in the table says it; taken as anticlockwise.</source>
-        <translation>Sens&#xa0;: rien dans le tableau ne le dit ; pris comme antihoraire.</translation>
+        <translation>Sens&#xa0;: rien dans le tableau ne le dit&#x202f;; pris comme antihoraire.</translation>
     </message>
     <message>
         <source>a target needs a position</source>
@@ -5102,7 +4916,7 @@
     </message>
     <message>
         <source>95.45 %: %1 to %2</source>
-        <translation>95,45 %&#xa0;: %1 à %2</translation>
+        <translation>95,45&#x202f;%&#xa0;: %1 à %2</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -5154,7 +4968,7 @@
     </message>
     <message>
         <source>What the contributions grow with; empty: the measurement travel.</source>
-        <translation>Ce avec quoi croissent les contributions ; vide&#xa0;: la course de mesurage.</translation>
+        <translation>Ce avec quoi croissent les contributions&#x202f;; vide&#xa0;: la course de mesurage.</translation>
     </message>
     <message>
         <source>Calibration of displacement</source>
@@ -5178,7 +4992,7 @@
     </message>
     <message>
         <source>Standard uncertainty of the result from repeated circles; empty: from the repetitions of the file.</source>
-        <translation>Incertitude type du résultat d’après des cercles répétés ; vide&#xa0;: d’après les répétitions du fichier.</translation>
+        <translation>Incertitude type du résultat d’après des cercles répétés&#x202f;; vide&#xa0;: d’après les répétitions du fichier.</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -5239,7 +5053,7 @@
     </message>
     <message>
         <source>The instrument’s program states %1 (%2); the result here differs by %3.</source>
-        <translation>Le programme de l’instrument indique %1 (%2) ; le résultat obtenu ici s’en écarte de %3.</translation>
+        <translation>Le programme de l’instrument indique %1 (%2)&#x202f;; le résultat obtenu ici s’en écarte de %3.</translation>
     </message>
     <message>
         <source>A new test, an import, a file, an example. A file holds one report: a machine, its instruments and any number of tests. A further test takes over what is stated of the one in view, but nothing that was measured and no limits.</source>
@@ -5808,7 +5622,7 @@
     </message>
     <message>
         <source>readings set aside keep value and reason, not taken: %1</source>
-        <translation>relevés écartés gardant valeur et motif, non remplacés : %1</translation>
+        <translation>relevés écartés gardant valeur et motif, non remplacés&#xa0;: %1</translation>
     </message>
     <message>
         <source>the budget with the actual targets is for positioning tests</source>
@@ -5927,10 +5741,6 @@
         <translation>%1 est comparé aux limites de %2 et de %3&#xa0;: sa ligne montre celle de %2, la plus serrée.</translation>
     </message>
     <message>
-        <source>The instrument was at %1 on average and the results are not corrected to 20 °C.</source>
-        <translation>L’instrument était à %1 en moyenne et les résultats ne sont pas ramenés à 20&#xa0;°C.</translation>
-    </message>
-    <message>
         <source>The angles of arc %1 (%2) run against its sense or jump back: anticlockwise they grow, clockwise they fall. Its name may be wrong.</source>
         <translation>Les angles de l’arc %1 (%2) vont à l’encontre de son sens ou reviennent en arrière&#xa0;: ils croissent dans le sens antihoraire, décroissent dans le sens horaire. Son nom peut être faux.</translation>
     </message>
@@ -5976,11 +5786,11 @@
     </message>
     <message>
         <source>there are characters in it that are none of UTF-16 or UTF-32; expected a test file in UTF-8</source>
-        <translation>il contient des caractères qui ne sont ni de l’UTF-16 ni de l’UTF-32 ; un fichier d’essai en UTF-8 est attendu</translation>
+        <translation>il contient des caractères qui ne sont ni de l’UTF-16 ni de l’UTF-32&#x202f;; un fichier d’essai en UTF-8 est attendu</translation>
     </message>
     <message>
         <source>the test file would be larger than %1 MiB and could not be opened again; divide its tests between several files</source>
-        <translation>le fichier d’essai dépasserait %1&#xa0;Mio et ne pourrait plus être ouvert ; répartir ses essais entre plusieurs fichiers</translation>
+        <translation>le fichier d’essai dépasserait %1&#xa0;Mio et ne pourrait plus être ouvert&#x202f;; répartir ses essais entre plusieurs fichiers</translation>
     </message>
     <message>
         <source>the file is larger than %1 MiB</source>
@@ -5988,19 +5798,19 @@
     </message>
     <message>
         <source>this is a device or a pipe; expected a file on a disk</source>
-        <translation>c’est un périphérique ou un tube ; un fichier sur un disque est attendu</translation>
+        <translation>c’est un périphérique ou un tube&#x202f;; un fichier sur un disque est attendu</translation>
     </message>
     <message>
         <source>this is the name of a test file, and what was measured would be lost; choose another ending</source>
-        <translation>c’est le nom d’un fichier d’essai, et les relevés seraient perdus ; choisir une autre extension</translation>
+        <translation>c’est le nom d’un fichier d’essai, et les relevés seraient perdus&#x202f;; choisir une autre extension</translation>
     </message>
     <message>
         <source>%1 is a file to read and would be lost; choose another name for what is written</source>
-        <translation>%1 est un fichier à lire et serait perdu ; choisir un autre nom pour ce qui est écrit</translation>
+        <translation>%1 est un fichier à lire et serait perdu&#x202f;; choisir un autre nom pour ce qui est écrit</translation>
     </message>
     <message>
         <source>%1 has the ending of another kind of file; expected %2 (--force writes it all the same)</source>
-        <translation>%1 porte l’extension d’un autre type de fichier ; %2 est attendu (--force l’écrit malgré tout)</translation>
+        <translation>%1 porte l’extension d’un autre type de fichier&#x202f;; %2 est attendu (--force l’écrit malgré tout)</translation>
     </message>
     <message>
         <source>write even to a name with the ending of another kind of file</source>
@@ -6177,6 +5987,646 @@
     <message>
         <source>the compensation of a SINUMERIK is 0 at the reference point of the axis: say where that is (%1)</source>
         <translation>la compensation d’une SINUMERIK est nulle au point de référence de l’axe&#xa0;: indiquez où il se trouve (%1)</translation>
+    </message>
+    <message>
+        <source>(practice; text not available)</source>
+        <translation>(usage&#x202f;; texte non disponible)</translation>
+    </message>
+    <message>
+        <source>Laboratory practice, not stated: %1.</source>
+        <translation>Usage de laboratoire, non indiqué&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Not declared: %1.</source>
+        <translation>Non déclaré&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Not stated in the report: %1.</source>
+        <translation>Non indiqué dans le rapport&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>To be agreed, not agreed: %1.</source>
+        <translation>Soumis à accord, non convenu&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>To be agreed (clause %2), not agreed: %1.</source>
+        <translation>Soumis à accord (article %2), non convenu&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>No limit of the gradient was agreed.</source>
+        <translation>Aucune limite du gradient n’a été convenue.</translation>
+    </message>
+    <message>
+        <source>Gradient %1, agreed limit %2.</source>
+        <translation>Gradient %1, limite convenue %2.</translation>
+    </message>
+    <message>
+        <source>Machine at %1, results not corrected to 20 °C.</source>
+        <translation>Machine à %1, résultats non corrigés à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>Instrument at %1, results not corrected to 20 °C.</source>
+        <translation>Instrument à %1, résultats non corrigés à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>Approaches in the positive direction: %1, in the negative: %2; the text speaks of five.</source>
+        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; le texte en prévoit cinq.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Readings set aside (%n): %1. The text provides for none.</source>
+        <translation>
+            <numerusform>Relevé écarté (%n)&#xa0;: %1. Le texte n’en prévoit pas.</numerusform>
+            <numerusform>Relevés écartés (%n)&#xa0;: %1. Le texte n’en prévoit pas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Readings set aside (%n): %1.</source>
+        <translation>
+            <numerusform>Relevé écarté (%n)&#xa0;: %1.</numerusform>
+            <numerusform>Relevés écartés (%n)&#xa0;: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Step cycle without written agreement; strict reference for acceptance is the standard cycle.</source>
+        <translation>Cycle en pas sans accord écrit&#x202f;; la référence stricte pour la réception est le cycle d’essai normal.</translation>
+    </message>
+    <message>
+        <source>Step cycle without written agreement.</source>
+        <translation>Cycle en pas sans accord écrit.</translation>
+    </message>
+    <message>
+        <source>Step cycle by written agreement: %1.</source>
+        <translation>Cycle en pas par accord écrit&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Worked example of ISO 230-2:1988 (table 2): the position of the first target and ten readings are substitutes with the published mean and s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) and the values per target, never the single readings.</source>
+        <translation>Exemple traité de l’ISO 230-2:1988 (tableau 2)&#xa0;: la position du premier point visé et dix relevés sont des valeurs de remplacement ayant la moyenne et le s publiés. Comparer l’erreur moyenne de réversibilité (publiée&#xa0;: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) et les valeurs par point visé, jamais les relevés isolés.</translation>
+    </message>
+    <message>
+        <source>The air was at %1; 20 ± 0.5 °C is asked for where it can be controlled.</source>
+        <translation>Air à %1&#x202f;; 20&#xa0;°C ± 0,5&#xa0;°C exigés là où la température peut être réglée.</translation>
+    </message>
+    <message>
+        <source>temperature of the environment</source>
+        <translation>température de l’environnement</translation>
+    </message>
+    <message>
+        <source>thermal stability before the test</source>
+        <translation>stabilité thermique avant l’essai</translation>
+    </message>
+    <message>
+        <source>Machine or instruments were not thermally stable.</source>
+        <translation>Machine ou instruments non stabilisés thermiquement.</translation>
+    </message>
+    <message>
+        <source>protection from draughts and radiation</source>
+        <translation>protection contre les courants d’air et les rayonnements</translation>
+    </message>
+    <message>
+        <source>Not protected from draughts or radiation.</source>
+        <translation>Pas de protection contre les courants d’air ou les rayonnements.</translation>
+    </message>
+    <message>
+        <source>compensation by the instrument</source>
+        <translation>compensation par l’instrument</translation>
+    </message>
+    <message>
+        <source>The instrument&apos;s compensation was switched off.</source>
+        <translation>La compensation de l’instrument était hors service.</translation>
+    </message>
+    <message>
+        <source>temperature gradient over 12 h and its agreed limit</source>
+        <translation>gradient de température sur 12&#xa0;h et sa limite convenue</translation>
+    </message>
+    <message>
+        <source>The machine was not complete or not in working order.</source>
+        <translation>Machine incomplète ou pas en ordre de marche.</translation>
+    </message>
+    <message>
+        <source>levelling, alignment and functional checks</source>
+        <translation>nivellement, alignement et contrôles fonctionnels</translation>
+    </message>
+    <message>
+        <source>Levelling, alignment or functional checks were not done.</source>
+        <translation>Nivellement, alignement ou contrôles fonctionnels non effectués.</translation>
+    </message>
+    <message>
+        <source>The machine was loaded.</source>
+        <comment>1988</comment>
+        <translation>La machine était chargée.</translation>
+    </message>
+    <message>
+        <source>warm-up: by whom specified</source>
+        <translation>mise en température&#xa0;: prescrite par qui</translation>
+    </message>
+    <message>
+        <source>Dry run without agreed warm-up: only set-up movements are allowed.</source>
+        <translation>Essai à blanc sans mise en température convenue&#xa0;: seuls les déplacements de réglage sont admis.</translation>
+    </message>
+    <message>
+        <source>rest at each target</source>
+        <translation>repos à chaque point visé</translation>
+    </message>
+    <message>
+        <source>No rest at the targets.</source>
+        <translation>Pas de repos aux points visés.</translation>
+    </message>
+    <message>
+        <source>agreed feed</source>
+        <translation>vitesse d’avance convenue</translation>
+    </message>
+    <message>
+        <source>Neither rapid nor at an agreed feed.</source>
+        <translation>Ni vitesse rapide ni vitesse convenue.</translation>
+    </message>
+    <message>
+        <source>choice of targets, cyclic pitch</source>
+        <translation>choix des points visés, pas cyclique</translation>
+    </message>
+    <message>
+        <source>position of the measuring device</source>
+        <translation>position du dispositif de mesure</translation>
+    </message>
+    <message>
+        <source>position of the temperature sensor, type of compensation</source>
+        <translation>position du capteur de température, type de compensation</translation>
+    </message>
+    <message>
+        <source>axis travel</source>
+        <translation>longueur d’axe</translation>
+    </message>
+    <message>
+        <source>elements of the measuring device</source>
+        <translation>éléments du dispositif de mesure</translation>
+    </message>
+    <message>
+        <source>agreed working zone</source>
+        <translation>zone de travail convenue</translation>
+    </message>
+    <message>
+        <source>No working zone was agreed.</source>
+        <translation>Aucune zone de travail n’a été convenue.</translation>
+    </message>
+    <message>
+        <source>continuous measuring device or not</source>
+        <translation>dispositif à échelle continue ou non</translation>
+    </message>
+    <message>
+        <source>Fewer than three further targets.</source>
+        <translation>Moins de trois points visés supplémentaires.</translation>
+    </message>
+    <message>
+        <source>number of faces</source>
+        <translation>nombre de faces</translation>
+    </message>
+    <message>
+        <source>nature of the measuring device</source>
+        <translation>nature du dispositif de mesure</translation>
+    </message>
+    <message>
+        <source>measurement uncertainty</source>
+        <translation>incertitude de mesure</translation>
+    </message>
+    <message>
+        <source>temperatures of machine and instrument</source>
+        <translation>températures de la machine et de l’instrument</translation>
+    </message>
+    <message>
+        <source>use of compensation</source>
+        <translation>emploi de la compensation</translation>
+    </message>
+    <message>
+        <source>levelling and alignment</source>
+        <translation>nivellement et alignement</translation>
+    </message>
+    <message>
+        <source>Levelling or alignment was not done.</source>
+        <translation>Nivellement ou alignement non effectué.</translation>
+    </message>
+    <message>
+        <source>The machine was loaded.</source>
+        <translation>La machine n’était pas à vide.</translation>
+    </message>
+    <message>
+        <source>The feed between targets was not agreed.</source>
+        <translation>Vitesse entre points visés non convenue.</translation>
+    </message>
+    <message>
+        <source>position of the temperature sensors, expansion coefficients</source>
+        <translation>position des capteurs de température, coefficients de dilatation</translation>
+    </message>
+    <message>
+        <source>offset of the measuring line to the tool and workpiece reference</source>
+        <translation>décalage de la ligne de mesurage par rapport aux références d’outil et de pièce</translation>
+    </message>
+    <message>
+        <source>temperature of the air</source>
+        <translation>température de l’air</translation>
+    </message>
+    <message>
+        <source>location of the 2 m working zone</source>
+        <translation>emplacement de la zone de travail de 2&#xa0;m</translation>
+    </message>
+    <message>
+        <source>location of the working zone of 2 000 mm or 360°</source>
+        <translation>emplacement de la zone de travail de 2&#x202f;000 mm ou 360°</translation>
+    </message>
+    <message>
+        <source>%1 targets over %2: practice asks for at least %3.</source>
+        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins %3.</translation>
+    </message>
+    <message>
+        <source>%1 targets over %2: practice asks for at least 8 per turn, up to 1 800°.</source>
+        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins 8 par tour, jusqu’à 1&#x202f;800°.</translation>
+    </message>
+    <message>
+        <source>%1 targets, %2 faces.</source>
+        <translation>%1 points visés, %2 faces.</translation>
+    </message>
+    <message>
+        <source>All targets have the same phase of the pitch %1.</source>
+        <translation>Tous les points visés ont la même phase du pas %1.</translation>
+    </message>
+    <message>
+        <source>Steps between targets from %1 to %2.</source>
+        <translation>Intervalles de %1 à %2 entre points visés.</translation>
+    </message>
+    <message>
+        <source>The air was at %1; 20 °C is asked for where it can be controlled.</source>
+        <translation>Air à %1&#x202f;; 20&#xa0;°C exigés là où la température peut être réglée.</translation>
+    </message>
+    <message>
+        <source>The instrument was re-centred between the runs.</source>
+        <translation>L’instrument a été recentré entre les trajectoires.</translation>
+    </message>
+    <message>
+        <source>Paths of rotary axes are outside the scope.</source>
+        <translation>Les trajectoires d’axes rotatifs sont hors du domaine.</translation>
+    </message>
+    <message>
+        <source>Other paths were measured between the two.</source>
+        <translation>D’autres trajectoires ont été mesurées entre les deux.</translation>
+    </message>
+    <message>
+        <source>Feed %1; %2 keeps the acceleration.</source>
+        <translation>Avance %1&#x202f;; %2 conserve l’accélération.</translation>
+    </message>
+    <message>
+        <source>levelling and functional checks</source>
+        <translation>nivellement et contrôles fonctionnels</translation>
+    </message>
+    <message>
+        <source>Levelling or functional checks were not done.</source>
+        <translation>Nivellement ou contrôles fonctionnels non effectués.</translation>
+    </message>
+    <message>
+        <source>calibrated reference length</source>
+        <translation>longueur de référence étalonnée</translation>
+    </message>
+    <message>
+        <source>what the evaluated range leaves out</source>
+        <translation>ce que la plage évaluée laisse de côté</translation>
+    </message>
+    <message>
+        <source>set-up error</source>
+        <translation>erreur de réglage</translation>
+    </message>
+    <message>
+        <source>test uncertainty</source>
+        <translation>incertitude d’essai</translation>
+    </message>
+    <message>
+        <source>name of the machine</source>
+        <translation>nom de la machine</translation>
+    </message>
+    <message>
+        <source>location of the measuring instrument</source>
+        <translation>position de l’instrument de mesure</translation>
+    </message>
+    <message>
+        <source>temperatures of machine, instrument and air</source>
+        <translation>températures de la machine, de l’instrument et de l’air</translation>
+    </message>
+    <message>
+        <source>type of compensation</source>
+        <translation>type de compensation</translation>
+    </message>
+    <message>
+        <source>load of the machine</source>
+        <translation>charge de la machine</translation>
+    </message>
+    <message>
+        <source>temperatures at start and end</source>
+        <translation>températures au début et à la fin</translation>
+    </message>
+    <message>
+        <source>end of validity of each calibration</source>
+        <translation>fin de validité de chaque étalonnage</translation>
+    </message>
+    <message numerus="yes">
+        <source>Accordance with %1 not shown: %n requirement(s) not declared</source>
+        <translation>
+            <numerusform>Conformité à %1 non établie&#xa0;: %n exigence non déclarée</numerusform>
+            <numerusform>Conformité à %1 non établie&#xa0;: %n exigences non déclarées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Test carried out in accordance with %1</source>
+        <translation>Essai exécuté conformément à %1</translation>
+    </message>
+    <message>
+        <source>; step cycle by written agreement</source>
+        <translation>&#x202f;; cycle en pas par accord écrit</translation>
+    </message>
+    <message>
+        <source>(clauses 1 to 4.3.1 checked)</source>
+        <translation>(articles 1 à 4.3.1 vérifiés)</translation>
+    </message>
+    <message>
+        <source>(clauses 1 to 4.3.2 checked)</source>
+        <translation>(articles 1 à 4.3.2 vérifiés)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not declared</source>
+        <translation>
+            <numerusform>%n non déclarée</numerusform>
+            <numerusform>%n non déclarées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The text of %1 was not available: its requirements were not checked</source>
+        <translation>Le texte de %1 n’était pas disponible&#xa0;: ses exigences n’ont pas été vérifiées</translation>
+    </message>
+    <message>
+        <source>; no departure from practice found</source>
+        <translation>&#x202f;; aucun écart à l’usage constaté</translation>
+    </message>
+    <message numerus="yes">
+        <source>; %n departure(s) from practice</source>
+        <translation>
+            <numerusform>&#x202f;; %n écart à l’usage</numerusform>
+            <numerusform>&#x202f;; %n écarts à l’usage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the requirements of clauses 1 to 4.3.1 are met; the rest of 4.3 and clauses 5 to 7 were not available and not checked; number of targets and approaches by practice</source>
+        <translation>%1&#xa0;: exigences des articles 1 à 4.3.1 satisfaites&#x202f;; la suite de 4.3 et les articles 5 à 7, non disponibles, n’ont pas été vérifiés&#x202f;; nombre de points visés et d’approches selon l’usage</translation>
+    </message>
+    <message>
+        <source>%1: the requirements of clauses 1 to 4.3.2 are met; the rest of 4.3 and clauses 5 to 7 were not available and not checked</source>
+        <translation>%1&#xa0;: exigences des articles 1 à 4.3.2 satisfaites&#x202f;; la suite de 4.3 et les articles 5 à 7, non disponibles, n’ont pas été vérifiés</translation>
+    </message>
+    <message>
+        <source>; the laboratory declares the rest met (%1)</source>
+        <translation>&#x202f;; le laboratoire déclare le reste satisfait (%1)</translation>
+    </message>
+    <message>
+        <source>text of the edition not available</source>
+        <translation>texte de l’édition non disponible</translation>
+    </message>
+    <message>
+        <source>accordance not shown</source>
+        <translation>conformité non établie</translation>
+    </message>
+    <message>
+        <source>in accordance in part</source>
+        <translation>conforme en partie</translation>
+    </message>
+    <message>
+        <source>Tests in accordance: %1</source>
+        <translation>Essais conformes à leur édition&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; in part: %1</source>
+        <translation>&#x202f;; en partie&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; not shown: %1</source>
+        <translation>&#x202f;; non établi&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; NOT: %1</source>
+        <translation>&#x202f;; NON conformes&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; text not available: %1</source>
+        <translation>&#x202f;; texte non disponible&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>not declared</source>
+        <translation>non déclaré</translation>
+    </message>
+    <message>
+        <source>Asked by the text of %1</source>
+        <translation>Demandé par le texte de %1</translation>
+    </message>
+    <message>
+        <source>Practice (text not available)</source>
+        <translation>Usage (texte non disponible)</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <comment>source of findings</comment>
+        <translation>Laboratoire</translation>
+    </message>
+    <message>
+        <source>Foreword %1</source>
+        <translation>Avant-propos %1</translation>
+    </message>
+    <message>
+        <source>Table %1</source>
+        <translation>Tableau %1</translation>
+    </message>
+    <message>
+        <source>expected one of machine, instrument, laboratory, limits and conditions, not two</source>
+        <translation>un seul attendu parmi machine, instrument, laboratory, limits et conditions, pas deux</translation>
+    </message>
+    <message>
+        <source>No sensor is of the air: no gradient per hour.</source>
+        <translation>Aucun capteur n’est celui de l’air : pas de gradient horaire.</translation>
+    </message>
+    <message>
+        <source>%1: the guard band reaches the limit; nothing can conform.</source>
+        <translation>%1 : la bande de garde atteint la limite ; rien ne peut être conforme.</translation>
+    </message>
+    <message>
+        <source>%1: U is more than half the limit.</source>
+        <translation>%1 : U dépasse la moitié de la limite.</translation>
+    </message>
+    <message>
+        <source>%1: the instrument&apos;s program states %2, here %3: edition, correction or readings differ.</source>
+        <translation>%1 : le programme de l’instrument indique %2, ici %3 : édition, correction ou relevés diffèrent.</translation>
+    </message>
+    <message>
+        <source>Purpose of the test not stated.</source>
+        <translation>But de l’essai non indiqué.</translation>
+    </message>
+    <message>
+        <source>As found or as left: not stated.</source>
+        <translation>Avant ou après réglage : non indiqué.</translation>
+    </message>
+    <message>
+        <source>Adjustments not stated.</source>
+        <translation>Réglages non indiqués.</translation>
+    </message>
+    <message>
+        <source>Calibration of %1 not valid on the date of the test.</source>
+        <translation>Étalonnage de %1 non valide à la date de l’essai.</translation>
+    </message>
+    <message>
+        <source>Dates contradict each other: %1, %2.</source>
+        <translation>Dates contradictoires : %1, %2.</translation>
+    </message>
+    <message>
+        <source>as the maker specifies</source>
+        <translation>selon le constructeur</translation>
+    </message>
+    <message>
+        <source>as agreed</source>
+        <translation>comme convenu</translation>
+    </message>
+    <message>
+        <source>polygon of %1 faces</source>
+        <translation>polygone à %1 faces</translation>
+    </message>
+    <message>
+        <source>switched on</source>
+        <comment>compensation</comment>
+        <translation>en service</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <comment>compensation</comment>
+        <translation>hors service</translation>
+    </message>
+    <message>
+        <source>the instrument has none</source>
+        <translation>l’instrument n’en a pas</translation>
+    </message>
+    <message>
+        <source>type test</source>
+        <translation>essai de type</translation>
+    </message>
+    <message>
+        <source>acceptance</source>
+        <comment>purpose</comment>
+        <translation>réception</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <comment>purpose</comment>
+        <translation>comparaison</translation>
+    </message>
+    <message>
+        <source>periodic check</source>
+        <translation>vérification périodique</translation>
+    </message>
+    <message>
+        <source>compensation</source>
+        <comment>purpose</comment>
+        <translation>compensation</translation>
+    </message>
+    <message>
+        <source>after repair</source>
+        <translation>après réparation</translation>
+    </message>
+    <message>
+        <source>after collision</source>
+        <translation>après collision</translation>
+    </message>
+    <message>
+        <source>other purpose</source>
+        <translation>autre but</translation>
+    </message>
+    <message>
+        <source>Purpose of the test</source>
+        <translation>But de l’essai</translation>
+    </message>
+    <message>
+        <source>Room temperature</source>
+        <translation>Température du local</translation>
+    </message>
+    <message>
+        <source>can be controlled</source>
+        <translation>réglable</translation>
+    </message>
+    <message>
+        <source>cannot be controlled</source>
+        <translation>non réglable</translation>
+    </message>
+    <message>
+        <source>Before the test</source>
+        <translation>Avant l’essai</translation>
+    </message>
+    <message>
+        <source>machine and instruments thermally stable</source>
+        <translation>machine et instruments stabilisés thermiquement</translation>
+    </message>
+    <message>
+        <source>machine or instruments not thermally stable</source>
+        <translation>machine ou instruments non stabilisés thermiquement</translation>
+    </message>
+    <message>
+        <source>Compensation by the instrument</source>
+        <translation>Compensation par l’instrument</translation>
+    </message>
+    <message>
+        <source>Element of the scale</source>
+        <translation>Élément de la règle</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <comment>scale</comment>
+        <translation>règle continue</translation>
+    </message>
+    <message>
+        <source>Continuous device</source>
+        <translation>Échelle continue</translation>
+    </message>
+    <message>
+        <source>of %1 h before the test and the test</source>
+        <translation>sur les %1 h avant l’essai et pendant celui-ci</translation>
+    </message>
+    <message>
+        <source>diameter %1</source>
+        <translation>diamètre %1</translation>
+    </message>
+    <message>
+        <source>feed %1</source>
+        <comment>contouring</comment>
+        <translation>avance %1</translation>
+    </message>
+    <message>
+        <source>Specified circle</source>
+        <translation>Cercle spécifié</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Partie non évaluée</translation>
+    </message>
+    <message>
+        <source>%1 recommends stating the uncertainty beside every result; some are not stated.</source>
+        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat ; certaines ne sont pas indiquées.</translation>
+    </message>
+    <message>
+        <source>%1 recommends stating the uncertainty beside every result; none is stated.</source>
+        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat ; aucune n’est indiquée.</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>that of ISO 230-2:2006: ISO 230-2:1988 has none for an unknown or long cyclic pitch</source>
+        <translation>celle de l’ISO 230-2:2006 : l’ISO 230-2:1988 n’en a pas pour un pas cyclique inconnu ou long</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>avant réglage</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>après réglage</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "export/diagnosisjson.h"
+#include "export/findingtext.h"
 #include "kernel/evaluation/targetvalue.h"
 
 #include <nlohmann/json.hpp>
@@ -40,6 +41,20 @@ const char *word(Grade grade) {
         return "note";
     }
     return "";
+}
+
+const char *word(Source source) {
+    constexpr std::array words{"text", "practice", "laboratory", "program"};
+    return words.at(static_cast<std::size_t>(source));
+}
+
+const char *word(State state) {
+    return state == State::unmet ? "unmet" : "undeclared";
+}
+
+const char *word(Accordance accordance) {
+    constexpr std::array words{"notChecked", "no", "notShown", "partly", "yes"};
+    return words.at(static_cast<std::size_t>(accordance));
 }
 
 Json number(std::optional<double> value) {
@@ -132,9 +147,12 @@ Json findings(const TestEvaluation &evaluation, const Language &language) {
     Json list = Json::array();
     for (const Finding &finding : evaluation.findings)
         list.push_back({{"grade", word(finding.grade)},
+                        {"source", word(finding.source)},
+                        {"state", finding.state ? Json(word(*finding.state)) : Json(nullptr)},
                         {"clause", textOrNull(finding.clause)},
                         {"id", finding.id},
-                        {"text", language.sentence(finding.message).toStdString()}});
+                        {"keys", finding.keys},
+                        {"text", findingText(finding, language).toStdString()}});
     return list;
 }
 
@@ -185,7 +203,16 @@ Json uncertainty(const UncertaintyEvaluation &evaluation) {
 void addHead(Json &test, const Test &source, const TestEvaluation &evaluation, CorrectionTo20 correction,
              const Language &language) {
     test["edition"] = evaluation.edition ? Json(evaluation.edition->word) : Json(nullptr);
-    test["inAccordance"] = evaluation.inAccordance();
+    const Accordance accordance = evaluation.accordance();
+    const RequirementCounts counts = countRequirements(evaluation.findings);
+    test["accordance"] = word(accordance);
+    test["inAccordance"] = accordance == Accordance::yes  ? Json(true)
+                           : accordance == Accordance::no ? Json(false)
+                                                          : Json(nullptr);
+    test["unmet"] = counts.unmet;
+    test["undeclared"] = counts.undeclared;
+    test["role"] = fileWord(source.role);
+    test["purpose"] = fileWord(source.purpose);
     test["verdict"] = verdictWord(evaluation.verdict);
     test["correctionTo20"] = fileWord(correction);
     test["decisionRule"] = fileWord(source.decisionRule.rule);

@@ -1,6 +1,7 @@
 #include "report/headparts.h"
 
 #include "kernel/evaluation/conformity.h"
+#include "report/accordancetext.h"
 #include "report/resultparts.h"
 #include "report/wording.h"
 
@@ -290,21 +291,20 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
                      {write.text(REPORT_TEXT("report", "Edition")), {}, Alignment::left, false, 34},
                      {write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, 42}};
     std::optional<Verdict> verdict;
-    double outside = 0;
+    std::vector<Accordance> accordances;
     for (const TestPart &part : parts) {
         const TestEvaluation &evaluation = part.evaluation;
         verdict = worst(verdict, evaluation.verdict);
-        const bool inAccordance = evaluation.inAccordance();
-        outside += inAccordance ? 0 : 1;
+        const Accordance accordance = evaluation.accordance();
+        accordances.push_back(accordance);
         Cell word;
         word.text.spans.push_back({write.text(verdictWord(evaluation.verdict, hasLimits(part.test)))});
         word.text.spans.back().bold = evaluation.verdict == Verdict::doesNotConform;
         if (evaluation.verdict)
             word.mark = markOf(*evaluation.verdict);
-        if (!inAccordance) {
-            word.text.spans.push_back(
-                {u'\n' + write.text(REPORT_TEXT("report", "NOT in accordance with the edition"))});
-            word.text.spans.back().bold = true;
+        if (const Text words = accordanceWords(accordance); !words.empty()) {
+            word.text.spans.push_back({u'\n' + write.text(words)});
+            word.text.spans.back().bold = accordance == Accordance::no;
         }
         table.rows.push_back({QString::number(part.number),
                               joined({testName(write, part.test), QString::fromStdString(part.test.title)},
@@ -324,13 +324,8 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
         verdict    ? REPORT_TEXT("report", "The worst verdict of the tests.")
         : anyLimit ? REPORT_TEXT("report", "The limits agreed do not hold for these tests: no verdict.")
                    : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
-    line.inAccordance = outside == 0;
-    const Number all{static_cast<double>(parts.size()), Quantity::count, 0};
-    line.accordance =
-        outside == 0
-            ? write.text(REPORT_TEXT("report", "All tests carried out in accordance with their editions."))
-            : write.say(REPORT_TEXT("report", "Tests NOT in accordance with their edition: %1 of %2."),
-                        {Number{outside, Quantity::count, 0}, all});
+    line.inAccordance = std::ranges::find(accordances, Accordance::no) == accordances.end();
+    line.accordance = accordanceOfAll(accordances, write.language());
     blocks.emplace_back(std::move(line));
 }
 

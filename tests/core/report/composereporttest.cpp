@@ -407,9 +407,11 @@ private slots:
                 if (edition->circles) {
                     for (const CircularRow &row : edition->circles->rows)
                         QVERIFY2(language.hasTranslation(row.term.name), row.term.name.source);
-                    for (const CircularStatement &row : edition->circles->statements)
-                        QVERIFY2(language.hasTranslation(row.name), row.name.source);
+                    for (const CircularRequirement &row : edition->circles->requirements)
+                        QVERIFY2(row.name.empty() || language.hasTranslation(row.name), row.id);
                 }
+                for (const Requirement &row : edition->requirements)
+                    QVERIFY2(row.name.empty() || language.hasTranslation(row.name), row.id);
                 for (const TargetTerm &term : edition->targetTerms)
                     QVERIFY2(language.hasTranslation(term.name), term.name.source);
                 for (const AgreementPoint &point : edition->points)
@@ -637,7 +639,7 @@ private slots:
         Document changed = *document("iso230-2-1988-example");
         changed.report.leaveOut = {ReportPart::findings};
         QVERIFY(text(std::make_shared<const Document>(changed), Language(Language::Id::english))
-                    .contains("ten readings are stand-ins with the published mean and s"));
+                    .contains("ten readings are substitutes with the published mean and s"));
     }
 
     void limitsThatDoNotHoldAreNoMissingLimits() {
