@@ -2327,7 +2327,7 @@
     </message>
     <message>
         <source>no verdict</source>
-        <translation>pas de verdict</translation>
+        <translation>sans verdict</translation>
     </message>
     <message>
         <source>Nominal radius</source>
@@ -6443,19 +6443,19 @@
     </message>
     <message>
         <source>No sensor is of the air: no gradient per hour.</source>
-        <translation>Aucun capteur n’est celui de l’air : pas de gradient horaire.</translation>
+        <translation>Aucun capteur n’est celui de l’air&#xa0;: pas de gradient horaire.</translation>
     </message>
     <message>
         <source>%1: the guard band reaches the limit; nothing can conform.</source>
-        <translation>%1 : la bande de garde atteint la limite ; rien ne peut être conforme.</translation>
+        <translation>%1&#xa0;: la bande de garde atteint la limite&#x202f;; rien ne peut être conforme.</translation>
     </message>
     <message>
         <source>%1: U is more than half the limit.</source>
-        <translation>%1 : U dépasse la moitié de la limite.</translation>
+        <translation>%1&#xa0;: U dépasse la moitié de la limite.</translation>
     </message>
     <message>
         <source>%1: the instrument&apos;s program states %2, here %3: edition, correction or readings differ.</source>
-        <translation>%1 : le programme de l’instrument indique %2, ici %3 : édition, correction ou relevés diffèrent.</translation>
+        <translation>%1&#xa0;: le programme de l’instrument indique %2, ici %3&#xa0;: édition, correction ou relevés diffèrent.</translation>
     </message>
     <message>
         <source>Purpose of the test not stated.</source>
@@ -6463,7 +6463,7 @@
     </message>
     <message>
         <source>As found or as left: not stated.</source>
-        <translation>Avant ou après réglage : non indiqué.</translation>
+        <translation>Avant ou après réglage&#xa0;: non indiqué.</translation>
     </message>
     <message>
         <source>Adjustments not stated.</source>
@@ -6475,7 +6475,7 @@
     </message>
     <message>
         <source>Dates contradict each other: %1, %2.</source>
-        <translation>Dates contradictoires : %1, %2.</translation>
+        <translation>Dates contradictoires&#xa0;: %1, %2.</translation>
     </message>
     <message>
         <source>as the maker specifies</source>
@@ -6584,8 +6584,8 @@
         <translation>Échelle continue</translation>
     </message>
     <message>
-        <source>of %1 h before the test and the test</source>
-        <translation>sur les %1 h avant l’essai et pendant celui-ci</translation>
+        <source>over the %1 h before the test and during it</source>
+        <translation>sur les %1&#xa0;h avant l’essai et pendant celui-ci</translation>
     </message>
     <message>
         <source>diameter %1</source>
@@ -6606,11 +6606,11 @@
     </message>
     <message>
         <source>%1 recommends stating the uncertainty beside every result; some are not stated.</source>
-        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat ; certaines ne sont pas indiquées.</translation>
+        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; certaines ne sont pas indiquées.</translation>
     </message>
     <message>
         <source>%1 recommends stating the uncertainty beside every result; none is stated.</source>
-        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat ; aucune n’est indiquée.</translation>
+        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; aucune n’est indiquée.</translation>
     </message>
     <message>
         <source>Rule</source>
@@ -6618,7 +6618,7 @@
     </message>
     <message>
         <source>that of ISO 230-2:2006: ISO 230-2:1988 has none for an unknown or long cyclic pitch</source>
-        <translation>celle de l’ISO 230-2:2006 : l’ISO 230-2:1988 n’en a pas pour un pas cyclique inconnu ou long</translation>
+        <translation>celle de l’ISO 230-2:2006&#xa0;: l’ISO 230-2:1988 n’en a pas pour un pas cyclique inconnu ou long</translation>
     </message>
     <message>
         <source>as found</source>
@@ -6627,6 +6627,22 @@
     <message>
         <source>as left</source>
         <translation>après réglage</translation>
+    </message>
+    <message>
+        <source>for information, not part of the verdict</source>
+        <translation>pour information, hors verdict</translation>
+    </message>
+    <message>
+        <source>limits not proven</source>
+        <translation>limites non prouvées</translation>
+    </message>
+    <message>
+        <source>limits exceeded</source>
+        <translation>limites dépassées</translation>
+    </message>
+    <message>
+        <source>limits met</source>
+        <translation>limites respectées</translation>
     </message>
 </context>
 </TS>

@@ -834,7 +834,7 @@
     </message>
     <message>
         <source>left out: feed-in, overshoot…</source>
-        <translation>laissé de côté : entrée, dépassement…</translation>
+        <translation>laissé de côté&#xa0;: entrée, dépassement…</translation>
     </message>
 </context>
 <context>
@@ -3538,7 +3538,7 @@
     </message>
     <message>
         <source>The random part follows ISO 230-2:2006: ISO 230-2:1988 has no rule for an unknown or long cyclic pitch.</source>
-        <translation>La partie aléatoire suit l’ISO 230-2:2006 : l’ISO 230-2:1988 n’a pas de règle pour un pas cyclique inconnu ou long.</translation>
+        <translation>La partie aléatoire suit l’ISO 230-2:2006&#xa0;: l’ISO 230-2:1988 n’a pas de règle pour un pas cyclique inconnu ou long.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 #include "document/evaluateddocument.h"
 
+#include "document/testsofverdict.h"
+
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/evaluatetest.h"
 
@@ -190,8 +192,10 @@ TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPoi
 
 std::optional<Verdict> EvaluatedDocument::verdict() const {
     std::optional<Verdict> result;
-    for (const TestEvaluationPointer &test : tests)
-        result = worst(result, test->verdict);
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        if (countsForVerdict(*document, i))
+            result = worst(result, tests[i]->verdict);
+    }
     return result;
 }
 

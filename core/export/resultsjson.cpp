@@ -61,6 +61,15 @@ Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
+/// Of a test: how it stands to its limits, apart from its accordance.
+const char *limitsWord(std::optional<Verdict> verdict) {
+    if (!verdict)
+        return "noneAgreed";
+    return *verdict == Verdict::conforms    ? "respected"
+           : *verdict == Verdict::notProven ? "notProven"
+                                            : "exceeded";
+}
+
 Json verdictWord(std::optional<Verdict> verdict) {
     return verdict ? Json(word(*verdict)) : Json(nullptr);
 }
@@ -213,6 +222,7 @@ void addHead(Json &test, const Test &source, const TestEvaluation &evaluation, C
     test["undeclared"] = counts.undeclared;
     test["role"] = fileWord(source.role);
     test["purpose"] = fileWord(source.purpose);
+    test["limits"] = limitsWord(evaluation.verdict);
     test["verdict"] = verdictWord(evaluation.verdict);
     test["correctionTo20"] = fileWord(correction);
     test["decisionRule"] = fileWord(source.decisionRule.rule);

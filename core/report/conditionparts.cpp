@@ -246,7 +246,7 @@ KeyValues conditionRows(const PositioningPart &part) {
     addThermalPreparation(rows, write, common);
     if (conditions.gradientHoursBefore)
         rows.add(REPORT_TEXT("report", "Temperature gradient"),
-                 write.say(REPORT_TEXT("report", "of %1 h before the test and the test"),
+                 write.say(REPORT_TEXT("report", "over the %1 h before the test and during it"),
                            {Number{*conditions.gradientHoursBefore, Quantity::number, -1}}));
     return rows.take();
 }

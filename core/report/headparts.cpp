@@ -1,5 +1,6 @@
 #include "report/headparts.h"
 
+#include "document/testsofverdict.h"
 #include "kernel/evaluation/conformity.h"
 #include "report/accordancetext.h"
 #include "report/resultparts.h"
@@ -294,9 +295,12 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
     std::vector<Accordance> accordances;
     for (const TestPart &part : parts) {
         const TestEvaluation &evaluation = part.evaluation;
-        verdict = worst(verdict, evaluation.verdict);
         const Accordance accordance = evaluation.accordance();
-        accordances.push_back(accordance);
+        const bool counts = countsForVerdict(document, part.index);
+        if (counts) {
+            verdict = worst(verdict, evaluation.verdict);
+            accordances.push_back(accordance);
+        }
         Cell word;
         word.text.spans.push_back({write.text(verdictWord(evaluation.verdict, hasLimits(part.test)))});
         word.text.spans.back().bold = evaluation.verdict == Verdict::doesNotConform;
@@ -306,8 +310,13 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
             word.text.spans.push_back({u'\n' + write.text(words)});
             word.text.spans.back().bold = accordance == Accordance::no;
         }
+        if (!counts)
+            word.text.spans.push_back(
+                {u'\n' + write.text(REPORT_TEXT("report", "for information, not part of the verdict"))});
+        const Text role = roleText(part.test.role);
         table.rows.push_back({QString::number(part.number),
-                              joined({testName(write, part.test), QString::fromStdString(part.test.title)},
+                              joined({testName(write, part.test), QString::fromStdString(part.test.title),
+                                      role.empty() ? QString() : write.text(role)},
                                      QStringLiteral("\n")),
                               dateText(write, part.test.date), QString::fromUtf8(part.edition().word), word});
     }
@@ -315,16 +324,20 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
     blocks.emplace_back(std::move(table));
 
     VerdictLine line;
-    line.verdict = verdict;
+    const Accordance weakest =
+        std::ranges::find(accordances, Accordance::no) != accordances.end()         ? Accordance::no
+        : std::ranges::find(accordances, Accordance::notShown) != accordances.end() ? Accordance::notShown
+                                                                                    : Accordance::yes;
+    line.verdict = largeMark(verdict, weakest);
     line.label = write.text(REPORT_TEXT("report", "Verdict of the report"));
     const bool anyLimit =
         std::ranges::any_of(parts, [](const TestPart &part) { return hasLimits(part.test); });
-    line.word = write.text(verdictWord(verdict, anyLimit)).toUpper();
+    line.word = write.text(largeWord(verdict, anyLimit, weakest)).toUpper();
     line.reason = write.text(
         verdict    ? REPORT_TEXT("report", "The worst verdict of the tests.")
         : anyLimit ? REPORT_TEXT("report", "The limits agreed do not hold for these tests: no verdict.")
                    : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
-    line.inAccordance = std::ranges::find(accordances, Accordance::no) == accordances.end();
+    line.inAccordance = weakest != Accordance::no;
     line.accordance = accordanceOfAll(accordances, write.language());
     blocks.emplace_back(std::move(line));
 }

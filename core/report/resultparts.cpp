@@ -507,9 +507,10 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
 VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &results) {
     const TestEvaluation &evaluation = part.evaluation;
     VerdictLine line;
-    line.verdict = evaluation.verdict;
+    line.verdict = largeMark(evaluation.verdict, evaluation.accordance());
     line.label = part.write.text(REPORT_TEXT("report", "Verdict of the test"));
-    line.word = part.write.text(verdictWord(evaluation.verdict, hasLimits(part.test))).toUpper();
+    line.word = part.write.text(largeWord(evaluation.verdict, hasLimits(part.test), evaluation.accordance()))
+                    .toUpper();
     line.reason = reason(part, results);
     line.inAccordance = evaluation.accordance() != Accordance::no;
     const bool listed = !part.leavesOut(ReportPart::findings);
@@ -535,6 +536,29 @@ Text verdictWord(std::optional<Verdict> verdict, bool anyLimit) {
     if (verdict)
         return verdictText(*verdict);
     return anyLimit ? REPORT_TEXT("report", "no verdict") : REPORT_TEXT("report", "no limit agreed");
+}
+
+Text largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance) {
+    if (!verdict || (accordance != Accordance::no && accordance != Accordance::notShown))
+        return verdictWord(verdict, anyLimit);
+    switch (*verdict) {
+    case Verdict::conforms:
+        break;
+    case Verdict::notProven:
+        return REPORT_TEXT("report", "limits not proven");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT("report", "limits exceeded");
+    }
+    return accordance == Accordance::no ? REPORT_TEXT("report", "no verdict")
+                                        : REPORT_TEXT("report", "limits met");
+}
+
+std::optional<Verdict> largeMark(std::optional<Verdict> verdict, Accordance accordance) {
+    if (verdict != Verdict::conforms)
+        return verdict;
+    if (accordance == Accordance::no)
+        return std::nullopt;
+    return accordance == Accordance::notShown ? std::optional(Verdict::notProven) : verdict;
 }
 
 bool hasLimits(const Test &test) {

@@ -65,8 +65,8 @@ void ResultsJsonTest::hasTheKeysOfTheFormat() {
     QVERIFY(file["program"].toString().startsWith("Palmer "));
     const QJsonObject test = file["tests"][0].toObject();
     QCOMPARE(test.keys(), QStringList({"accordance", "correctionTo20", "decisionRule", "edition", "findings",
-                                       "inAccordance", "kind", "parameters", "purpose", "role", "targets",
-                                       "title", "uncertainty", "undeclared", "unmet", "verdict"}));
+                                       "inAccordance", "kind", "limits", "parameters", "purpose", "role",
+                                       "targets", "title", "uncertainty", "undeclared", "unmet", "verdict"}));
     QCOMPARE(parameter(test, "A").keys(),
              QStringList({"clause", "expandedUncertainty", "guardBand", "id", "limit", "monteCarlo", "name",
                           "quantity", "ruling", "symbol", "unit", "value", "verdict"}));

@@ -746,6 +746,39 @@ private slots:
         QVERIFY(storedTemplates().empty());
     }
 
+    /// One step says yes to what was not declared; what was declared stays.
+    void allDeclarationsAtOnce() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).conditions.common.unloaded = false;
+        Edited<ConditionsPage> edited(documentOf(test));
+        button(edited.page, "allApply")->click();
+        const Conditions &common = edited.conditions().common;
+        QCOMPARE(common.unloaded, std::optional(false));
+        for (const auto &declared : {common.complete, common.levelled, common.shielded, common.stabilised})
+            QCOMPARE(declared, std::optional(true));
+        QVERIFY(!common.temperatureControlled); // no requirement is met by it
+        QCOMPARE(edited.model.undoStack()->count(), 1);
+        edited.model.undoStack()->undo();
+        QVERIFY(*edited.model.document()->tests[0] == test);
+    }
+
+    void declarationsAreTemplates() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).conditions.common.soak = "12 h";
+        measurement(test).conditions.common.complete = true;
+        Edited<ConditionsPage> edited(documentOf(test));
+        auto *templates = edited.page.findChild<TemplateButton *>();
+        QVERIFY(templates);
+        const Template content = templates->current(u"hall 2"_s);
+        edited.type(u"soak"_s, u"1 h"_s);
+        edited.type(u"dwell"_s, u"3"_s);
+        QVERIFY(templates->apply(content));
+        QCOMPARE(edited.conditions().common.soak, std::string("12 h"));
+        QCOMPARE(edited.conditions().common.complete, std::optional(true));
+        QCOMPARE(edited.conditions().dwell, std::optional(3.0)); // is of this test
+        QVERIFY(!templates->apply({"limits", LimitSet()}));
+    }
+
     void withoutTests() {
         Selection selection;
         DocumentModel model;
