@@ -4,13 +4,6 @@
 <context>
     <name>report</name>
     <message numerus="yes">
-        <source>NOT in accordance with %1: %n requirement(s) not met.</source>
-        <translation>
-            <numerusform>NOT in accordance with %1: %n requirement not met.</numerusform>
-            <numerusform>NOT in accordance with %1: %n requirements not met.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Test NOT in accordance with %1: %n requirement(s) not met</source>
         <translation>
             <numerusform>Test NOT in accordance with %1: %n requirement not met</numerusform>
@@ -32,17 +25,45 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Readings set aside (%n): %1. The standard knows no rejection of readings.</source>
-        <translation>
-            <numerusform>Readings set aside (%n): %1. The standard knows no rejection of readings.</numerusform>
-            <numerusform>Readings set aside (%n): %1. The standard knows no rejection of readings.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Readings set aside without a reason: %n.</source>
         <translation>
             <numerusform>Readings set aside without a reason: %n.</numerusform>
             <numerusform>Readings set aside without a reason: %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Readings set aside (%n): %1. The text provides for none.</source>
+        <translation>
+            <numerusform>Readings set aside (%n): %1. The text provides for none.</numerusform>
+            <numerusform>Readings set aside (%n): %1. The text provides for none.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Readings set aside (%n): %1.</source>
+        <translation>
+            <numerusform>Readings set aside (%n): %1.</numerusform>
+            <numerusform>Readings set aside (%n): %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Accordance with %1 not shown: %n requirement(s) not declared</source>
+        <translation>
+            <numerusform>Accordance with %1 not shown: %n requirement not declared</numerusform>
+            <numerusform>Accordance with %1 not shown: %n requirements not declared</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not declared</source>
+        <translation>
+            <numerusform>%n not declared</numerusform>
+            <numerusform>%n not declared</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; %n departure(s) from practice</source>
+        <translation>
+            <numerusform>; %n departure from practice</numerusform>
+            <numerusform>; %n departures from practice</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -80,22 +80,6 @@
         <translation>La règle de décision exige l’incertitude de mesure&#xa0;: sans elle, rien n’est prouvé.</translation>
     </message>
     <message>
-        <source>Not stated: %1.</source>
-        <translation>Non indiqué&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>To be agreed between supplier/manufacturer and user, not agreed: %1.</source>
-        <translation>Soumis à accord entre le fournisseur/constructeur et l’utilisateur, non convenu&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>The machine was at %1 on average and the results are not corrected to 20 °C.</source>
-        <translation>La machine était à %1 en moyenne et les résultats ne sont pas ramenés à 20&#xa0;°C.</translation>
-    </message>
-    <message>
-        <source>Temperature %1: where it can be controlled, 20 °C ± 0.5 °C are asked for.</source>
-        <translation>Température %1&#xa0;: lorsqu’elle peut être régulée, 20&#xa0;°C ±&#xa0;0,5&#xa0;°C sont demandés.</translation>
-    </message>
-    <message>
         <source>The correction to 20 °C cannot be applied: it needs the temperatures at start and end and the coefficients of thermal expansion of machine and instrument (0 for a laser whose compensation covers the air only).</source>
         <translation>La correction à 20&#xa0;°C ne peut pas être appliquée&#xa0;: il y faut les températures au début et à la fin ainsi que les coefficients de dilatation thermique de la machine et de l’instrument (0 pour un laser dont la compensation ne porte que sur l’air).</translation>
     </message>
@@ -106,34 +90,6 @@
     <message>
         <source>The stated uncertainty of the expansion coefficient of the machine, %1, is below the typical minimum of %2.</source>
         <translation>L’incertitude indiquée du coefficient de dilatation de la machine, %1, est inférieure au minimum usuel de %2.</translation>
-    </message>
-    <message>
-        <source>The machine was not complete.</source>
-        <translation>La machine n’était pas complète.</translation>
-    </message>
-    <message>
-        <source>The machine was not levelled and aligned.</source>
-        <translation>La machine n’était pas mise à niveau ni alignée.</translation>
-    </message>
-    <message>
-        <source>The machine was not unloaded.</source>
-        <translation>La machine n’était pas à vide.</translation>
-    </message>
-    <message>
-        <source>A dry run without an agreed warm-up: only the movements needed to set up the instrument are allowed.</source>
-        <translation>Essai à blanc préalable sans mise en température convenue&#xa0;: seuls les mouvements nécessaires au réglage de l’instrument sont admis.</translation>
-    </message>
-    <message>
-        <source>The warm-up procedure is neither described nor agreed.</source>
-        <translation>La procédure de mise en température n’est ni décrite ni convenue.</translation>
-    </message>
-    <message>
-        <source>Not stated: compensation active during the test.</source>
-        <translation>Non indiqué&#xa0;: compensation active pendant l’essai.</translation>
-    </message>
-    <message>
-        <source>The measurement uncertainty is not stated beside every result.</source>
-        <translation>L’incertitude de mesure n’est pas indiquée à côté de chaque résultat.</translation>
     </message>
     <message>
         <source>Acceptance code for machine tools — Part 2: Determination of accuracy and repeatability of positioning of numerically controlled machine tools</source>
@@ -171,13 +127,6 @@
         <translation>Séries dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; chaque sens est évalué avec les siennes.</translation>
     </message>
     <message numerus="yes">
-        <source>Readings set aside (%n): %1. The standard knows no rejection of readings.</source>
-        <translation>
-            <numerusform>Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés.</numerusform>
-            <numerusform>Relevés écartés (%n)&#xa0;: %1. La norme ne connaît pas de rejet de relevés.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Readings set aside without a reason: %n.</source>
         <translation>
             <numerusform>Relevés écartés sans motif&#xa0;: %n.</numerusform>
@@ -201,10 +150,6 @@
         <translation>Les écarts à un même point visé progressent régulièrement d’une approche à l’autre&#xa0;: D = %1 de la première à la dernière, à côté de %4 = %5 (t = %2, au-dessus de %3). Les conditions thermiques sont peut-être instables.</translation>
     </message>
     <message>
-        <source>Step cycle without a written agreement: not an acceptance result under this standard.</source>
-        <translation>Cycle en pas sans accord écrit&#xa0;: ce n’est pas un résultat de réception selon cette norme.</translation>
-    </message>
-    <message>
         <source>largest temperature gradient, 12 h before and during the test</source>
         <translation>plus grand gradient de température, 12&#xa0;h avant et pendant l’essai</translation>
     </message>
@@ -223,10 +168,6 @@
     <message>
         <source>measuring cycle</source>
         <translation>cycle de mesurage</translation>
-    </message>
-    <message>
-        <source>place of the 2 m working zone</source>
-        <translation>emplacement de la zone de travail de 2&#xa0;m</translation>
     </message>
     <message>
         <source>temperature gradient, 12 h before and during the test</source>
@@ -500,36 +441,12 @@
         <translation>date d’étalonnage de chaque instrument</translation>
     </message>
     <message>
-        <source>measuring line: offset to the tool reference</source>
-        <translation>ligne de mesurage&#xa0;: décalage par rapport à la référence de l’outil</translation>
-    </message>
-    <message>
-        <source>measuring line: offset to the workpiece reference</source>
-        <translation>ligne de mesurage&#xa0;: décalage par rapport à la référence de la pièce</translation>
-    </message>
-    <message>
-        <source>temperature of the machine at start and end</source>
-        <translation>température de la machine au début et à la fin</translation>
-    </message>
-    <message>
-        <source>temperature of the instrument at start and end</source>
-        <translation>température de l’instrument au début et à la fin</translation>
-    </message>
-    <message>
-        <source>temperature of the air at start and end</source>
-        <translation>température de l’air au début et à la fin</translation>
-    </message>
-    <message>
         <source>position of the temperature sensors</source>
         <translation>position des capteurs de température</translation>
     </message>
     <message>
         <source>coefficients of thermal expansion of machine and instrument</source>
         <translation>coefficients de dilatation thermique de la machine et de l’instrument</translation>
-    </message>
-    <message>
-        <source>compensation of the nominal differential expansion (NDE)</source>
-        <translation>compensation de la dilatation différentielle nominale (DDN)</translation>
     </message>
     <message>
         <source>air pressure</source>
@@ -540,14 +457,6 @@
         <translation>humidité de l’air</translation>
     </message>
     <message>
-        <source>temperature gradient</source>
-        <translation>gradient de température</translation>
-    </message>
-    <message>
-        <source>warm-up done</source>
-        <translation>mise en température effectuée</translation>
-    </message>
-    <message>
         <source>feed rate</source>
         <translation>vitesse d’avance</translation>
     </message>
@@ -556,16 +465,8 @@
         <translation>machine complète et en état de marche</translation>
     </message>
     <message>
-        <source>machine levelled and aligned</source>
-        <translation>machine mise à niveau et alignée</translation>
-    </message>
-    <message>
         <source>machine unloaded</source>
         <translation>machine à vide</translation>
-    </message>
-    <message>
-        <source>Axis travel not stated: the measurement travel of %1 takes its place.</source>
-        <translation>Longueur d’axe non indiquée&#xa0;: la course de mesurage de %1 en tient lieu.</translation>
     </message>
     <message>
         <source>%1 targets over %2: at least 5 per metre are required, %3 here.</source>
@@ -580,24 +481,12 @@
         <translation>%1 points visés sur %2&#xa0;: un axe long a un point visé dans chaque élément de son système de mesure ou tous les 250&#xa0;mm.</translation>
     </message>
     <message>
-        <source>%1 targets over %2: practice asks for a mean interval of 250 mm and a target in each segment of the scale (not verified against the text of the edition).</source>
-        <translation>%1 points visés sur %2&#xa0;: l’usage demande un intervalle moyen de 250&#xa0;mm et un point visé dans chaque segment de la règle (non vérifié sur le texte de l’édition).</translation>
-    </message>
-    <message>
         <source>The targets leave out %1 of the axis travel of %2: neither the whole travel nor a test inside the agreed zone.</source>
         <translation>Les points visés laissent de côté %1 de la longueur d’axe de %2&#xa0;: ce n’est ni la longueur entière ni un essai dans la zone convenue.</translation>
     </message>
     <message>
-        <source>The targets leave out %1 of the axis travel of %2: practice asks for the whole travel (not verified against the text of the edition).</source>
-        <translation>Les points visés laissent de côté %1 de la longueur d’axe de %2&#xa0;: l’usage demande la longueur entière (non vérifié sur le texte de l’édition).</translation>
-    </message>
-    <message>
         <source>A rotary axis is tested at 0°, 90°, 180° and 270° or at the faces of the polygon; missing: %1.</source>
         <translation>Un axe rotatif est contrôlé à 0°, 90°, 180° et 270° ou aux faces du polygone&#x202f;; manquent&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>%1 targets over %2: practice asks for at least %3 (not verified against the text of the edition).</source>
-        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins %3 (non vérifié sur le texte de l’édition).</translation>
     </message>
     <message>
         <source>%1 targets over %2: practice asks for at least 8 per turn, up to 1 800° (not verified against the text of the edition).</source>
@@ -1130,17 +1019,6 @@
         <translation>Résultats</translation>
     </message>
     <message>
-        <source>In accordance with %1.</source>
-        <translation>Essai conforme à l’édition %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>NOT in accordance with %1: %n requirement(s) not met.</source>
-        <translation>
-            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigence non satisfaite.</numerusform>
-            <numerusform>Essai NON conforme à l’édition %1&#xa0;: %n exigences non satisfaites.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Limits: no verdict.</source>
         <translation>Limites&#xa0;: pas de verdict.</translation>
     </message>
@@ -1349,20 +1227,12 @@
         <translation>Pas de valeur pour F et D&#xa0;: la longueur de référence n’est pas étalonnée.</translation>
     </message>
     <message>
-        <source>F and D need a calibrated reference length: whether it is calibrated is not stated.</source>
-        <translation>F et D demandent une longueur de référence étalonnée&#xa0;: il n’est pas indiqué si elle l’est.</translation>
-    </message>
-    <message>
         <source>F and D are not corrected to 20 °C, and the test was made at another temperature.</source>
         <translation>F et D ne sont pas ramenés à 20&#xa0;°C, et l’essai a été fait à une autre température.</translation>
     </message>
     <message>
         <source>F and D cannot be corrected to 20 °C: temperatures at start and end and the coefficients of thermal expansion of machine and instrument are needed.</source>
         <translation>F et D ne peuvent pas être ramenés à 20&#xa0;°C&#xa0;: il y faut les températures au début et à la fin et les coefficients de dilatation thermique de la machine et de l’instrument.</translation>
-    </message>
-    <message>
-        <source>The instrument was centred anew between the runs.</source>
-        <translation>L’instrument a été recentré entre les parcours.</translation>
     </message>
     <message>
         <source>Feedback signal: the annex speaks of machines with linear scales; what lies between scale and tool is not seen.</source>
@@ -1441,22 +1311,6 @@
         <translation>vitesse d’avance de contournage</translation>
     </message>
     <message>
-        <source>location of the instrument: centre of the circle</source>
-        <translation>position de l’instrument&#xa0;: centre du cercle</translation>
-    </message>
-    <message>
-        <source>location of the instrument: offset to the tool reference</source>
-        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de l’outil</translation>
-    </message>
-    <message>
-        <source>location of the instrument: offset to the workpiece reference</source>
-        <translation>position de l’instrument&#xa0;: décalage par rapport à la référence de la pièce</translation>
-    </message>
-    <message>
-        <source>correction of F and D to 20 °C</source>
-        <translation>correction de F et D à 20&#xa0;°C</translation>
-    </message>
-    <message>
         <source>start point</source>
         <translation>point de départ</translation>
     </message>
@@ -1467,10 +1321,6 @@
     <message>
         <source>data smoothing</source>
         <translation>lissage des données</translation>
-    </message>
-    <message>
-        <source>measured one after the other without re-centring</source>
-        <translation>mesures successives sans recentrage</translation>
     </message>
     <message>
         <source>compensation active during the test</source>
@@ -2142,10 +1992,6 @@
         <translation>Tous les essais ont été exécutés conformément à leur édition.</translation>
     </message>
     <message>
-        <source>Tests NOT in accordance with their edition: %1 of %2.</source>
-        <translation>Essais NON conformes à leur édition&#xa0;: %1 sur %2.</translation>
-    </message>
-    <message>
         <source>%1 readings: mean %2, range %3</source>
         <translation>%1 relevés&#xa0;: moyenne %2, étendue %3</translation>
     </message>
@@ -2264,10 +2110,6 @@
     <message>
         <source>Verdict of the test</source>
         <translation>Verdict de l’essai</translation>
-    </message>
-    <message>
-        <source>Test carried out in accordance with %1.</source>
-        <translation>Essai exécuté conformément à %1.</translation>
     </message>
     <message numerus="yes">
         <source>Test NOT in accordance with %1: %n requirement(s) not met</source>
@@ -2501,11 +2343,7 @@
     </message>
     <message>
         <source>no verdict</source>
-        <translation>pas de verdict</translation>
-    </message>
-    <message>
-        <source>Worked example of ISO 230-2:1988 (table 2): the position of the first target and ten readings are stand-ins with the published mean and s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) and the values per target, never the single readings.</source>
-        <translation>Exemple traité de l’ISO 230-2:1988 (tableau 2)&#xa0;: la position du premier point visé et dix relevés sont des valeurs de remplacement ayant la moyenne et le s publiés. Comparer l’erreur moyenne de réversibilité (publiée&#xa0;: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) et les valeurs par point visé, jamais les relevés isolés.</translation>
+        <translation>sans verdict</translation>
     </message>
     <message>
         <source>Nominal radius</source>
@@ -2562,10 +2400,6 @@
     <message>
         <source>this is no template of Palmer</source>
         <translation>ce n’est pas un modèle de Palmer</translation>
-    </message>
-    <message>
-        <source>expected one of machine, instrument, laboratory and limits, not two</source>
-        <translation>un seul attendu parmi machine, instrument, laboratory et limits, pas deux</translation>
     </message>
     <message>
         <source>this key is unknown</source>
@@ -5923,10 +5757,6 @@
         <translation>%1 est comparé aux limites de %2 et de %3&#xa0;: sa ligne montre celle de %2, la plus serrée.</translation>
     </message>
     <message>
-        <source>The instrument was at %1 on average and the results are not corrected to 20 °C.</source>
-        <translation>L’instrument était à %1 en moyenne et les résultats ne sont pas ramenés à 20&#xa0;°C.</translation>
-    </message>
-    <message>
         <source>The angles of arc %1 (%2) run against its sense or jump back: anticlockwise they grow, clockwise they fall. Its name may be wrong.</source>
         <translation>Les angles de l’arc %1 (%2) vont à l’encontre de son sens ou reviennent en arrière&#xa0;: ils croissent dans le sens antihoraire, décroissent dans le sens horaire. Son nom peut être faux.</translation>
     </message>
@@ -6173,6 +6003,662 @@
     <message>
         <source>the compensation of a SINUMERIK is 0 at the reference point of the axis: say where that is (%1)</source>
         <translation>la compensation d’une SINUMERIK est nulle au point de référence de l’axe&#xa0;: indiquez où il se trouve (%1)</translation>
+    </message>
+    <message>
+        <source>(practice; text not available)</source>
+        <translation>(usage&#x202f;; texte non disponible)</translation>
+    </message>
+    <message>
+        <source>Laboratory practice, not stated: %1.</source>
+        <translation>Usage de laboratoire, non indiqué&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Not declared: %1.</source>
+        <translation>Non déclaré&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Not stated in the report: %1.</source>
+        <translation>Non indiqué dans le rapport&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>To be agreed, not agreed: %1.</source>
+        <translation>Soumis à accord, non convenu&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>To be agreed (clause %2), not agreed: %1.</source>
+        <translation>Soumis à accord (article %2), non convenu&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>No limit of the gradient was agreed.</source>
+        <translation>Aucune limite du gradient n’a été convenue.</translation>
+    </message>
+    <message>
+        <source>Gradient %1, agreed limit %2.</source>
+        <translation>Gradient %1, limite convenue %2.</translation>
+    </message>
+    <message>
+        <source>Machine at %1, results not corrected to 20 °C.</source>
+        <translation>Machine à %1, résultats non corrigés à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>Instrument at %1, results not corrected to 20 °C.</source>
+        <translation>Instrument à %1, résultats non corrigés à 20&#xa0;°C.</translation>
+    </message>
+    <message>
+        <source>Approaches in the positive direction: %1, in the negative: %2; the text speaks of five.</source>
+        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; le texte en prévoit cinq.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Readings set aside (%n): %1. The text provides for none.</source>
+        <translation>
+            <numerusform>Relevé écarté (%n)&#xa0;: %1. Le texte n’en prévoit pas.</numerusform>
+            <numerusform>Relevés écartés (%n)&#xa0;: %1. Le texte n’en prévoit pas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Readings set aside (%n): %1.</source>
+        <translation>
+            <numerusform>Relevé écarté (%n)&#xa0;: %1.</numerusform>
+            <numerusform>Relevés écartés (%n)&#xa0;: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Step cycle without written agreement; strict reference for acceptance is the standard cycle.</source>
+        <translation>Cycle en pas sans accord écrit&#x202f;; la référence stricte pour la réception est le cycle d’essai normal.</translation>
+    </message>
+    <message>
+        <source>Step cycle without written agreement.</source>
+        <translation>Cycle en pas sans accord écrit.</translation>
+    </message>
+    <message>
+        <source>Step cycle by written agreement: %1.</source>
+        <translation>Cycle en pas par accord écrit&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Worked example of ISO 230-2:1988 (table 2): the position of the first target and ten readings are substitutes with the published mean and s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) and the values per target, never the single readings.</source>
+        <translation>Exemple traité de l’ISO 230-2:1988 (tableau 2)&#xa0;: la position du premier point visé et dix relevés sont des valeurs de remplacement ayant la moyenne et le s publiés. Comparer l’erreur moyenne de réversibilité (publiée&#xa0;: %1), R↑ (%2), R↓ (%3), R (%4), A (%5) et les valeurs par point visé, jamais les relevés isolés.</translation>
+    </message>
+    <message>
+        <source>The air was at %1; 20 ± 0.5 °C is asked for where it can be controlled.</source>
+        <translation>Air à %1&#x202f;; 20&#xa0;°C ± 0,5&#xa0;°C exigés là où la température peut être réglée.</translation>
+    </message>
+    <message>
+        <source>temperature of the environment</source>
+        <translation>température de l’environnement</translation>
+    </message>
+    <message>
+        <source>thermal stability before the test</source>
+        <translation>stabilité thermique avant l’essai</translation>
+    </message>
+    <message>
+        <source>Machine or instruments were not thermally stable.</source>
+        <translation>Machine ou instruments non stabilisés thermiquement.</translation>
+    </message>
+    <message>
+        <source>protection from draughts and radiation</source>
+        <translation>protection contre les courants d’air et les rayonnements</translation>
+    </message>
+    <message>
+        <source>Not protected from draughts or radiation.</source>
+        <translation>Pas de protection contre les courants d’air ou les rayonnements.</translation>
+    </message>
+    <message>
+        <source>compensation by the instrument</source>
+        <translation>compensation par l’instrument</translation>
+    </message>
+    <message>
+        <source>The instrument&apos;s compensation was switched off.</source>
+        <translation>La compensation de l’instrument était hors service.</translation>
+    </message>
+    <message>
+        <source>temperature gradient over 12 h and its agreed limit</source>
+        <translation>gradient de température sur 12&#xa0;h et sa limite convenue</translation>
+    </message>
+    <message>
+        <source>The machine was not complete or not in working order.</source>
+        <translation>Machine incomplète ou pas en ordre de marche.</translation>
+    </message>
+    <message>
+        <source>levelling, alignment and functional checks</source>
+        <translation>nivellement, alignement et contrôles fonctionnels</translation>
+    </message>
+    <message>
+        <source>Levelling, alignment or functional checks were not done.</source>
+        <translation>Nivellement, alignement ou contrôles fonctionnels non effectués.</translation>
+    </message>
+    <message>
+        <source>The machine was loaded.</source>
+        <comment>1988</comment>
+        <translation>La machine était chargée.</translation>
+    </message>
+    <message>
+        <source>warm-up: by whom specified</source>
+        <translation>mise en température&#xa0;: prescrite par qui</translation>
+    </message>
+    <message>
+        <source>Dry run without agreed warm-up: only set-up movements are allowed.</source>
+        <translation>Essai à blanc sans mise en température convenue&#xa0;: seuls les déplacements de réglage sont admis.</translation>
+    </message>
+    <message>
+        <source>rest at each target</source>
+        <translation>repos à chaque point visé</translation>
+    </message>
+    <message>
+        <source>No rest at the targets.</source>
+        <translation>Pas de repos aux points visés.</translation>
+    </message>
+    <message>
+        <source>agreed feed</source>
+        <translation>vitesse d’avance convenue</translation>
+    </message>
+    <message>
+        <source>Neither rapid nor at an agreed feed.</source>
+        <translation>Ni vitesse rapide ni vitesse convenue.</translation>
+    </message>
+    <message>
+        <source>choice of targets, cyclic pitch</source>
+        <translation>choix des points visés, pas cyclique</translation>
+    </message>
+    <message>
+        <source>position of the measuring device</source>
+        <translation>position du dispositif de mesure</translation>
+    </message>
+    <message>
+        <source>position of the temperature sensor, type of compensation</source>
+        <translation>position du capteur de température, type de compensation</translation>
+    </message>
+    <message>
+        <source>axis travel</source>
+        <translation>longueur d’axe</translation>
+    </message>
+    <message>
+        <source>elements of the measuring device</source>
+        <translation>éléments du dispositif de mesure</translation>
+    </message>
+    <message>
+        <source>agreed working zone</source>
+        <translation>zone de travail convenue</translation>
+    </message>
+    <message>
+        <source>No working zone was agreed.</source>
+        <translation>Aucune zone de travail n’a été convenue.</translation>
+    </message>
+    <message>
+        <source>continuous measuring device or not</source>
+        <translation>dispositif à échelle continue ou non</translation>
+    </message>
+    <message>
+        <source>Fewer than three further targets.</source>
+        <translation>Moins de trois points visés supplémentaires.</translation>
+    </message>
+    <message>
+        <source>number of faces</source>
+        <translation>nombre de faces</translation>
+    </message>
+    <message>
+        <source>nature of the measuring device</source>
+        <translation>nature du dispositif de mesure</translation>
+    </message>
+    <message>
+        <source>measurement uncertainty</source>
+        <translation>incertitude de mesure</translation>
+    </message>
+    <message>
+        <source>temperatures of machine and instrument</source>
+        <translation>températures de la machine et de l’instrument</translation>
+    </message>
+    <message>
+        <source>use of compensation</source>
+        <translation>emploi de la compensation</translation>
+    </message>
+    <message>
+        <source>levelling and alignment</source>
+        <translation>nivellement et alignement</translation>
+    </message>
+    <message>
+        <source>Levelling or alignment was not done.</source>
+        <translation>Nivellement ou alignement non effectué.</translation>
+    </message>
+    <message>
+        <source>The machine was loaded.</source>
+        <translation>La machine n’était pas à vide.</translation>
+    </message>
+    <message>
+        <source>The feed between targets was not agreed.</source>
+        <translation>Vitesse entre points visés non convenue.</translation>
+    </message>
+    <message>
+        <source>position of the temperature sensors, expansion coefficients</source>
+        <translation>position des capteurs de température, coefficients de dilatation</translation>
+    </message>
+    <message>
+        <source>offset of the measuring line to the tool and workpiece reference</source>
+        <translation>décalage de la ligne de mesurage par rapport aux références d’outil et de pièce</translation>
+    </message>
+    <message>
+        <source>temperature of the air</source>
+        <translation>température de l’air</translation>
+    </message>
+    <message>
+        <source>location of the 2 m working zone</source>
+        <translation>emplacement de la zone de travail de 2&#xa0;m</translation>
+    </message>
+    <message>
+        <source>location of the working zone of 2 000 mm or 360°</source>
+        <translation>emplacement de la zone de travail de 2&#x202f;000 mm ou 360°</translation>
+    </message>
+    <message>
+        <source>%1 targets over %2: practice asks for at least %3.</source>
+        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins %3.</translation>
+    </message>
+    <message>
+        <source>%1 targets over %2: practice asks for at least 8 per turn, up to 1 800°.</source>
+        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins 8 par tour, jusqu’à 1&#x202f;800°.</translation>
+    </message>
+    <message>
+        <source>%1 targets, %2 faces.</source>
+        <translation>%1 points visés, %2 faces.</translation>
+    </message>
+    <message>
+        <source>All targets have the same phase of the pitch %1.</source>
+        <translation>Tous les points visés ont la même phase du pas %1.</translation>
+    </message>
+    <message>
+        <source>Steps between targets from %1 to %2.</source>
+        <translation>Intervalles de %1 à %2 entre points visés.</translation>
+    </message>
+    <message>
+        <source>The air was at %1; 20 °C is asked for where it can be controlled.</source>
+        <translation>Air à %1&#x202f;; 20&#xa0;°C exigés là où la température peut être réglée.</translation>
+    </message>
+    <message>
+        <source>The instrument was re-centred between the runs.</source>
+        <translation>L’instrument a été recentré entre les trajectoires.</translation>
+    </message>
+    <message>
+        <source>Paths of rotary axes are outside the scope.</source>
+        <translation>Les trajectoires d’axes rotatifs sont hors du domaine.</translation>
+    </message>
+    <message>
+        <source>Other paths were measured between the two.</source>
+        <translation>D’autres trajectoires ont été mesurées entre les deux.</translation>
+    </message>
+    <message>
+        <source>Feed %1; %2 keeps the acceleration.</source>
+        <translation>Avance %1&#x202f;; %2 conserve l’accélération.</translation>
+    </message>
+    <message>
+        <source>levelling and functional checks</source>
+        <translation>nivellement et contrôles fonctionnels</translation>
+    </message>
+    <message>
+        <source>Levelling or functional checks were not done.</source>
+        <translation>Nivellement ou contrôles fonctionnels non effectués.</translation>
+    </message>
+    <message>
+        <source>calibrated reference length</source>
+        <translation>longueur de référence étalonnée</translation>
+    </message>
+    <message>
+        <source>what the evaluated range leaves out</source>
+        <translation>ce que la plage évaluée laisse de côté</translation>
+    </message>
+    <message>
+        <source>set-up error</source>
+        <translation>erreur de réglage</translation>
+    </message>
+    <message>
+        <source>test uncertainty</source>
+        <translation>incertitude d’essai</translation>
+    </message>
+    <message>
+        <source>name of the machine</source>
+        <translation>nom de la machine</translation>
+    </message>
+    <message>
+        <source>location of the measuring instrument</source>
+        <translation>position de l’instrument de mesure</translation>
+    </message>
+    <message>
+        <source>temperatures of machine, instrument and air</source>
+        <translation>températures de la machine, de l’instrument et de l’air</translation>
+    </message>
+    <message>
+        <source>type of compensation</source>
+        <translation>type de compensation</translation>
+    </message>
+    <message>
+        <source>load of the machine</source>
+        <translation>charge de la machine</translation>
+    </message>
+    <message>
+        <source>temperatures at start and end</source>
+        <translation>températures au début et à la fin</translation>
+    </message>
+    <message>
+        <source>end of validity of each calibration</source>
+        <translation>fin de validité de chaque étalonnage</translation>
+    </message>
+    <message numerus="yes">
+        <source>Accordance with %1 not shown: %n requirement(s) not declared</source>
+        <translation>
+            <numerusform>Conformité à %1 non établie&#xa0;: %n exigence non déclarée</numerusform>
+            <numerusform>Conformité à %1 non établie&#xa0;: %n exigences non déclarées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Test carried out in accordance with %1</source>
+        <translation>Essai exécuté conformément à %1</translation>
+    </message>
+    <message>
+        <source>; step cycle by written agreement</source>
+        <translation>&#x202f;; cycle en pas par accord écrit</translation>
+    </message>
+    <message>
+        <source>(clauses 1 to 4.3.1 checked)</source>
+        <translation>(articles 1 à 4.3.1 vérifiés)</translation>
+    </message>
+    <message>
+        <source>(clauses 1 to 4.3.2 checked)</source>
+        <translation>(articles 1 à 4.3.2 vérifiés)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not declared</source>
+        <translation>
+            <numerusform>%n non déclarée</numerusform>
+            <numerusform>%n non déclarées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The text of %1 was not available: its requirements were not checked</source>
+        <translation>Le texte de %1 n’était pas disponible&#xa0;: ses exigences n’ont pas été vérifiées</translation>
+    </message>
+    <message>
+        <source>; no departure from practice found</source>
+        <translation>&#x202f;; aucun écart à l’usage constaté</translation>
+    </message>
+    <message numerus="yes">
+        <source>; %n departure(s) from practice</source>
+        <translation>
+            <numerusform>&#x202f;; %n écart à l’usage</numerusform>
+            <numerusform>&#x202f;; %n écarts à l’usage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the requirements of clauses 1 to 4.3.1 are met; the rest of 4.3 and clauses 5 to 7 were not available and not checked; number of targets and approaches by practice</source>
+        <translation>%1&#xa0;: exigences des articles 1 à 4.3.1 satisfaites&#x202f;; la suite de 4.3 et les articles 5 à 7, non disponibles, n’ont pas été vérifiés&#x202f;; nombre de points visés et d’approches selon l’usage</translation>
+    </message>
+    <message>
+        <source>%1: the requirements of clauses 1 to 4.3.2 are met; the rest of 4.3 and clauses 5 to 7 were not available and not checked</source>
+        <translation>%1&#xa0;: exigences des articles 1 à 4.3.2 satisfaites&#x202f;; la suite de 4.3 et les articles 5 à 7, non disponibles, n’ont pas été vérifiés</translation>
+    </message>
+    <message>
+        <source>; the laboratory declares the rest met (%1)</source>
+        <translation>&#x202f;; le laboratoire déclare le reste satisfait (%1)</translation>
+    </message>
+    <message>
+        <source>text of the edition not available</source>
+        <translation>texte de l’édition non disponible</translation>
+    </message>
+    <message>
+        <source>accordance not shown</source>
+        <translation>conformité non établie</translation>
+    </message>
+    <message>
+        <source>in accordance in part</source>
+        <translation>conforme en partie</translation>
+    </message>
+    <message>
+        <source>Tests in accordance: %1</source>
+        <translation>Essais conformes à leur édition&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; in part: %1</source>
+        <translation>&#x202f;; en partie&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; not shown: %1</source>
+        <translation>&#x202f;; non établi&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; NOT: %1</source>
+        <translation>&#x202f;; NON conformes&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; text not available: %1</source>
+        <translation>&#x202f;; texte non disponible&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>not declared</source>
+        <translation>non déclaré</translation>
+    </message>
+    <message>
+        <source>Asked by the text of %1</source>
+        <translation>Demandé par le texte de %1</translation>
+    </message>
+    <message>
+        <source>Practice (text not available)</source>
+        <translation>Usage (texte non disponible)</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <comment>source of findings</comment>
+        <translation>Laboratoire</translation>
+    </message>
+    <message>
+        <source>Foreword %1</source>
+        <translation>Avant-propos %1</translation>
+    </message>
+    <message>
+        <source>Table %1</source>
+        <translation>Tableau %1</translation>
+    </message>
+    <message>
+        <source>expected one of machine, instrument, laboratory, limits and conditions, not two</source>
+        <translation>un seul attendu parmi machine, instrument, laboratory, limits et conditions, pas deux</translation>
+    </message>
+    <message>
+        <source>No sensor is of the air: no gradient per hour.</source>
+        <translation>Aucun capteur n’est celui de l’air&#xa0;: pas de gradient horaire.</translation>
+    </message>
+    <message>
+        <source>%1: the guard band reaches the limit; nothing can conform.</source>
+        <translation>%1&#xa0;: la bande de garde atteint la limite&#x202f;; rien ne peut être conforme.</translation>
+    </message>
+    <message>
+        <source>%1: U is more than half the limit.</source>
+        <translation>%1&#xa0;: U dépasse la moitié de la limite.</translation>
+    </message>
+    <message>
+        <source>%1: the instrument&apos;s program states %2, here %3: edition, correction or readings differ.</source>
+        <translation>%1&#xa0;: le programme de l’instrument indique %2, ici %3&#xa0;: édition, correction ou relevés diffèrent.</translation>
+    </message>
+    <message>
+        <source>Purpose of the test not stated.</source>
+        <translation>But de l’essai non indiqué.</translation>
+    </message>
+    <message>
+        <source>As found or as left: not stated.</source>
+        <translation>Avant ou après réglage&#xa0;: non indiqué.</translation>
+    </message>
+    <message>
+        <source>Adjustments not stated.</source>
+        <translation>Réglages non indiqués.</translation>
+    </message>
+    <message>
+        <source>Calibration of %1 not valid on the date of the test.</source>
+        <translation>Étalonnage de %1 non valide à la date de l’essai.</translation>
+    </message>
+    <message>
+        <source>Dates contradict each other: %1, %2.</source>
+        <translation>Dates contradictoires&#xa0;: %1, %2.</translation>
+    </message>
+    <message>
+        <source>as the maker specifies</source>
+        <translation>selon le constructeur</translation>
+    </message>
+    <message>
+        <source>as agreed</source>
+        <translation>comme convenu</translation>
+    </message>
+    <message>
+        <source>polygon of %1 faces</source>
+        <translation>polygone à %1 faces</translation>
+    </message>
+    <message>
+        <source>switched on</source>
+        <comment>compensation</comment>
+        <translation>en service</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <comment>compensation</comment>
+        <translation>hors service</translation>
+    </message>
+    <message>
+        <source>the instrument has none</source>
+        <translation>l’instrument n’en a pas</translation>
+    </message>
+    <message>
+        <source>type test</source>
+        <translation>essai de type</translation>
+    </message>
+    <message>
+        <source>acceptance</source>
+        <comment>purpose</comment>
+        <translation>réception</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <comment>purpose</comment>
+        <translation>comparaison</translation>
+    </message>
+    <message>
+        <source>periodic check</source>
+        <translation>vérification périodique</translation>
+    </message>
+    <message>
+        <source>compensation</source>
+        <comment>purpose</comment>
+        <translation>compensation</translation>
+    </message>
+    <message>
+        <source>after repair</source>
+        <translation>après réparation</translation>
+    </message>
+    <message>
+        <source>after collision</source>
+        <translation>après collision</translation>
+    </message>
+    <message>
+        <source>other purpose</source>
+        <translation>autre but</translation>
+    </message>
+    <message>
+        <source>Purpose of the test</source>
+        <translation>But de l’essai</translation>
+    </message>
+    <message>
+        <source>Room temperature</source>
+        <translation>Température du local</translation>
+    </message>
+    <message>
+        <source>can be controlled</source>
+        <translation>réglable</translation>
+    </message>
+    <message>
+        <source>cannot be controlled</source>
+        <translation>non réglable</translation>
+    </message>
+    <message>
+        <source>Before the test</source>
+        <translation>Avant l’essai</translation>
+    </message>
+    <message>
+        <source>machine and instruments thermally stable</source>
+        <translation>machine et instruments stabilisés thermiquement</translation>
+    </message>
+    <message>
+        <source>machine or instruments not thermally stable</source>
+        <translation>machine ou instruments non stabilisés thermiquement</translation>
+    </message>
+    <message>
+        <source>Compensation by the instrument</source>
+        <translation>Compensation par l’instrument</translation>
+    </message>
+    <message>
+        <source>Element of the scale</source>
+        <translation>Élément de la règle</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <comment>scale</comment>
+        <translation>règle continue</translation>
+    </message>
+    <message>
+        <source>Continuous device</source>
+        <translation>Échelle continue</translation>
+    </message>
+    <message>
+        <source>over the %1 h before the test and during it</source>
+        <translation>sur les %1&#xa0;h avant l’essai et pendant celui-ci</translation>
+    </message>
+    <message>
+        <source>diameter %1</source>
+        <translation>diamètre %1</translation>
+    </message>
+    <message>
+        <source>feed %1</source>
+        <comment>contouring</comment>
+        <translation>avance %1</translation>
+    </message>
+    <message>
+        <source>Specified circle</source>
+        <translation>Cercle spécifié</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Partie non évaluée</translation>
+    </message>
+    <message>
+        <source>%1 recommends stating the uncertainty beside every result; some are not stated.</source>
+        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; certaines ne sont pas indiquées.</translation>
+    </message>
+    <message>
+        <source>%1 recommends stating the uncertainty beside every result; none is stated.</source>
+        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; aucune n’est indiquée.</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>that of ISO 230-2:2006: ISO 230-2:1988 has none for an unknown or long cyclic pitch</source>
+        <translation>celle de l’ISO 230-2:2006&#xa0;: l’ISO 230-2:1988 n’en a pas pour un pas cyclique inconnu ou long</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>avant réglage</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>après réglage</translation>
+    </message>
+    <message>
+        <source>for information, not part of the verdict</source>
+        <translation>pour information, hors verdict</translation>
+    </message>
+    <message>
+        <source>limits not proven</source>
+        <translation>limites non prouvées</translation>
+    </message>
+    <message>
+        <source>limits exceeded</source>
+        <translation>limites dépassées</translation>
+    </message>
+    <message>
+        <source>limits met</source>
+        <translation>limites respectées</translation>
     </message>
     <message>
         <source>the results (results.json) that the report carried are missing</source>

@@ -6,47 +6,65 @@
     <message numerus="yes">
         <source>clear %n reading(s)</source>
         <translation>
-            <numerusform>clear %n reading</numerusform><numerusform>clear %n readings</numerusform></translation>
+            <numerusform>clear %n reading</numerusform>
+            <numerusform>clear %n readings</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>set %n reading(s) aside</source>
         <translation>
-            <numerusform>set %n reading aside</numerusform><numerusform>set %n readings aside</numerusform></translation>
+            <numerusform>set %n reading aside</numerusform>
+            <numerusform>set %n readings aside</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>take %n reading(s) back</source>
         <translation>
-            <numerusform>take %n reading back</numerusform><numerusform>take %n readings back</numerusform></translation>
+            <numerusform>take %n reading back</numerusform>
+            <numerusform>take %n readings back</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>fill %n reading(s)</source>
         <translation>
-            <numerusform>fill %n reading</numerusform><numerusform>fill %n readings</numerusform></translation>
+            <numerusform>fill %n reading</numerusform>
+            <numerusform>fill %n readings</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>paste of %n reading(s)</source>
         <translation>
-            <numerusform>paste of %n reading</numerusform><numerusform>paste of %n readings</numerusform></translation>
+            <numerusform>paste of %n reading</numerusform>
+            <numerusform>paste of %n readings</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>delete %n target(s)</source>
         <translation>
-            <numerusform>delete %n target</numerusform><numerusform>delete %n targets</numerusform></translation>
+            <numerusform>delete %n target</numerusform>
+            <numerusform>delete %n targets</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>delete %n run(s)</source>
         <translation>
-            <numerusform>delete %n run</numerusform><numerusform>delete %n runs</numerusform></translation>
+            <numerusform>delete %n run</numerusform>
+            <numerusform>delete %n runs</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>cut %n reading(s)</source>
         <translation>
-            <numerusform>cut %n reading</numerusform><numerusform>cut %n readings</numerusform></translation>
+            <numerusform>cut %n reading</numerusform>
+            <numerusform>cut %n readings</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>add %n arc(s)</source>
         <translation>
-            <numerusform>add %n arc</numerusform><numerusform>add %n arcs</numerusform></translation>
+            <numerusform>add %n arc</numerusform>
+            <numerusform>add %n arcs</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -54,7 +72,9 @@
     <message numerus="yes">
         <source>%1 · %n arc(s), %2 points</source>
         <translation>
-            <numerusform>%1 · %n arc, %2 points</numerusform><numerusform>%1 · %n arcs, %2 points</numerusform></translation>
+            <numerusform>%1 · %n arc, %2 points</numerusform>
+            <numerusform>%1 · %n arcs, %2 points</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -62,7 +82,9 @@
     <message numerus="yes">
         <source>%n of %1 points not agreed</source>
         <translation>
-            <numerusform>%n of %1 points not agreed</numerusform><numerusform>%n of %1 points not agreed</numerusform></translation>
+            <numerusform>%n of %1 points not agreed</numerusform>
+            <numerusform>%n of %1 points not agreed</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -70,7 +92,9 @@
     <message numerus="yes">
         <source>&amp;Add %n point(s)</source>
         <translation>
-            <numerusform>&amp;Add %n point</numerusform><numerusform>&amp;Add %n points</numerusform></translation>
+            <numerusform>&amp;Add %n point</numerusform>
+            <numerusform>&amp;Add %n points</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -78,32 +102,44 @@
     <message numerus="yes">
         <source>%n point(s) not agreed</source>
         <translation>
-            <numerusform>%n point not agreed</numerusform><numerusform>%n points not agreed</numerusform></translation>
+            <numerusform>%n point not agreed</numerusform>
+            <numerusform>%n points not agreed</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n required statement missing</numerusform><numerusform>%n required statements missing</numerusform></translation>
+            <numerusform>%n required statement missing</numerusform>
+            <numerusform>%n required statements missing</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n finding(s)</source>
         <translation>
-            <numerusform>%n finding</numerusform><numerusform>%n findings</numerusform></translation>
+            <numerusform>%n finding</numerusform>
+            <numerusform>%n findings</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n requirement(s) not met</source>
         <translation>
-            <numerusform>%n requirement not met</numerusform><numerusform>%n requirements not met</numerusform></translation>
+            <numerusform>%n requirement not met</numerusform>
+            <numerusform>%n requirements not met</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n warning(s)</source>
         <translation>
-            <numerusform>%n warning</numerusform><numerusform>%n warnings</numerusform></translation>
+            <numerusform>%n warning</numerusform>
+            <numerusform>%n warnings</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n note(s)</source>
         <translation>
-            <numerusform>%n note</numerusform><numerusform>%n notes</numerusform></translation>
+            <numerusform>%n note</numerusform>
+            <numerusform>%n notes</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -111,7 +147,9 @@
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n required statement missing</numerusform><numerusform>%n required statements missing</numerusform></translation>
+            <numerusform>%n required statement missing</numerusform>
+            <numerusform>%n required statements missing</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -119,52 +157,72 @@
     <message numerus="yes">
         <source>%n line(s)</source>
         <translation>
-            <numerusform>%n line</numerusform><numerusform>%n lines</numerusform></translation>
+            <numerusform>%n line</numerusform>
+            <numerusform>%n lines</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n target(s)</source>
         <translation>
-            <numerusform>%n target</numerusform><numerusform>%n targets</numerusform></translation>
+            <numerusform>%n target</numerusform>
+            <numerusform>%n targets</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n run(s)</source>
         <translation>
-            <numerusform>%n run</numerusform><numerusform>%n runs</numerusform></translation>
+            <numerusform>%n run</numerusform>
+            <numerusform>%n runs</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n arc(s)</source>
         <translation>
-            <numerusform>%n arc</numerusform><numerusform>%n arcs</numerusform></translation>
+            <numerusform>%n arc</numerusform>
+            <numerusform>%n arcs</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n point(s)</source>
         <translation>
-            <numerusform>%n point</numerusform><numerusform>%n points</numerusform></translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n sensor(s)</source>
         <translation>
-            <numerusform>%n sensor</numerusform><numerusform>%n sensors</numerusform></translation>
+            <numerusform>%n sensor</numerusform>
+            <numerusform>%n sensors</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>&amp;Import %n reading(s)</source>
         <translation>
-            <numerusform>&amp;Import %n reading</numerusform><numerusform>&amp;Import %n readings</numerusform></translation>
+            <numerusform>&amp;Import %n reading</numerusform>
+            <numerusform>&amp;Import %n readings</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n missing reading(s)</source>
         <translation>
-            <numerusform>%n missing reading</numerusform><numerusform>%n missing readings</numerusform></translation>
+            <numerusform>%n missing reading</numerusform>
+            <numerusform>%n missing readings</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n question(s) to answer, and remarks</source>
         <translation>
-            <numerusform>%n question to answer, and remarks</numerusform><numerusform>%n questions to answer, and remarks</numerusform></translation>
+            <numerusform>%n question to answer, and remarks</numerusform>
+            <numerusform>%n questions to answer, and remarks</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n question(s) to answer</source>
         <translation>
-            <numerusform>%n question to answer</numerusform><numerusform>%n questions to answer</numerusform></translation>
+            <numerusform>%n question to answer</numerusform>
+            <numerusform>%n questions to answer</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -172,7 +230,9 @@
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n required statement missing</numerusform><numerusform>%n required statements missing</numerusform></translation>
+            <numerusform>%n required statement missing</numerusform>
+            <numerusform>%n required statements missing</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -180,13 +240,17 @@
     <message numerus="yes">
         <source>%n reading(s) pasted</source>
         <translation>
-            <numerusform>%n reading pasted</numerusform><numerusform>%n readings pasted</numerusform></translation>
+            <numerusform>%n reading pasted</numerusform>
+            <numerusform>%n readings pasted</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%1 and %n target(s)</source>
         <comment>readings pasted</comment>
         <translation>
-            <numerusform>%1 and %n target</numerusform><numerusform>%1 and %n targets</numerusform></translation>
+            <numerusform>%1 and %n target</numerusform>
+            <numerusform>%1 and %n targets</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%1, %n erased by empty cells</source>
@@ -202,59 +266,9 @@
     <message numerus="yes">
         <source>%n target(s)</source>
         <translation>
-            <numerusform>%n target</numerusform><numerusform>%n targets</numerusform></translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::RemarkList</name>
-    <message numerus="yes">
-        <source>… and %n more remark(s)</source>
-        <translation>
-            <numerusform>… and %n more remark</numerusform><numerusform>… and %n more remarks</numerusform></translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::ReportDialog</name>
-    <message numerus="yes">
-        <source>%n required statement(s) missing; printed as “–”</source>
-        <translation>
-            <numerusform>%n required statement missing; printed as “–”</numerusform><numerusform>%n required statements missing; printed as “–”</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n page(s) %1 · preview = PDF = paper</source>
-        <translation>
-            <numerusform>%n page %1 · preview = PDF = paper</numerusform><numerusform>%n pages %1 · preview = PDF = paper</numerusform></translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::UncertaintyPage</name>
-    <message numerus="yes">
-        <source>%n input(s) of the budget missing</source>
-        <translation>
-            <numerusform>%n input of the budget missing</numerusform><numerusform>%n inputs of the budget missing</numerusform></translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::Workplace</name>
-    <message numerus="yes">
-        <source>%n target(s)</source>
-        <translation>
-            <numerusform>%n target</numerusform><numerusform>%n targets</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n run(s)</source>
-        <translation>
-            <numerusform>%n run</numerusform><numerusform>%n runs</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n arc(s)</source>
-        <translation>
-            <numerusform>%n arc</numerusform><numerusform>%n arcs</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n reading(s)</source>
-        <translation>
-            <numerusform>%n reading</numerusform><numerusform>%n readings</numerusform></translation>
+            <numerusform>%n target</numerusform>
+            <numerusform>%n targets</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -264,6 +278,74 @@
         <translation>
             <numerusform>%n reading set aside and left so: take back first (%1)</numerusform>
             <numerusform>%n readings set aside and left so: take back first (%1)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::RemarkList</name>
+    <message numerus="yes">
+        <source>… and %n more remark(s)</source>
+        <translation>
+            <numerusform>… and %n more remark</numerusform>
+            <numerusform>… and %n more remarks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ReportDialog</name>
+    <message numerus="yes">
+        <source>%n required statement(s) missing; printed as “–”</source>
+        <translation>
+            <numerusform>%n required statement missing; printed as “–”</numerusform>
+            <numerusform>%n required statements missing; printed as “–”</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s) %1 · preview = PDF = paper</source>
+        <translation>
+            <numerusform>%n page %1 · preview = PDF = paper</numerusform>
+            <numerusform>%n pages %1 · preview = PDF = paper</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::UncertaintyPage</name>
+    <message numerus="yes">
+        <source>%n input(s) of the budget missing</source>
+        <translation>
+            <numerusform>%n input of the budget missing</numerusform>
+            <numerusform>%n inputs of the budget missing</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::Workplace</name>
+    <message numerus="yes">
+        <source>%n target(s)</source>
+        <translation>
+            <numerusform>%n target</numerusform>
+            <numerusform>%n targets</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n run</numerusform>
+            <numerusform>%n runs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n arc(s)</source>
+        <translation>
+            <numerusform>%n arc</numerusform>
+            <numerusform>%n arcs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s)</source>
+        <translation>
+            <numerusform>%n reading</numerusform>
+            <numerusform>%n readings</numerusform>
         </translation>
     </message>
 </context>

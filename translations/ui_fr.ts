@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>change “%1”</source>
-        <translation>modifier « %1 »</translation>
+        <translation>modifier «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>type a reading</source>
@@ -118,27 +118,37 @@
     <message numerus="yes">
         <source>clear %n reading(s)</source>
         <translation>
-            <numerusform>effacement de %n relevé</numerusform><numerusform>effacement de %n relevés</numerusform></translation>
+            <numerusform>effacement de %n relevé</numerusform>
+            <numerusform>effacement de %n relevés</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>set %n reading(s) aside</source>
         <translation>
-            <numerusform>mise à l’écart de %n relevé</numerusform><numerusform>mise à l’écart de %n relevés</numerusform></translation>
+            <numerusform>mise à l’écart de %n relevé</numerusform>
+            <numerusform>mise à l’écart de %n relevés</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>take %n reading(s) back</source>
         <translation>
-            <numerusform>reprise de %n relevé</numerusform><numerusform>reprise de %n relevés</numerusform></translation>
+            <numerusform>reprise de %n relevé</numerusform>
+            <numerusform>reprise de %n relevés</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>fill %n reading(s)</source>
         <translation>
-            <numerusform>recopie de %n relevé</numerusform><numerusform>recopie de %n relevés</numerusform></translation>
+            <numerusform>recopie de %n relevé</numerusform>
+            <numerusform>recopie de %n relevés</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>paste of %n reading(s)</source>
         <translation>
-            <numerusform>collage de %n relevé</numerusform><numerusform>collage de %n relevés</numerusform></translation>
+            <numerusform>collage de %n relevé</numerusform>
+            <numerusform>collage de %n relevés</numerusform>
+        </translation>
     </message>
     <message>
         <source>insert a target</source>
@@ -147,7 +157,9 @@
     <message numerus="yes">
         <source>delete %n target(s)</source>
         <translation>
-            <numerusform>suppression de %n point visé</numerusform><numerusform>suppression de %n points visés</numerusform></translation>
+            <numerusform>suppression de %n point visé</numerusform>
+            <numerusform>suppression de %n points visés</numerusform>
+        </translation>
     </message>
     <message>
         <source>add a run</source>
@@ -160,7 +172,9 @@
     <message numerus="yes">
         <source>delete %n run(s)</source>
         <translation>
-            <numerusform>suppression de %n passe</numerusform><numerusform>suppression de %n passes</numerusform></translation>
+            <numerusform>suppression de %n passe</numerusform>
+            <numerusform>suppression de %n passes</numerusform>
+        </translation>
     </message>
     <message>
         <source>add a test</source>
@@ -185,7 +199,9 @@
     <message numerus="yes">
         <source>cut %n reading(s)</source>
         <translation>
-            <numerusform>coupe de %n relevé</numerusform><numerusform>coupe de %n relevés</numerusform></translation>
+            <numerusform>coupe de %n relevé</numerusform>
+            <numerusform>coupe de %n relevés</numerusform>
+        </translation>
     </message>
     <message>
         <source>import a measurement file</source>
@@ -194,7 +210,9 @@
     <message numerus="yes">
         <source>add %n arc(s)</source>
         <translation>
-            <numerusform>ajout de %n arc</numerusform><numerusform>ajout de %n arcs</numerusform></translation>
+            <numerusform>ajout de %n arc</numerusform>
+            <numerusform>ajout de %n arcs</numerusform>
+        </translation>
     </message>
     <message>
         <source>change a point</source>
@@ -224,6 +242,14 @@
         <source>add a drift test</source>
         <translation>ajouter un essai de dérive</translation>
     </message>
+    <message>
+        <source>state what an arc leaves out</source>
+        <translation>indication de la partie non évaluée d’un arc</translation>
+    </message>
+    <message>
+        <source>declare what was not declared</source>
+        <translation>déclaration de ce qui n’était pas déclaré</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -245,51 +271,51 @@
     </message>
     <message>
         <source>Diagnosis: centre off</source>
-        <translation>Diagnostic : centre décalé</translation>
+        <translation>Diagnostic&#xa0;: centre décalé</translation>
     </message>
     <message>
         <source>Diagnosis: radius, mean scale</source>
-        <translation>Diagnostic : rayon, échelle moyenne</translation>
+        <translation>Diagnostic&#xa0;: rayon, échelle moyenne</translation>
     </message>
     <message>
         <source>Diagnosis: scale mismatch</source>
-        <translation>Diagnostic : différence d’échelle</translation>
+        <translation>Diagnostic&#xa0;: différence d’échelle</translation>
     </message>
     <message>
         <source>Diagnosis: squareness</source>
-        <translation>Diagnostic : perpendicularité</translation>
+        <translation>Diagnostic&#xa0;: perpendicularité</translation>
     </message>
     <message>
         <source>Diagnosis: servo mismatch</source>
-        <translation>Diagnostic : défaut de servo</translation>
+        <translation>Diagnostic&#xa0;: défaut de servo</translation>
     </message>
     <message>
         <source>Diagnosis: backlash</source>
-        <translation>Diagnostic : jeu à l’inversion</translation>
+        <translation>Diagnostic&#xa0;: jeu à l’inversion</translation>
     </message>
     <message>
         <source>Diagnosis: lateral play</source>
-        <translation>Diagnostic : jeu latéral</translation>
+        <translation>Diagnostic&#xa0;: jeu latéral</translation>
     </message>
     <message>
         <source>Diagnosis: straightness</source>
-        <translation>Diagnostic : rectitude</translation>
+        <translation>Diagnostic&#xa0;: rectitude</translation>
     </message>
     <message>
         <source>Diagnosis: periodic deviation</source>
-        <translation>Diagnostic : écart périodique</translation>
+        <translation>Diagnostic&#xa0;: écart périodique</translation>
     </message>
     <message>
         <source>Diagnosis: reversal spike</source>
-        <translation>Diagnostic : pic d’inversion</translation>
+        <translation>Diagnostic&#xa0;: pic d’inversion</translation>
     </message>
     <message>
         <source>Diagnosis: common lag, three feeds</source>
-        <translation>Diagnostic : retard commun, trois avances</translation>
+        <translation>Diagnostic&#xa0;: retard commun, trois avances</translation>
     </message>
     <message>
         <source>Diagnosis: drift of the radius</source>
-        <translation>Diagnostic : dérive du rayon</translation>
+        <translation>Diagnostic&#xa0;: dérive du rayon</translation>
     </message>
     <message>
         <source>%1 · %2 targets, %3 runs</source>
@@ -310,7 +336,9 @@
     <message numerus="yes">
         <source>%1 · %n arc(s), %2 points</source>
         <translation>
-            <numerusform>%1 · %n arc, %2 points</numerusform><numerusform>%1 · %n arcs, %2 points</numerusform></translation>
+            <numerusform>%1 · %n arc, %2 points</numerusform>
+            <numerusform>%1 · %n arcs, %2 points</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -354,11 +382,21 @@
     <message numerus="yes">
         <source>%n of %1 points not agreed</source>
         <translation>
-            <numerusform>%n point sur %1 non convenu</numerusform><numerusform>%n points sur %1 non convenus</numerusform></translation>
+            <numerusform>%n point sur %1 non convenu</numerusform>
+            <numerusform>%n points sur %1 non convenus</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 characters, where a test file holds no more than %2: the text before is kept.</source>
-        <translation>%1 caractères, alors qu’un fichier d’essai en admet %2 au plus : le texte précédent est conservé.</translation>
+        <translation>%1 caractères, alors qu’un fichier d’essai en admet %2 au plus&#xa0;: le texte précédent est conservé.</translation>
+    </message>
+    <message>
+        <source>not declared</source>
+        <translation>non déclaré</translation>
+    </message>
+    <message>
+        <source>Not declared</source>
+        <translation>Non déclaré</translation>
     </message>
 </context>
 <context>
@@ -376,7 +414,7 @@
     </message>
     <message>
         <source>One point a line, for example angle and radial deviation:</source>
-        <translation>Un point par ligne, par exemple angle et écart radial :</translation>
+        <translation>Un point par ligne, par exemple angle et écart radial&#xa0;:</translation>
     </message>
     <message>
         <source>Headings may name columns, units and sense.</source>
@@ -457,7 +495,7 @@
     <message>
         <source>%1, %2 points: %3 … %4</source>
         <comment>sense of a path</comment>
-        <translation>%1, %2 points : %3 … %4</translation>
+        <translation>%1, %2 points&#xa0;: %3 … %4</translation>
     </message>
     <message>
         <source>line %1</source>
@@ -466,7 +504,9 @@
     <message numerus="yes">
         <source>&amp;Add %n point(s)</source>
         <translation>
-            <numerusform>&amp;Ajouter %n point</numerusform><numerusform>&amp;Ajouter %n points</numerusform></translation>
+            <numerusform>&amp;Ajouter %n point</numerusform>
+            <numerusform>&amp;Ajouter %n points</numerusform>
+        </translation>
     </message>
     <message>
         <source>&amp;Add</source>
@@ -485,7 +525,7 @@
     </message>
     <message>
         <source>Measured but not evaluated: feed-in, feed-out, angular overshoot</source>
-        <translation>Mesuré mais non évalué : approche, dégagement, dépassement angulaire</translation>
+        <translation>Mesuré mais non évalué&#xa0;: approche, dégagement, dépassement angulaire</translation>
     </message>
     <message>
         <source>Radius of the least squares circle − nominal radius</source>
@@ -493,7 +533,7 @@
     </message>
     <message>
         <source>Of each sense the first arc is evaluated; further ones are repetitions</source>
-        <translation>De chaque sens, le premier arc est évalué ; les suivants sont des répétitions</translation>
+        <translation>De chaque sens, le premier arc est évalué&#x202f;; les suivants sont des répétitions</translation>
     </message>
     <message>
         <source>Sense</source>
@@ -573,7 +613,7 @@
     </message>
     <message>
         <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click</source>
-        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout ; la molette agrandit avec Ctrl ou après un clic</translation>
+        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout&#x202f;; la molette agrandit avec Ctrl ou après un clic</translation>
     </message>
 </context>
 <context>
@@ -588,7 +628,7 @@
     </message>
     <message>
         <source>%1, point %2: %3 · %4</source>
-        <translation>%1, point %2 : %3 · %4</translation>
+        <translation>%1, point %2&#xa0;: %3 · %4</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -680,7 +720,7 @@
     </message>
     <message>
         <source>Evaluate all of the arc, of more than 360° the middle 360°</source>
-        <translation>Évaluer tout l’arc ; au-delà de 360°, les 360° du milieu</translation>
+        <translation>Évaluer tout l’arc&#x202f;; au-delà de 360°, les 360° du milieu</translation>
     </message>
     <message>
         <source>Reverse sense</source>
@@ -688,15 +728,15 @@
     </message>
     <message>
         <source>The arc was contoured in the other sense; the points stay as they are</source>
-        <translation>L’arc a été parcouru dans l’autre sens ; les points restent tels quels</translation>
+        <translation>L’arc a été parcouru dans l’autre sens&#x202f;; les points restent tels quels</translation>
     </message>
     <message>
         <source>Move the arc up: it was measured earlier</source>
-        <translation>Monter l’arc : il a été mesuré plus tôt</translation>
+        <translation>Monter l’arc&#xa0;: il a été mesuré plus tôt</translation>
     </message>
     <message>
         <source>Move the arc down: it was measured later</source>
-        <translation>Descendre l’arc : il a été mesuré plus tard</translation>
+        <translation>Descendre l’arc&#xa0;: il a été mesuré plus tard</translation>
     </message>
     <message>
         <source>Show radial deviations</source>
@@ -704,11 +744,11 @@
     </message>
     <message>
         <source>Show the points in the coordinates of the plane; the data stay as they are</source>
-        <translation>Afficher les points en coordonnées du plan ; les données restent telles quelles</translation>
+        <translation>Afficher les points en coordonnées du plan&#x202f;; les données restent telles quelles</translation>
     </message>
     <message>
         <source>Show distances from the centre; the data stay as they are</source>
-        <translation>Afficher les distances au centre ; les données restent telles quelles</translation>
+        <translation>Afficher les distances au centre&#x202f;; les données restent telles quelles</translation>
     </message>
     <message>
         <source>Arcs</source>
@@ -724,7 +764,7 @@
     </message>
     <message>
         <source>The handles set the evaluated range of the current arc; the fields above set it by number</source>
-        <translation>Les poignées règlent l’étendue évaluée de l’arc courant ; les champs au-dessus la règlent par nombre</translation>
+        <translation>Les poignées règlent l’étendue évaluée de l’arc courant&#x202f;; les champs au-dessus la règlent par nombre</translation>
     </message>
     <message>
         <source>a point needs a number</source>
@@ -752,7 +792,7 @@
     </message>
     <message>
         <source>No arc yet. Copy the points in a spreadsheet and press %1, or type them with “New arc…”.</source>
-        <translation>Pas encore d’arc. Copiez les points dans un tableur et appuyez sur %1, ou saisissez-les par « Nouvel arc… ».</translation>
+        <translation>Pas encore d’arc. Copiez les points dans un tableur et appuyez sur %1, ou saisissez-les par «&#x202f;Nouvel arc…&#x202f;».</translation>
     </message>
     <message>
         <source>Delete the arc (%1)</source>
@@ -788,6 +828,14 @@
         <source>not above the lower end of the range</source>
         <translation>pas supérieur au début de l’étendue</translation>
     </message>
+    <message>
+        <source>What the evaluated range leaves out</source>
+        <translation>Ce que la plage évaluée laisse de côté</translation>
+    </message>
+    <message>
+        <source>left out: feed-in, overshoot…</source>
+        <translation>laissé de côté&#xa0;: entrée, dépassement…</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ColumnRoles</name>
@@ -817,7 +865,7 @@
     </message>
     <message>
         <source>run number</source>
-        <translation>n° de passe</translation>
+        <translation>n°&#xa0;de passe</translation>
     </message>
     <message>
         <source>angle</source>
@@ -857,7 +905,7 @@
     </message>
     <message>
         <source>What the column “%1” is; click to change it</source>
-        <translation>Ce qu’est la colonne « %1 » ; cliquer pour le changer</translation>
+        <translation>Ce qu’est la colonne «&#xa0;%1&#xa0;»&#x202f;; cliquer pour le changer</translation>
     </message>
 </context>
 <context>
@@ -868,7 +916,7 @@
     </message>
     <message>
         <source>This file has no other test of this kind: add a file.</source>
-        <translation>Ce fichier n’a pas d’autre essai de ce genre : ajoutez un fichier.</translation>
+        <translation>Ce fichier n’a pas d’autre essai de ce genre&#xa0;: ajoutez un fichier.</translation>
     </message>
     <message>
         <source>%1 has no test of this kind.</source>
@@ -943,15 +991,15 @@
     <name>palmer::ui::CompensationDialog</name>
     <message>
         <source>From (empty: first target)</source>
-        <translation>De (vide : premier point visé)</translation>
+        <translation>De (vide&#xa0;: premier point visé)</translation>
     </message>
     <message>
         <source>To (empty: last target)</source>
-        <translation>À (vide : dernier point visé)</translation>
+        <translation>À (vide&#xa0;: dernier point visé)</translation>
     </message>
     <message>
         <source>Interval (empty: the targets)</source>
-        <translation>Intervalle (vide : les points visés)</translation>
+        <translation>Intervalle (vide&#xa0;: les points visés)</translation>
     </message>
     <message>
         <source>After %1, from the table as it is written.</source>
@@ -1047,7 +1095,7 @@
     </message>
     <message>
         <source>%1 (%2): the largest difference, written − compared, is %3 at %4 %5.</source>
-        <translation>%1 (%2) : la plus grande différence, écrite − comparée, est de %3 à %4 %5.</translation>
+        <translation>%1 (%2)&#xa0;: la plus grande différence, écrite − comparée, est de %3 à %4 %5.</translation>
     </message>
     <message>
         <source>compared</source>
@@ -1079,7 +1127,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -1197,16 +1245,8 @@
         <translation>Compensation active</translation>
     </message>
     <message>
-        <source>Complete, in working order</source>
-        <translation>Complète, en état de marche</translation>
-    </message>
-    <message>
         <source>Levelled and aligned</source>
         <translation>Mise à niveau et alignée</translation>
-    </message>
-    <message>
-        <source>Unloaded</source>
-        <translation>À vide</translation>
     </message>
     <message>
         <source>Positions</source>
@@ -1446,7 +1486,7 @@
     </message>
     <message>
         <source>Measured with: %1</source>
-        <translation>Mesuré avec : %1</translation>
+        <translation>Mesuré avec&#xa0;: %1</translation>
     </message>
     <message>
         <source>Reference length calibrated</source>
@@ -1455,6 +1495,150 @@
     <message>
         <source>agreed or the maker&apos;s procedure</source>
         <translation>procédure convenue ou du constructeur</translation>
+    </message>
+    <message>
+        <source>Room temperature can be controlled</source>
+        <translation>Température de la salle réglable</translation>
+    </message>
+    <message>
+        <source>Thermally stable before the test</source>
+        <translation>Stabilité thermique avant l’essai</translation>
+    </message>
+    <message>
+        <source>Compensation by the instrument</source>
+        <translation>Compensation par l’instrument</translation>
+    </message>
+    <message>
+        <source>switched on</source>
+        <translation>en service</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>hors service</translation>
+    </message>
+    <message>
+        <source>the instrument has none</source>
+        <translation>sans objet pour l’instrument</translation>
+    </message>
+    <message>
+        <source>Gradient: hours before the test</source>
+        <translation>Gradient&#xa0;: heures avant l’essai</translation>
+    </message>
+    <message>
+        <source>Agreed limit of the gradient</source>
+        <translation>Limite convenue du gradient</translation>
+    </message>
+    <message>
+        <source>Warm-up specified by</source>
+        <translation>Mise en température prescrite par</translation>
+    </message>
+    <message>
+        <source>the maker</source>
+        <translation>le constructeur</translation>
+    </message>
+    <message>
+        <source>agreement</source>
+        <translation>accord</translation>
+    </message>
+    <message>
+        <source>Agreed feed rate</source>
+        <translation>Vitesse d’avance convenue</translation>
+    </message>
+    <message>
+        <source>Continuous measuring device</source>
+        <translation>Dispositif à échelle continue</translation>
+    </message>
+    <message>
+        <source>Specified diameter</source>
+        <translation>Diamètre spécifié</translation>
+    </message>
+    <message>
+        <source>Specified feed</source>
+        <translation>Vitesse d’avance spécifiée</translation>
+    </message>
+    <message>
+        <source>Purpose of the test</source>
+        <translation>But de l’essai</translation>
+    </message>
+    <message>
+        <source>type test</source>
+        <translation>essai de type</translation>
+    </message>
+    <message>
+        <source>acceptance</source>
+        <translation>réception</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>comparaison</translation>
+    </message>
+    <message>
+        <source>periodic check</source>
+        <translation>contrôle périodique</translation>
+    </message>
+    <message>
+        <source>compensation</source>
+        <translation>compensation</translation>
+    </message>
+    <message>
+        <source>after repair</source>
+        <translation>après réparation</translation>
+    </message>
+    <message>
+        <source>after collision</source>
+        <translation>après collision</translation>
+    </message>
+    <message>
+        <source>other purpose</source>
+        <translation>autre but</translation>
+    </message>
+    <message>
+        <source>As found or as left</source>
+        <translation>Avant ou après réglage</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>avant réglage</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>après réglage</translation>
+    </message>
+    <message>
+        <source>Rest of the requirements declared met by</source>
+        <translation>Reste des exigences déclaré satisfait par</translation>
+    </message>
+    <message>
+        <source>Declared on</source>
+        <translation>Déclaré le</translation>
+    </message>
+    <message>
+        <source>Text of the declaration</source>
+        <translation>Texte de la déclaration</translation>
+    </message>
+    <message>
+        <source>Faces of the polygon, number</source>
+        <translation>Nombre de faces du polygone</translation>
+    </message>
+    <message>
+        <source>Element of the scale (0: continuous)</source>
+        <translation>Élément de l’échelle (0&#xa0;: continue)</translation>
+    </message>
+    <message>
+        <source>Machine complete, in working order</source>
+        <translation>Machine complète, en état de marche</translation>
+    </message>
+    <message>
+        <source>Machine unloaded</source>
+        <translation>Machine à vide</translation>
+    </message>
+    <message>
+        <source>Declarations</source>
+        <translation>Déclarations</translation>
+    </message>
+    <message>
+        <source>All of these apply</source>
+        <translation>Tout cela est le cas</translation>
     </message>
 </context>
 <context>
@@ -1469,7 +1653,7 @@
     </message>
     <message>
         <source>a reading has both numbers; remove the row instead</source>
-        <translation>un relevé a ses deux nombres ; supprimer plutôt la ligne</translation>
+        <translation>un relevé a ses deux nombres&#x202f;; supprimer plutôt la ligne</translation>
     </message>
 </context>
 <context>
@@ -1504,7 +1688,7 @@
     </message>
     <message>
         <source>Environmental variation error: the largest less the smallest deviation at rest</source>
-        <translation>Erreur de variation environnementale : le plus grand moins le plus petit écart au repos</translation>
+        <translation>Erreur de variation environnementale&#xa0;: le plus grand moins le plus petit écart au repos</translation>
     </message>
     <message>
         <source>E_VE = %1</source>
@@ -1516,15 +1700,15 @@
     </message>
     <message>
         <source>No test takes its E_VE from here yet: page “Uncertainty”.</source>
-        <translation>Aucun essai ne prend encore son E_VE ici : page « Incertitude ».</translation>
+        <translation>Aucun essai ne prend encore son E_VE ici&#xa0;: page «&#x202f;Incertitude&#x202f;».</translation>
     </message>
     <message>
         <source>Taken by: %1</source>
-        <translation>Repris par : %1</translation>
+        <translation>Repris par&#xa0;: %1</translation>
     </message>
     <message>
         <source>Two columns are expected: time in s and deviation.</source>
-        <translation>Deux colonnes sont attendues : temps en s et écart.</translation>
+        <translation>Deux colonnes sont attendues&#xa0;: temps en s et écart.</translation>
     </message>
 </context>
 <context>
@@ -1644,7 +1828,7 @@
     </message>
     <message>
         <source>%1; %2 kept.</source>
-        <translation>%1 ; %2 gardé.</translation>
+        <translation>%1&#x202f;; %2 gardé.</translation>
     </message>
     <message>
         <source>%1 characters, where a test file holds no more than %2</source>
@@ -1699,7 +1883,7 @@
     </message>
     <message>
         <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click</source>
-        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout ; la molette agrandit avec Ctrl ou après un clic</translation>
+        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout&#x202f;; la molette agrandit avec Ctrl ou après un clic</translation>
     </message>
     <message>
         <source>Show the points that rule the result</source>
@@ -1755,37 +1939,49 @@
     <message numerus="yes">
         <source>%n point(s) not agreed</source>
         <translation>
-            <numerusform>%n point non convenu</numerusform><numerusform>%n points non convenus</numerusform></translation>
+            <numerusform>%n point non convenu</numerusform>
+            <numerusform>%n points non convenus</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n information requise manque</numerusform><numerusform>%n informations requises manquent</numerusform></translation>
+            <numerusform>%n information requise manque</numerusform>
+            <numerusform>%n informations requises manquent</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n finding(s)</source>
         <translation>
-            <numerusform>%n constat</numerusform><numerusform>%n constats</numerusform></translation>
+            <numerusform>%n constat</numerusform>
+            <numerusform>%n constats</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>page: what is found there</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n requirement(s) not met</source>
         <translation>
-            <numerusform>%n exigence non tenue</numerusform><numerusform>%n exigences non tenues</numerusform></translation>
+            <numerusform>%n exigence non tenue</numerusform>
+            <numerusform>%n exigences non tenues</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n warning(s)</source>
         <translation>
-            <numerusform>%n avertissement</numerusform><numerusform>%n avertissements</numerusform></translation>
+            <numerusform>%n avertissement</numerusform>
+            <numerusform>%n avertissements</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n note(s)</source>
         <translation>
-            <numerusform>%n note</numerusform><numerusform>%n notes</numerusform></translation>
+            <numerusform>%n note</numerusform>
+            <numerusform>%n notes</numerusform>
+        </translation>
     </message>
     <message>
         <source>none</source>
@@ -1793,7 +1989,7 @@
     </message>
     <message>
         <source>Not agreed: %1</source>
-        <translation>Non convenu : %1</translation>
+        <translation>Non convenu&#xa0;: %1</translation>
     </message>
     <message>
         <source>Uncertainty</source>
@@ -1820,7 +2016,9 @@
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
-            <numerusform>%n information requise manque</numerusform><numerusform>%n informations requises manquent</numerusform></translation>
+            <numerusform>%n information requise manque</numerusform>
+            <numerusform>%n informations requises manquent</numerusform>
+        </translation>
     </message>
     <message>
         <source>not greater than 0</source>
@@ -2022,7 +2220,7 @@
     </message>
     <message>
         <source>The picture is larger than 4 MB: it stands in every report. Choose a smaller one.</source>
-        <translation>L’image dépasse 4 Mo : elle figure dans chaque rapport. Choisissez-en une plus petite.</translation>
+        <translation>L’image dépasse 4&#xa0;Mo&#xa0;: elle figure dans chaque rapport. Choisissez-en une plus petite.</translation>
     </message>
     <message>
         <source>This is no picture that a report can show. Choose a PNG or an SVG.</source>
@@ -2030,7 +2228,7 @@
     </message>
     <message>
         <source>%1: none</source>
-        <translation>%1 : aucun</translation>
+        <translation>%1&#xa0;: aucun</translation>
     </message>
 </context>
 <context>
@@ -2045,7 +2243,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>none</source>
@@ -2074,42 +2272,58 @@
     <message numerus="yes">
         <source>%n line(s)</source>
         <translation>
-            <numerusform>%n ligne</numerusform><numerusform>%n lignes</numerusform></translation>
+            <numerusform>%n ligne</numerusform>
+            <numerusform>%n lignes</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n target(s)</source>
         <translation>
-            <numerusform>%n point</numerusform><numerusform>%n points</numerusform></translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n run(s)</source>
         <translation>
-            <numerusform>%n passe</numerusform><numerusform>%n passes</numerusform></translation>
+            <numerusform>%n passe</numerusform>
+            <numerusform>%n passes</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n arc(s)</source>
         <translation>
-            <numerusform>%n arc</numerusform><numerusform>%n arcs</numerusform></translation>
+            <numerusform>%n arc</numerusform>
+            <numerusform>%n arcs</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n point(s)</source>
         <translation>
-            <numerusform>%n point</numerusform><numerusform>%n points</numerusform></translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n sensor(s)</source>
         <translation>
-            <numerusform>%n capteur</numerusform><numerusform>%n capteurs</numerusform></translation>
+            <numerusform>%n capteur</numerusform>
+            <numerusform>%n capteurs</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>&amp;Import %n reading(s)</source>
         <translation>
-            <numerusform>&amp;Importer %n relevé</numerusform><numerusform>&amp;Importer %n relevés</numerusform></translation>
+            <numerusform>&amp;Importer %n relevé</numerusform>
+            <numerusform>&amp;Importer %n relevés</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n missing reading(s)</source>
         <translation>
-            <numerusform>%n relevé manquant</numerusform><numerusform>%n relevés manquants</numerusform></translation>
+            <numerusform>%n relevé manquant</numerusform>
+            <numerusform>%n relevés manquants</numerusform>
+        </translation>
     </message>
     <message>
         <source>Import</source>
@@ -2174,7 +2388,9 @@
     <message numerus="yes">
         <source>%n question(s) to answer, and remarks</source>
         <translation>
-            <numerusform>%n question en attente de réponse, et remarques</numerusform><numerusform>%n questions en attente de réponse, et remarques</numerusform></translation>
+            <numerusform>%n question en attente de réponse, et remarques</numerusform>
+            <numerusform>%n questions en attente de réponse, et remarques</numerusform>
+        </translation>
     </message>
     <message>
         <source>Remarks</source>
@@ -2182,12 +2398,14 @@
     </message>
     <message>
         <source>No measurement can be read yet: what is missing is said below.</source>
-        <translation>Aucune mesure ne peut encore être lue : ce qui manque est indiqué ci-dessous.</translation>
+        <translation>Aucune mesure ne peut encore être lue&#xa0;: ce qui manque est indiqué ci-dessous.</translation>
     </message>
     <message numerus="yes">
         <source>%n question(s) to answer</source>
         <translation>
-            <numerusform>%n question en attente de réponse</numerusform><numerusform>%n questions en attente de réponse</numerusform></translation>
+            <numerusform>%n question en attente de réponse</numerusform>
+            <numerusform>%n questions en attente de réponse</numerusform>
+        </translation>
     </message>
     <message>
         <source>Roles of the columns</source>
@@ -2203,7 +2421,7 @@
     </message>
     <message>
         <source>Takes what is proposed to each question; data left unread are asked one by one</source>
-        <translation>Retient la proposition de chaque question ; les données non lues sont demandées une à une</translation>
+        <translation>Retient la proposition de chaque question&#x202f;; les données non lues sont demandées une à une</translation>
     </message>
 </context>
 <context>
@@ -2270,7 +2488,7 @@
     </message>
     <message>
         <source>the tests name the instrument so: it cannot be empty</source>
-        <translation>les essais nomment ainsi l’instrument : il ne peut pas être vide</translation>
+        <translation>les essais nomment ainsi l’instrument&#xa0;: il ne peut pas être vide</translation>
     </message>
 </context>
 <context>
@@ -2281,11 +2499,11 @@
     </message>
     <message>
         <source>Steady progression from the first to the last run (t = %1): the thermal conditions may be unstable</source>
-        <translation>Progression régulière de la première à la dernière passe (t = %1) : les conditions thermiques sont peut-être instables</translation>
+        <translation>Progression régulière de la première à la dernière passe (t = %1)&#xa0;: les conditions thermiques sont peut-être instables</translation>
     </message>
     <message>
         <source>From the first to the last run; no more than chance (t = %1)</source>
-        <translation>De la première à la dernière passe ; pas plus que le hasard (t = %1)</translation>
+        <translation>De la première à la dernière passe&#x202f;; pas plus que le hasard (t = %1)</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -2322,7 +2540,7 @@
     <name>palmer::ui::LanguageSwitch</name>
     <message>
         <source>Language of the window; the report has its own</source>
-        <translation>Langue de la fenêtre ; le rapport a la sienne</translation>
+        <translation>Langue de la fenêtre&#x202f;; le rapport a la sienne</translation>
     </message>
 </context>
 <context>
@@ -2333,7 +2551,7 @@
     </message>
     <message>
         <source>ISO 14253-1: conformity is to be proven</source>
-        <translation>ISO 14253-1 : conformité à prouver</translation>
+        <translation>ISO 14253-1&#xa0;: conformité à prouver</translation>
     </message>
     <message>
         <source>non-conformity is to be proven</source>
@@ -2435,7 +2653,7 @@
     </message>
     <message>
         <source>Place: %1</source>
-        <translation>Emplacement : %1</translation>
+        <translation>Emplacement&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save the test file</source>
@@ -2451,7 +2669,7 @@
     </message>
     <message>
         <source>Save the changes before closing?</source>
-        <translation>Enregistrer les modifications avant de fermer ?</translation>
+        <translation>Enregistrer les modifications avant de fermer&#x202f;?</translation>
     </message>
     <message>
         <source>Otherwise the changes since the last saving are lost.</source>
@@ -2463,7 +2681,7 @@
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler : %1</translation>
+        <translation>&amp;Annuler&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -2471,7 +2689,7 @@
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Rétablir : %1</translation>
+        <translation>&amp;Rétablir&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -2511,7 +2729,7 @@
     </message>
     <message>
         <source>Evaluates tests of machine tools after ISO 230-2 and ISO 230-4 and prints the report. Free software under the GNU General Public License, version 3 or later; without any warranty.</source>
-        <translation>Évalue les essais de machines-outils selon l’ISO 230-2 et l’ISO 230-4 et imprime le rapport. Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure ; sans aucune garantie.</translation>
+        <translation>Évalue les essais de machines-outils selon l’ISO 230-2 et l’ISO 230-4 et imprime le rapport. Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure&#x202f;; sans aucune garantie.</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -2639,7 +2857,7 @@
     </message>
     <message>
         <source>Changes cannot be kept safe automatically: %1.</source>
-        <translation>Les modifications ne peuvent pas être enregistrées automatiquement : %1.</translation>
+        <translation>Les modifications ne peuvent pas être enregistrées automatiquement&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Rename the test</source>
@@ -2735,23 +2953,23 @@
     </message>
     <message>
         <source>Lengths: µm and mm</source>
-        <translation>Longueurs : µm et mm</translation>
+        <translation>Longueurs&#xa0;: µm et mm</translation>
     </message>
     <message>
         <source>Lengths: mm only</source>
-        <translation>Longueurs : mm seulement</translation>
+        <translation>Longueurs&#xa0;: mm seulement</translation>
     </message>
     <message>
         <source>Lengths: µin and inches</source>
-        <translation>Longueurs : µin et pouces</translation>
+        <translation>Longueurs&#xa0;: µin et pouces</translation>
     </message>
     <message>
         <source>Angles: arc seconds and degrees</source>
-        <translation>Angles : secondes d’arc et degrés</translation>
+        <translation>Angles&#xa0;: secondes d’arc et degrés</translation>
     </message>
     <message>
         <source>Angles: degrees only</source>
-        <translation>Angles : degrés seulement</translation>
+        <translation>Angles&#xa0;: degrés seulement</translation>
     </message>
     <message>
         <source>&amp;Utilities</source>
@@ -2823,23 +3041,23 @@
     </message>
     <message>
         <source>“%1”</source>
-        <translation>« %1 »</translation>
+        <translation>«&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Typed and shown in red, but never taken: %1. It is not saved.</source>
-        <translation>Saisi et affiché en rouge, mais jamais pris en compte : %1. Cela n’est pas enregistré.</translation>
+        <translation>Saisi et affiché en rouge, mais jamais pris en compte&#xa0;: %1. Cela n’est pas enregistré.</translation>
     </message>
     <message>
         <source>Close without what could not be taken?</source>
-        <translation>Fermer sans ce qui n’a pas pu être pris en compte ?</translation>
+        <translation>Fermer sans ce qui n’a pas pu être pris en compte&#x202f;?</translation>
     </message>
     <message>
         <source>%1 is no longer where it was. Save it before closing?</source>
-        <translation>%1 n’est plus à sa place. L’enregistrer avant de fermer ?</translation>
+        <translation>%1 n’est plus à sa place. L’enregistrer avant de fermer&#x202f;?</translation>
     </message>
     <message>
         <source>Another program has changed %1. Save what is here before closing?</source>
-        <translation>Un autre programme a modifié %1. Enregistrer ce qui est ici avant de fermer ?</translation>
+        <translation>Un autre programme a modifié %1. Enregistrer ce qui est ici avant de fermer&#x202f;?</translation>
     </message>
     <message>
         <source>Otherwise what is here is lost.</source>
@@ -3066,7 +3284,7 @@
     </message>
     <message>
         <source>A new test has %1 readings at most: fewer targets or runs.</source>
-        <translation>Un nouvel essai a au plus %1 relevés : moins de points visés ou de passes.</translation>
+        <translation>Un nouvel essai a au plus %1 relevés&#xa0;: moins de points visés ou de passes.</translation>
     </message>
 </context>
 <context>
@@ -3074,13 +3292,17 @@
     <message numerus="yes">
         <source>%n reading(s) pasted</source>
         <translation>
-            <numerusform>%n relevé collé</numerusform><numerusform>%n relevés collés</numerusform></translation>
+            <numerusform>%n relevé collé</numerusform>
+            <numerusform>%n relevés collés</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%1 and %n target(s)</source>
         <comment>readings pasted</comment>
         <translation>
-            <numerusform>%1 et %n point visé</numerusform><numerusform>%1 et %n points visés</numerusform></translation>
+            <numerusform>%1 et %n point visé</numerusform>
+            <numerusform>%1 et %n points visés</numerusform>
+        </translation>
     </message>
     <message>
         <source>Deviations %1</source>
@@ -3098,7 +3320,7 @@
     </message>
     <message>
         <source>guessed:</source>
-        <translation>supposé :</translation>
+        <translation>supposé&#xa0;:</translation>
     </message>
     <message>
         <source>Comma</source>
@@ -3110,11 +3332,11 @@
     </message>
     <message>
         <source>The decimal mark of the block is the comma: 5,4</source>
-        <translation>Le séparateur décimal du tableau est la virgule : 5,4</translation>
+        <translation>Le séparateur décimal du tableau est la virgule&#xa0;: 5,4</translation>
     </message>
     <message>
         <source>The decimal mark of the block is the point: 5.4</source>
-        <translation>Le séparateur décimal du tableau est le point : 5.4</translation>
+        <translation>Le séparateur décimal du tableau est le point&#xa0;: 5.4</translation>
     </message>
     <message>
         <source>What the numbers are</source>
@@ -3181,7 +3403,7 @@
     </message>
     <message>
         <source>Feed rate (empty: rapid)</source>
-        <translation>Vitesse d’avance (vide : rapide)</translation>
+        <translation>Vitesse d’avance (vide&#xa0;: rapide)</translation>
     </message>
     <message>
         <source>Dwell at the target</source>
@@ -3193,12 +3415,14 @@
     </message>
     <message>
         <source>These numbers give no plan: too many targets, or too few decimals to tell them apart.</source>
-        <translation>Ces nombres ne donnent aucun plan : trop de points, ou trop peu de décimales pour les distinguer.</translation>
+        <translation>Ces nombres ne donnent aucun plan&#xa0;: trop de points, ou trop peu de décimales pour les distinguer.</translation>
     </message>
     <message numerus="yes">
         <source>%n target(s)</source>
         <translation>
-            <numerusform>%n point visé</numerusform><numerusform>%n points visés</numerusform></translation>
+            <numerusform>%n point visé</numerusform>
+            <numerusform>%n points visés</numerusform>
+        </translation>
     </message>
     <message>
         <source>every %1, random part %2. The axis moves from %3 to %4.</source>
@@ -3206,7 +3430,7 @@
     </message>
     <message>
         <source>A long axis: once each way over the whole travel, and a full test of an agreed zone of %1 besides.</source>
-        <translation>Un axe long : une fois par sens sur toute la course, et un contrôle complet d’une zone convenue de %1 en plus.</translation>
+        <translation>Un axe long&#xa0;: une fois par sens sur toute la course, et un contrôle complet d’une zone convenue de %1 en plus.</translation>
     </message>
     <message>
         <source>That is beyond the ends of the axis.</source>
@@ -3322,7 +3546,11 @@
     </message>
     <message>
         <source>No part program: %1</source>
-        <translation>Pas de programme pièce : %1</translation>
+        <translation>Pas de programme pièce&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The random part follows ISO 230-2:2006: ISO 230-2:1988 has no rule for an unknown or long cyclic pitch.</source>
+        <translation>La partie aléatoire suit l’ISO 230-2:2006&#xa0;: l’ISO 230-2:1988 n’a pas de règle pour un pas cyclique inconnu ou long.</translation>
     </message>
 </context>
 <context>
@@ -3364,7 +3592,7 @@
     </message>
     <message>
         <source>Set aside: %1</source>
-        <translation>Écarté : %1</translation>
+        <translation>Écarté&#xa0;: %1</translation>
     </message>
     <message>
         <source>target %1, %2</source>
@@ -3380,21 +3608,21 @@
     </message>
     <message>
         <source>%1: not taken, the reading is missing</source>
-        <translation>%1 : non repris, le relevé manque</translation>
+        <translation>%1&#xa0;: non repris, le relevé manque</translation>
     </message>
     <message>
         <source>Far from the other readings here: a typing error?</source>
-        <translation>Loin des autres relevés de ce point : une erreur de saisie ?</translation>
+        <translation>Loin des autres relevés de ce point&#xa0;: une erreur de saisie&#x202f;?</translation>
     </message>
     <message>
         <source>%1: not taken, the target stays where it was</source>
-        <translation>%1 : non pris en compte, le point visé reste où il était</translation>
+        <translation>%1&#xa0;: non pris en compte, le point visé reste où il était</translation>
     </message>
     <message numerus="yes">
         <source>%n reading(s) set aside and left so: take back first (%1)</source>
         <translation>
-            <numerusform>%n relevé écarté laissé ainsi : le reprendre d’abord (%1)</numerusform>
-            <numerusform>%n relevés écartés laissés ainsi : les reprendre d’abord (%1)</numerusform>
+            <numerusform>%n relevé écarté laissé ainsi&#xa0;: le reprendre d’abord (%1)</numerusform>
+            <numerusform>%n relevés écartés laissés ainsi&#xa0;: les reprendre d’abord (%1)</numerusform>
         </translation>
     </message>
 </context>
@@ -3414,7 +3642,7 @@
     </message>
     <message>
         <source>Show actual positions; the data stay as they are</source>
-        <translation>Afficher les positions réelles ; les données restent telles quelles</translation>
+        <translation>Afficher les positions réelles&#x202f;; les données restent telles quelles</translation>
     </message>
     <message>
         <source>Runs side by side, both directions of a run together</source>
@@ -3434,7 +3662,7 @@
     </message>
     <message>
         <source>Why? The reading stays visible, struck through, and is printed with the reason.</source>
-        <translation>Pour quel motif ? Le relevé reste visible, barré, et il est imprimé avec le motif.</translation>
+        <translation>Pour quel motif&#x202f;? Le relevé reste visible, barré, et il est imprimé avec le motif.</translation>
     </message>
     <message>
         <source>Deviations %1</source>
@@ -3520,7 +3748,7 @@
     </message>
     <message>
         <source>nothing to fill with: the first cell has no reading</source>
-        <translation>rien à recopier : la première cellule n’a pas de relevé</translation>
+        <translation>rien à recopier&#xa0;: la première cellule n’a pas de relevé</translation>
     </message>
 </context>
 <context>
@@ -3535,7 +3763,7 @@
     </message>
     <message>
         <source>Never saved: %1</source>
-        <translation>Jamais enregistré : %1</translation>
+        <translation>Jamais enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>Untitled</source>
@@ -3548,7 +3776,7 @@
     </message>
     <message>
         <source>Palmer ended without saving these documents. Open them with their changes? The files themselves are as they were saved last.</source>
-        <translation>Palmer s’est arrêté sans enregistrer ces documents. Les ouvrir avec leurs modifications ? Les fichiers eux-mêmes sont tels qu’au dernier enregistrement.</translation>
+        <translation>Palmer s’est arrêté sans enregistrer ces documents. Les ouvrir avec leurs modifications&#x202f;? Les fichiers eux-mêmes sont tels qu’au dernier enregistrement.</translation>
     </message>
     <message>
         <source>&amp;Open with changes</source>
@@ -3572,15 +3800,17 @@
     <message numerus="yes">
         <source>… and %n more remark(s)</source>
         <translation>
-            <numerusform>… et %n autre remarque</numerusform><numerusform>… et %n autres remarques</numerusform></translation>
+            <numerusform>… et %n autre remarque</numerusform>
+            <numerusform>… et %n autres remarques</numerusform>
+        </translation>
     </message>
     <message>
         <source>Line %1, column %2: %3</source>
-        <translation>Ligne %1, colonne %2 : %3</translation>
+        <translation>Ligne %1, colonne %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation>Ligne %1 : %2</translation>
+        <translation>Ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>go to the line</source>
@@ -3588,7 +3818,7 @@
     </message>
     <message>
         <source>confirm: %1</source>
-        <translation>confirmer : %1</translation>
+        <translation>confirmer&#xa0;: %1</translation>
     </message>
     <message>
         <source>another answer</source>
@@ -3644,8 +3874,8 @@
     <message numerus="yes">
         <source>%n required statement(s) missing; printed as “–”</source>
         <translation>
-            <numerusform>%n information requise manque ; elle sera imprimée « – »</numerusform>
-            <numerusform>%n informations requises manquent ; elles seront imprimées « – »</numerusform>
+            <numerusform>%n information requise manque&#x202f;; elle sera imprimée «&#xa0;–&#xa0;»</numerusform>
+            <numerusform>%n informations requises manquent&#x202f;; elles seront imprimées «&#xa0;–&#xa0;»</numerusform>
         </translation>
     </message>
     <message>
@@ -3665,7 +3895,7 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -3681,7 +3911,7 @@
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation>Enregistré : %1</translation>
+        <translation>Enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>The printer did not accept the report.</source>
@@ -3753,11 +3983,11 @@
     </message>
     <message>
         <source>Monte Carlo: %1 trials</source>
-        <translation>Monte-Carlo : %1 tirages</translation>
+        <translation>Monte-Carlo&#xa0;: %1 tirages</translation>
     </message>
     <message>
         <source>%1 s left</source>
-        <translation>encore %1 s</translation>
+        <translation>encore %1&#xa0;s</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -3769,11 +3999,11 @@
     </message>
     <message>
         <source>All readings (over 2000 rows)</source>
-        <translation>Tous les relevés (plus de 2 000 lignes)</translation>
+        <translation>Tous les relevés (plus de 2&#x202f;000 lignes)</translation>
     </message>
     <message>
         <source>Replace %1?</source>
-        <translation>Remplacer %1 ?</translation>
+        <translation>Remplacer %1&#x202f;?</translation>
     </message>
     <message>
         <source>What is there now is lost.</source>
@@ -3850,7 +4080,7 @@
     </message>
     <message>
         <source>Being computed; shown is what was before</source>
-        <translation>Calcul en cours ; affiché : l’état précédent</translation>
+        <translation>Calcul en cours&#x202f;; affiché&#xa0;: l’état précédent</translation>
     </message>
 </context>
 <context>
@@ -3889,7 +4119,7 @@
     </message>
     <message>
         <source>outdated: edited since</source>
-        <translation>périmée : modifié depuis</translation>
+        <translation>périmée&#xa0;: modifié depuis</translation>
     </message>
     <message>
         <source>not simulated yet</source>
@@ -3912,11 +4142,11 @@
     <name>palmer::ui::StatementsBox</name>
     <message>
         <source>Take &amp;over what is stated of “%1”</source>
-        <translation>Reprendre ce &amp;qui est indiqué pour « %1 »</translation>
+        <translation>Reprendre ce &amp;qui est indiqué pour «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Instruments, state of the machine, places of the sensors, agreed points that name no axis, decision rule; nothing that was measured, no limits.</source>
-        <translation>Instruments, état de la machine, positions des capteurs, points convenus indépendants de l’axe, règle de décision ; aucune valeur mesurée, aucune limite.</translation>
+        <translation>Instruments, état de la machine, positions des capteurs, points convenus indépendants de l’axe, règle de décision&#x202f;; aucune valeur mesurée, aucune limite.</translation>
     </message>
 </context>
 <context>
@@ -3955,7 +4185,7 @@
     </message>
     <message>
         <source>Cannot be read: %1</source>
-        <translation>Illisible : %1</translation>
+        <translation>Illisible&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Keep as template…</source>
@@ -3999,7 +4229,7 @@
     </message>
     <message>
         <source>This template is for another page: open it there.</source>
-        <translation>Ce modèle est destiné à une autre page : ouvrez-le là.</translation>
+        <translation>Ce modèle est destiné à une autre page&#xa0;: ouvrez-le là.</translation>
     </message>
     <message>
         <source>The template cannot be read</source>
@@ -4015,7 +4245,7 @@
     </message>
     <message>
         <source>Place: %1</source>
-        <translation>Emplacement : %1</translation>
+        <translation>Emplacement&#xa0;: %1</translation>
     </message>
     <message>
         <source>Templates</source>
@@ -4058,7 +4288,7 @@
     </message>
     <message>
         <source>View; edition of the test: %1</source>
-        <translation>Vue ; édition de l’essai : %1</translation>
+        <translation>Vue&#x202f;; édition de l’essai&#xa0;: %1</translation>
     </message>
     <message>
         <source>E&amp;dition</source>
@@ -4070,7 +4300,7 @@
     </message>
     <message>
         <source>Shows the results under another edition; the file stays as it is</source>
-        <translation>Montre les résultats selon une autre édition ; le fichier reste tel quel</translation>
+        <translation>Montre les résultats selon une autre édition&#x202f;; le fichier reste tel quel</translation>
     </message>
     <message>
         <source>&amp;Set as edition of the test</source>
@@ -4082,14 +4312,14 @@
     </message>
     <message>
         <source>Writes this edition into the test; it can be undone</source>
-        <translation>Inscrit cette édition dans l’essai ; peut être annulé</translation>
+        <translation>Inscrit cette édition dans l’essai&#x202f;; peut être annulé</translation>
     </message>
 </context>
 <context>
     <name>palmer::ui::UncertaintyPage</name>
     <message>
         <source>Range of α, machine: %1</source>
-        <translation>Étendue α machine : %1</translation>
+        <translation>Étendue α machine&#xa0;: %1</translation>
     </message>
     <message>
         <source>gives U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2</source>
@@ -4097,7 +4327,7 @@
     </message>
     <message>
         <source>Laser interferometer: α 0</source>
-        <translation>Interféromètre laser : α 0</translation>
+        <translation>Interféromètre laser&#xa0;: α 0</translation>
     </message>
     <message>
         <source>light has no material that expands</source>
@@ -4105,7 +4335,7 @@
     </message>
     <message>
         <source>Resolution: %1</source>
-        <translation>Résolution : %1</translation>
+        <translation>Résolution&#xa0;: %1</translation>
     </message>
     <message>
         <source>as stated for the instrument %1</source>
@@ -4113,7 +4343,7 @@
     </message>
     <message>
         <source>u of α, machine: %1</source>
-        <translation>u de α machine : %1</translation>
+        <translation>u de α machine&#xa0;: %1</translation>
     </message>
     <message>
         <source>half of U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2</source>
@@ -4125,7 +4355,7 @@
     </message>
     <message>
         <source>E_VE: %1</source>
-        <translation>E_VE : %1</translation>
+        <translation>E_VE&#xa0;: %1</translation>
     </message>
     <message>
         <source>Instrument</source>
@@ -4162,7 +4392,9 @@
     <message numerus="yes">
         <source>%n input(s) of the budget missing</source>
         <translation>
-            <numerusform>%n donnée du budget manque</numerusform><numerusform>%n données du budget manquent</numerusform></translation>
+            <numerusform>%n donnée du budget manque</numerusform>
+            <numerusform>%n données du budget manquent</numerusform>
+        </translation>
     </message>
     <message>
         <source>Method of the uncertainty</source>
@@ -4330,7 +4562,7 @@
     </message>
     <message>
         <source>ISO 14253-1: conformity is to be proven</source>
-        <translation>ISO 14253-1 : conformité à prouver</translation>
+        <translation>ISO 14253-1&#xa0;: conformité à prouver</translation>
     </message>
     <message>
         <source>non-conformity is to be proven</source>
@@ -4382,7 +4614,7 @@
     </message>
     <message>
         <source>Method: %1</source>
-        <translation>Méthode : %1</translation>
+        <translation>Méthode&#xa0;: %1</translation>
     </message>
     <message>
         <source>a view: see the edition</source>
@@ -4422,7 +4654,7 @@
     </message>
     <message>
         <source>%1 % of U²</source>
-        <translation>%1 % de U²</translation>
+        <translation>%1&#x202f;% de U²</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -4430,7 +4662,7 @@
     </message>
     <message>
         <source>to improve first: %1, %2 % of U²</source>
-        <translation>à améliorer d’abord : %1, %2 % de U²</translation>
+        <translation>à améliorer d’abord&#xa0;: %1, %2&#x202f;% de U²</translation>
     </message>
     <message>
         <source>Expanded uncertainty of the results by both methods</source>
@@ -4438,7 +4670,7 @@
     </message>
     <message>
         <source>95.45 % interval</source>
-        <translation>intervalle 95,45 %</translation>
+        <translation>intervalle 95,45&#x202f;%</translation>
     </message>
     <message>
         <source>distribution</source>
@@ -4458,27 +4690,27 @@
     </message>
     <message>
         <source>More than a third of the U of the simulation: the budget decides</source>
-        <translation>Plus du tiers de l’U de la simulation : le budget décide</translation>
+        <translation>Plus du tiers de l’U de la simulation&#xa0;: le budget décide</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#x202f;%</translation>
     </message>
     <message>
         <source>&gt; 20 %</source>
-        <translation>&gt; 20 %</translation>
+        <translation>&gt; 20&#x202f;%</translation>
     </message>
     <message>
         <source>%1, more than 20 %</source>
-        <translation>%1, plus de 20 %</translation>
+        <translation>%1, plus de 20&#x202f;%</translation>
     </message>
     <message>
         <source>The methods differ by more than 20 %: the findings give the reason</source>
-        <translation>Les méthodes diffèrent de plus de 20 % : les constats en donnent la raison</translation>
+        <translation>Les méthodes diffèrent de plus de 20&#x202f;%&#xa0;: les constats en donnent la raison</translation>
     </message>
     <message>
         <source>Bold: the U that decides.</source>
-        <translation>En gras : l’U qui décide.</translation>
+        <translation>En gras&#xa0;: l’U qui décide.</translation>
     </message>
     <message>
         <source>k of the displacement</source>
@@ -4533,7 +4765,7 @@
     </message>
     <message>
         <source>Tests of machine tools: measure, judge, print the report</source>
-        <translation>Essais de machines-outils : mesurer, juger, imprimer le rapport</translation>
+        <translation>Essais de machines-outils&#xa0;: mesurer, juger, imprimer le rapport</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -4606,7 +4838,7 @@
     </message>
     <message>
         <source>target %1, run %2 %3: %4</source>
-        <translation>point %1, passe %2 %3 : %4</translation>
+        <translation>point %1, passe %2 %3&#xa0;: %4</translation>
     </message>
     <message>
         <source>no reading</source>
@@ -4638,12 +4870,14 @@
     </message>
     <message>
         <source>next: target %1</source>
-        <translation>suivant : point %1</translation>
+        <translation>suivant&#xa0;: point %1</translation>
     </message>
     <message numerus="yes">
         <source>%n arc(s)</source>
         <translation>
-            <numerusform>%n arc</numerusform><numerusform>%n arcs</numerusform></translation>
+            <numerusform>%n arc</numerusform>
+            <numerusform>%n arcs</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 points</source>
@@ -4660,7 +4894,9 @@
     <message numerus="yes">
         <source>%n reading(s)</source>
         <translation>
-            <numerusform>%n relevé</numerusform><numerusform>%n relevés</numerusform></translation>
+            <numerusform>%n relevé</numerusform>
+            <numerusform>%n relevés</numerusform>
+        </translation>
     </message>
     <message>
         <source>U&amp;ncertainty</source>

@@ -19,8 +19,9 @@ int run(const Invocation &invocation) {
             several ? (first ? QString() : QStringLiteral("\n")) + file + QStringLiteral("\n\n") : QString();
         printOut(head + plainText(composeFindings(evaluated, invocation.language)));
         first = false;
-        const bool allMet = std::ranges::all_of(
-            evaluated.tests, [](const TestEvaluationPointer &test) { return test->inAccordance(); });
+        const bool allMet = std::ranges::all_of(evaluated.tests, [](const TestEvaluationPointer &test) {
+            return test->accordance() != Accordance::no;
+        });
         return allMet ? done : difference;
     });
 }

@@ -1,5 +1,7 @@
 #include "commands/rejection.h"
 
+#include "document/testsofverdict.h"
+
 namespace palmer {
 
 namespace {
@@ -16,7 +18,8 @@ bool isRejected(const Test &test, const TestEvaluation &evaluation) {
 
 bool hasRejection(const EvaluatedDocument &evaluated) {
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
-        if (isRejected(*evaluated.document->tests[i], *evaluated.tests[i]))
+        if (countsForVerdict(*evaluated.document, i) &&
+            isRejected(*evaluated.document->tests[i], *evaluated.tests[i]))
             return true;
     }
     return false;

@@ -5,7 +5,7 @@
 namespace palmer {
 
 /// Whether a test has a verdict other than "conforms"; where rejection has to be proven, only "does not
-/// conform".
+/// conform". Tests as found do not count where there are others.
 [[nodiscard]] bool hasRejection(const EvaluatedDocument &evaluated);
 
 } // namespace palmer

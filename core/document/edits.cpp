@@ -130,15 +130,28 @@ void removeSensor(Conditions &conditions, SensorMeasures what, std::size_t ordin
         eraseAt(conditions.sensors, index);
 }
 
-void setAgreedPoint(Test &test, const std::string &point, AgreementState state, const std::string &text) {
+void takeAgreedValue(Test &test, std::string_view point) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     const auto found = std::ranges::find(test.agreedPoints, point, &AgreedPoint::point);
-    if (state == AgreementState::notAgreed && text.empty()) {
+    if (!measurement || found == test.agreedPoints.end())
+        return;
+    const PositioningConditions &conditions = measurement->conditions;
+    if (point == "gradient")
+        found->value = conditions.gradientPerHour;
+    else if (point == "feed" && conditions.feedMode == FeedMode::programmed)
+        found->value = conditions.feed;
+}
+
+void setAgreedPoint(Test &test, const std::string &point, std::optional<AgreementState> state,
+                    const std::string &text) {
+    const auto found = std::ranges::find(test.agreedPoints, point, &AgreedPoint::point);
+    if (!state) {
         if (found != test.agreedPoints.end())
             test.agreedPoints.erase(found);
     } else if (found == test.agreedPoints.end()) {
-        test.agreedPoints.push_back({point, state, text});
+        test.agreedPoints.push_back({point, *state, text});
     } else {
-        found->state = state;
+        found->state = *state;
         found->text = text;
     }
 }

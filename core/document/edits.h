@@ -45,8 +45,12 @@ void editSensor(Conditions &conditions, SensorMeasures what, std::size_t ordinal
                 const std::function<void(Sensor &)> &change);
 void removeSensor(Conditions &conditions, SensorMeasures what, std::size_t ordinal);
 
-/// State and text of a point to agree; one that says no more than a file without it goes.
-void setAgreedPoint(Test &test, const std::string &point, AgreementState state, const std::string &text);
+/// State and text of a point to agree; null: nothing is declared of it, and it goes.
+void setAgreedPoint(Test &test, const std::string &point, std::optional<AgreementState> state,
+                    const std::string &text);
+
+/// The number of an agreement (gradient, programmed feed) from the conditions, where they state one.
+void takeAgreedValue(Test &test, std::string_view point);
 
 /// Lets `change` alter the limit of a parameter; one without value, edition and source goes.
 void editLimit(Test &test, const std::string &id, const std::function<void(Limit &)> &change);

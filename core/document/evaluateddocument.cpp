@@ -1,5 +1,7 @@
 #include "document/evaluateddocument.h"
 
+#include "document/testsofverdict.h"
+
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/evaluatetest.h"
 
@@ -36,9 +38,31 @@ bool hasOtherTest(const Document &document, const Test &test, const PositioningM
     });
 }
 
+/// Another test of the axis or plane under the edition; whole travel and zone of a long axis are no pair.
+bool isRepeated(const Document &document, const Test &test) {
+    const auto alike = [&](const TestPointer &other) {
+        if (other.get() == &test || other->edition != test.edition)
+            return false;
+        if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
+            const auto *o = std::get_if<PositioningMeasurement>(&other->measurement);
+            return o && o->axis.name == m->axis.name && o->axis.motion == m->axis.motion &&
+                   insideZone(*o) == insideZone(*m);
+        }
+        const auto *m = std::get_if<CircularMeasurement>(&test.measurement);
+        const auto *o = std::get_if<CircularMeasurement>(&other->measurement);
+        return m && o && o->plane == m->plane && o->source == m->source;
+    };
+    return std::ranges::any_of(document.tests, alike);
+}
+
 Surroundings surroundings(const Document &document, const Test &test) {
     Surroundings result;
     result.machine = &document.machine;
+    result.repeated = isRepeated(document, test);
+    result.adjustmentsStated = !document.report.adjustments.empty();
+    result.reportDate = document.report.date;
+    result.performedFrom = document.report.performedFrom;
+    result.performedTo = document.report.performedTo;
     for (const std::string &id : test.instruments) {
         const auto found = std::ranges::find(document.instruments, id, &Instrument::id);
         if (found != document.instruments.end())
@@ -60,8 +84,10 @@ Surroundings surroundings(const Document &document, const Test &test) {
 
 bool sameContent(const Surroundings &a, const Surroundings &b) {
     return *a.machine == *b.machine && a.otherTestOfLongAxis == b.otherTestOfLongAxis &&
-           a.environmentalVariation == b.environmentalVariation && a.simulation == b.simulation &&
-           a.simulationOutdated == b.simulationOutdated &&
+           a.repeated == b.repeated && a.adjustmentsStated == b.adjustmentsStated &&
+           a.reportDate == b.reportDate && a.performedFrom == b.performedFrom &&
+           a.performedTo == b.performedTo && a.environmentalVariation == b.environmentalVariation &&
+           a.simulation == b.simulation && a.simulationOutdated == b.simulationOutdated &&
            std::ranges::equal(a.instruments, b.instruments,
                               [](const Instrument *x, const Instrument *y) { return *x == *y; });
 }
@@ -166,8 +192,10 @@ TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPoi
 
 std::optional<Verdict> EvaluatedDocument::verdict() const {
     std::optional<Verdict> result;
-    for (const TestEvaluationPointer &test : tests)
-        result = worst(result, test->verdict);
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        if (countsForVerdict(*document, i))
+            result = worst(result, tests[i]->verdict);
+    }
     return result;
 }
 

@@ -19,6 +19,7 @@ enum Demand : unsigned {
     longText = 1U << 6U,   ///< remarks, what is agreed, addresses: `mostOfText` instead of `mostOfLine`
     reading = 1U << 7U,    ///< within ± `mostOfReading`
     trialCount = 1U << 8U, ///< 1 … mostTrialsStated
+    added = 1U << 9U,      ///< of version 2: written only where it says something
 };
 
 // The fields of the test file: one function for each struct, used by reader and writer alike, so a key exists
@@ -116,6 +117,7 @@ void fields(Visit &visit, T &axis) {
     visit("travel", axis.travel, positive);
     visit("range", axis.range);
     visit("positionFeedback", axis.positionFeedback);
+    visit("scaleElement", axis.scaleElement, notNegative | added);
 }
 
 template <class Visit, Like<TargetChoice> T>
@@ -124,6 +126,7 @@ void fields(Visit &visit, T &choice) {
     visit("interval", choice.interval);
     visit("period", choice.period);
     visit("seed", choice.seed);
+    visit("faces", choice.faces, positive | added);
 }
 
 template <class Visit, Like<Run> T>
@@ -144,6 +147,7 @@ template <class Visit, Like<WarmUp> T>
 void fields(Visit &visit, T &warmUp) {
     visit("kind", warmUp.kind);
     visit("text", warmUp.text);
+    visit("specifiedBy", warmUp.specifiedBy, added);
 }
 
 template <class Visit, Like<TemperatureSeries> T>
@@ -178,6 +182,9 @@ void fields(Visit &visit, T &conditions) {
     visit("unloaded", conditions.unloaded);
     visit("soak", conditions.soak);
     visit("shielded", conditions.shielded);
+    visit("temperatureControlled", conditions.temperatureControlled, added);
+    visit("stabilised", conditions.stabilised, added);
+    visit("instrumentCompensation", conditions.instrumentCompensation, added);
     visit("thermalGuidelines", conditions.thermalGuidelines);
     visit("toolOffset", conditions.toolOffset);
     visit("workpieceOffset", conditions.workpieceOffset);
@@ -197,6 +204,8 @@ void fields(Visit &visit, T &conditions) {
     visit("airPressure", conditions.airPressure);
     visit("airHumidity", conditions.airHumidity);
     visit("gradientPerHour", conditions.gradientPerHour);
+    visit("gradientHoursBefore", conditions.gradientHoursBefore, notNegative | added);
+    visit("continuousDevice", conditions.continuousDevice, added);
     visit("referencePosition", conditions.referencePosition);
 }
 
@@ -270,8 +279,9 @@ void fields(Visit &visit, T &uncertainty) {
 template <class Visit, Like<AgreedPoint> T>
 void fields(Visit &visit, T &agreed) {
     visit("point", agreed.point, obligatory);
-    visit("state", agreed.state);
+    visit("state", agreed.state, obligatory);
     visit("text", agreed.text, longText);
+    visit("value", agreed.value, added);
 }
 
 template <class Visit, Like<Limit> T>
@@ -315,6 +325,19 @@ void fields(Visit &visit, T &length) {
     visit("coverageFactor", length.coverageFactor, positive);
 }
 
+template <class Visit, Like<SpecifiedCircle> T>
+void fields(Visit &visit, T &circle) {
+    visit("diameter", circle.diameter, positive);
+    visit("feed", circle.feed, positive);
+}
+
+template <class Visit, Like<DeclaredAccordance> T>
+void fields(Visit &visit, T &declared) {
+    visit("by", declared.by);
+    visit("date", declared.date, date);
+    visit("text", declared.text, longText);
+}
+
 template <class Visit, Like<Arc> T>
 void fields(Visit &visit, T &arc) {
     visit("sense", arc.sense, obligatory);
@@ -323,6 +346,7 @@ void fields(Visit &visit, T &arc) {
     visit("radialDeviations", arc.radialDeviations, obligatory | reading);
     visit("evaluated", arc.evaluated);
     visit("sampleInterval", arc.sampleInterval, positive);
+    visit("cutOff", arc.cutOff, added);
 }
 
 template <class Visit, Like<PositioningMeasurement> T>
@@ -345,6 +369,7 @@ void fields(Visit &visit, T &measurement) {
     visit("positionFeedback", measurement.positionFeedback);
     visit("nominalRadius", measurement.nominalRadius, obligatory | positive);
     visit("feed", measurement.feed);
+    visit("specified", measurement.specified, added);
     visit("source", measurement.source);
     visit("centring", measurement.centring);
     visit("referenceCircle", measurement.referenceCircle);
@@ -376,6 +401,9 @@ void fields(Visit &visit, T &test) {
     visit("instruments", test.instruments);
     if (!std::holds_alternative<DriftMeasurement>(test.measurement)) {
         visit("edition", test.edition, obligatory);
+        visit("purpose", test.purpose, added);
+        visit("role", test.role, added);
+        visit("declaredAccordance", test.declaredAccordance, added);
         visit("agreedPoints", test.agreedPoints);
         visit("limits", test.limits);
         visit("decisionRule", test.decisionRule);

@@ -10,11 +10,17 @@ inline constexpr const char *fileFormat = "palmer test report";
 
 // History of the format:
 // 1  first version.
+// 2  what the texts of the editions ask of a test: purpose, role, declared accordance, further conditions,
+//    numbers agreed; the state of a point agreed is obligatory.
 
 /// The step at index v − 1 makes the JSON of version v + 1 of that of version v.
 using Migration = void (*)(nlohmann::json &file);
-inline constexpr std::array<Migration, 0> migrations{};
+/// 1 → 2: a point without a state was not agreed.
+void stateAgreements(nlohmann::json &file);
 
+inline constexpr std::array<Migration, 1> migrations{stateAgreements};
+
+inline constexpr long long firstVersion = 1;
 inline constexpr long long fileVersion = static_cast<long long>(migrations.size()) + 1;
 
 } // namespace palmer

@@ -63,6 +63,31 @@ inline constexpr auto
                                                                  {WarmUpKind::dryRun, "dryRun"},
                                                                  {WarmUpKind::setUpOnly, "setUpOnly"}});
 template <>
+inline constexpr auto
+    fileWords<SpecifiedBy> = std::to_array<FileWord<SpecifiedBy>>({{SpecifiedBy::notStated, "notStated"},
+                                                                   {SpecifiedBy::maker, "maker"},
+                                                                   {SpecifiedBy::agreement, "agreement"}});
+template <>
+inline constexpr auto fileWords<InstrumentCompensation> =
+    std::to_array<FileWord<InstrumentCompensation>>({{InstrumentCompensation::notStated, "notStated"},
+                                                     {InstrumentCompensation::on, "on"},
+                                                     {InstrumentCompensation::off, "off"},
+                                                     {InstrumentCompensation::none, "none"}});
+template <>
+inline constexpr auto
+    fileWords<Purpose> = std::to_array<FileWord<Purpose>>({{Purpose::notStated, "notStated"},
+                                                           {Purpose::type, "type"},
+                                                           {Purpose::acceptance, "acceptance"},
+                                                           {Purpose::comparison, "comparison"},
+                                                           {Purpose::periodic, "periodic"},
+                                                           {Purpose::compensation, "compensation"},
+                                                           {Purpose::afterRepair, "afterRepair"},
+                                                           {Purpose::afterCollision, "afterCollision"},
+                                                           {Purpose::other, "other"}});
+template <>
+inline constexpr auto fileWords<TestRole> = std::to_array<FileWord<TestRole>>(
+    {{TestRole::notStated, "notStated"}, {TestRole::asFound, "asFound"}, {TestRole::asLeft, "asLeft"}});
+template <>
 inline constexpr auto fileWords<FeedMode> =
     std::to_array<FileWord<FeedMode>>({{FeedMode::programmed, "programmed"}, {FeedMode::rapid, "rapid"}});
 template <>

@@ -594,6 +594,21 @@ QByteArray inUtf8(const QByteArray &bytes) {
 
 } // namespace
 
+void stateAgreements(json &file) {
+    const auto tests = file.find("tests");
+    if (tests == file.end() || !tests->is_array())
+        return; // the reader says what is wrong
+    for (json &test : *tests) {
+        const auto points = test.is_object() ? test.find("agreedPoints") : test.end();
+        if (!test.is_object() || points == test.end() || !points->is_array())
+            continue;
+        for (json &point : *points) {
+            if (point.is_object() && !point.contains("state"))
+                point["state"] = fileWord(AgreementState::notAgreed);
+        }
+    }
+}
+
 Document readUnbounded(const QByteArray &bytes) {
     const QByteArray text = inUtf8(bytes);
     json file = parseJson({text.constData(), static_cast<std::size_t>(text.size())});

@@ -1,5 +1,6 @@
 #include "document/templatefile.h"
 
+#include "document/edits.h"
 #include "document/fileversion.h"
 #include "document/filewords.h"
 #include "document/json.h"
@@ -32,7 +33,41 @@ struct Part {
 constexpr auto parts = std::to_array<Part>({{"machine", "machine"},
                                             {"instrument", "instruments[0]"},
                                             {"laboratory", "report.laboratory"},
-                                            {"limits", "tests[0]"}});
+                                            {"limits", "tests[0]"},
+                                            {"conditions", "tests[0].conditions"}});
+
+/// The keys of Declarations.
+constexpr auto declared = std::to_array<std::string_view>(
+    {"warmUp", "compensation", "load", "levelled", "complete", "unloaded", "soak", "shielded",
+     "temperatureControlled", "stabilised", "instrumentCompensation", "thermalGuidelines"});
+
+/// Calls `take` with every member of Declarations.
+void eachDeclared(auto take) {
+    take(&Conditions::warmUp);
+    take(&Conditions::compensation);
+    take(&Conditions::load);
+    take(&Conditions::levelled);
+    take(&Conditions::complete);
+    take(&Conditions::unloaded);
+    take(&Conditions::soak);
+    take(&Conditions::shielded);
+    take(&Conditions::temperatureControlled);
+    take(&Conditions::stabilised);
+    take(&Conditions::instrumentCompensation);
+    take(&Conditions::thermalGuidelines);
+}
+
+/// What of the written conditions of a test is a part of the template and says something.
+json declaredIn(const json &conditions) {
+    json result = json::object();
+    const json nothing = json::parse(R"({"kind": "notStated", "text": ""})");
+    for (const auto &[key, value] : conditions.items()) {
+        if (std::ranges::find(declared, key) != declared.end() && !value.is_null() && value != "" &&
+            value != nothing)
+            result[key] = value;
+    }
+    return result;
+}
 
 Kind kindIn(const json &file) {
     const auto entry = file.find("kind");
@@ -67,6 +102,10 @@ json testFile(const json &file, const Part &part) {
         around["instruments"] = json::array({file["instrument"]});
     } else if (key == "laboratory") {
         around["report"] = {{"laboratory", file["laboratory"]}};
+    } else if (key == "conditions") {
+        json test = emptyTest(Kind::positioning);
+        test["conditions"] = file["conditions"];
+        around["tests"] = json::array({test});
     } else {
         json test = emptyTest(kindIn(file));
         test["limits"] = file["limits"];
@@ -99,19 +138,25 @@ Template readTemplate(const QByteArray &bytes) {
         if (!file.contains(candidate.key))
             continue;
         if (part)
-            refuse(
-                REPORT_TEXT("report", "expected one of machine, instrument, laboratory and limits, not two"));
+            refuse(REPORT_TEXT(
+                "report", "expected one of machine, instrument, laboratory, limits and conditions, not two"));
         part = &candidate;
     }
     if (!part)
         refuse(REPORT_TEXT("report", "the key “%1” is missing"),
-               {std::string("machine · instrument · laboratory · limits")});
+               {std::string("machine · instrument · laboratory · limits · conditions")});
     const bool isLimits = std::string_view(part->key) == "limits";
     for (const auto &[key, value] : file.items()) {
         const bool known = key == "format" || key == "version" || key == "name" || key == part->key ||
                            (isLimits && (key == "kind" || key == "decisionRule"));
         if (!known)
             refuse(REPORT_TEXT("report", "this key is unknown"), {}, excerpt(key));
+    }
+    if (const auto conditions = file.find("conditions"); conditions != file.end()) {
+        for (const auto &[key, value] : conditions->items()) {
+            if (conditions->is_object() && std::ranges::find(declared, key) == declared.end())
+                refuse(REPORT_TEXT("report", "this key is unknown"), {}, "conditions." + excerpt(key));
+        }
     }
     Template result;
     if (const auto name = file.find("name"); name != file.end()) {
@@ -128,6 +173,8 @@ Template readTemplate(const QByteArray &bytes) {
             result.content = std::move(document.instruments.at(0));
         else if (key == "laboratory")
             result.content = std::move(document.report.laboratory);
+        else if (key == "conditions")
+            result.content = declarationsOf(*document.tests.at(0));
         else
             result.content = LimitSet{kindOf(*document.tests.at(0)), document.tests[0]->limits,
                                       document.tests[0]->decisionRule};
@@ -147,6 +194,10 @@ QByteArray writeTemplate(const Template &content) {
         document.instruments = {*instrument};
     } else if (const auto *laboratory = std::get_if<Laboratory>(&content.content)) {
         document.report.laboratory = *laboratory;
+    } else if (const auto *declarations = std::get_if<Declarations>(&content.content)) {
+        test.edition = anEditionOf.front();
+        test.measurement.emplace<PositioningMeasurement>().conditions.common = declarations->conditions;
+        document.tests = {std::make_shared<const Test>(test)};
     } else {
         const auto &set = std::get<LimitSet>(content.content);
         if (set.kind == Kind::circular)
@@ -158,7 +209,7 @@ QByteArray writeTemplate(const Template &content) {
     }
     const QByteArray bytes = writeDocument(document);
     const json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    json result{{"format", templateFormat}, {"version", fileVersion}, {"name", content.name}};
+    json result{{"format", templateFormat}, {"version", file["version"]}, {"name", content.name}};
     if (const auto *set = std::get_if<LimitSet>(&content.content)) {
         const json &written = file["tests"][0];
         result["kind"] = fileWord(set->kind);
@@ -168,9 +219,29 @@ QByteArray writeTemplate(const Template &content) {
         const std::string_view word = key;
         result[key] = word == "machine"      ? file["machine"]
                       : word == "instrument" ? file["instruments"][0]
+                      : word == "conditions" ? declaredIn(file["tests"][0]["conditions"])
                                              : file["report"]["laboratory"];
     }
     return QByteArray::fromStdString(printJson(result));
+}
+
+Declarations declarationsOf(const Test &test) {
+    Declarations result;
+    if (const Conditions *conditions = conditionsOf(test))
+        eachDeclared([&](auto member) { result.conditions.*member = conditions->*member; });
+    return result;
+}
+
+bool applyDeclarations(Test &test, const Declarations &declarations) {
+    Conditions *conditions = conditionsOf(test);
+    if (!conditions)
+        return false;
+    eachDeclared([&](auto member) {
+        const auto &stated = declarations.conditions.*member;
+        if (stated != std::remove_cvref_t<decltype(stated)>())
+            conditions->*member = stated;
+    });
+    return true;
 }
 
 LimitSet limitSetOf(const Test &test) {

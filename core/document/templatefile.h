@@ -20,10 +20,19 @@ struct LimitSet {
     bool operator==(const LimitSet &) const = default;
 };
 
-/// What is always the same and entered once: the own machine, the own laser, the company head, agreed limits.
+/// What is declared alike of every test in a place: the state of the machine, its warm-up, the environment;
+/// nothing that was measured. What states nothing is no part of it.
+struct Declarations {
+    Conditions conditions;
+
+    bool operator==(const Declarations &) const = default;
+};
+
+/// What is always the same and entered once: the own machine, the own laser, the company head, agreed limits,
+/// how tests are made.
 struct Template {
     std::string name;
-    std::variant<Machine, Instrument, Laboratory, LimitSet> content;
+    std::variant<Machine, Instrument, Laboratory, LimitSet, Declarations> content;
 
     bool operator==(const Template &) const = default;
 };
@@ -35,9 +44,10 @@ struct Template {
 //      "machine": {…}}                  as `machine` of a test file, or
 //      "instrument": {…}                as one of `instruments`, or
 //      "laboratory": {…}                as `report.laboratory`, or
-//      "kind": "positioning" | "circular", "limits": {…}, "decisionRule": {…}   as in a test
+//      "kind": "positioning" | "circular", "limits": {…}, "decisionRule": {…}   as in a test, or
+//      "conditions": {…}                what Declarations holds of `conditions` of a test
 //
-// Exactly one of the four. Anything else, an unknown key among it, is refused.
+// Exactly one of the five. Anything else, an unknown key among it, is refused.
 
 /// Throws Error with place and expectation for everything the format does not allow.
 [[nodiscard]] Template readTemplate(const QByteArray &bytes);
@@ -47,6 +57,12 @@ struct Template {
 /// The limits of a test as a set: what names no edition was agreed for that of the test. Empty for drift
 /// tests.
 [[nodiscard]] LimitSet limitSetOf(const Test &test);
+
+/// What a test declares; empty for drift tests.
+[[nodiscard]] Declarations declarationsOf(const Test &test);
+
+/// Takes over what is stated there and leaves the rest; false, and no change, for a drift test.
+bool applyDeclarations(Test &test, const Declarations &declarations);
 
 /// Puts a set of limits in the place of those of the test; false, and no change, for a test of another kind.
 bool applyLimitSet(Test &test, const LimitSet &set);

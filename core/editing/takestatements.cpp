@@ -23,6 +23,9 @@ void take(Conditions &conditions, const Conditions &from) {
     conditions.unloaded = from.unloaded;
     conditions.soak = from.soak;
     conditions.shielded = from.shielded;
+    conditions.temperatureControlled = from.temperatureControlled;
+    conditions.stabilised = from.stabilised;
+    conditions.instrumentCompensation = from.instrumentCompensation;
     conditions.thermalGuidelines = from.thermalGuidelines;
     conditions.expansion = from.expansion;
     conditions.correctionTo20 = from.correctionTo20;
@@ -37,6 +40,7 @@ void take(PositioningMeasurement &measurement, const PositioningMeasurement &fro
     conditions.feed = from.conditions.feed;
     conditions.feedMode = from.conditions.feedMode;
     conditions.approachDistance = from.conditions.approachDistance;
+    conditions.continuousDevice = from.conditions.continuousDevice;
     PositioningUncertaintyInputs &uncertainty = measurement.uncertainty;
     uncertainty.method = from.uncertainty.method;
     uncertainty.device = from.uncertainty.device;
@@ -78,10 +82,12 @@ void takeStatements(Test &test, const Test &from) {
         return;
     take(*conditions, *stated);
     test.decisionRule = from.decisionRule;
+    test.purpose = from.purpose;
     const bool alike = areAlike(test, from);
     if (!alike) {
         conditions->expansion.instrument.reset();
         conditions->correctionTo20 = CorrectionTo20::notStated;
+        conditions->instrumentCompensation = InstrumentCompensation::notStated;
         std::erase_if(conditions->sensors,
                       [](const Sensor &sensor) { return sensor.measures == SensorMeasures::instrument; });
     } else {

@@ -3,6 +3,7 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "export/diagnosisjson.h"
+#include "export/findingtext.h"
 #include "kernel/evaluation/targetvalue.h"
 
 #include <nlohmann/json.hpp>
@@ -42,8 +43,31 @@ const char *word(Grade grade) {
     return "";
 }
 
+const char *word(Source source) {
+    constexpr std::array words{"text", "practice", "laboratory", "program"};
+    return words.at(static_cast<std::size_t>(source));
+}
+
+const char *word(State state) {
+    return state == State::unmet ? "unmet" : "undeclared";
+}
+
+const char *word(Accordance accordance) {
+    constexpr std::array words{"notChecked", "no", "notShown", "partly", "yes"};
+    return words.at(static_cast<std::size_t>(accordance));
+}
+
 Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+/// Of a test: how it stands to its limits, apart from its accordance.
+const char *limitsWord(std::optional<Verdict> verdict) {
+    if (!verdict)
+        return "noneAgreed";
+    return *verdict == Verdict::conforms    ? "respected"
+           : *verdict == Verdict::notProven ? "notProven"
+                                            : "exceeded";
 }
 
 Json verdictWord(std::optional<Verdict> verdict) {
@@ -133,9 +157,12 @@ Json findings(const TestEvaluation &evaluation, const Language &language) {
     Json list = Json::array();
     for (const Finding &finding : evaluation.findings)
         list.push_back({{"grade", word(finding.grade)},
+                        {"source", word(finding.source)},
+                        {"state", finding.state ? Json(word(*finding.state)) : Json(nullptr)},
                         {"clause", textOrNull(finding.clause)},
                         {"id", finding.id},
-                        {"text", language.sentence(finding.message).toStdString()}});
+                        {"keys", finding.keys},
+                        {"text", findingText(finding, language).toStdString()}});
     return list;
 }
 
@@ -186,7 +213,17 @@ Json uncertainty(const UncertaintyEvaluation &evaluation) {
 void addHead(Json &test, const Test &source, const TestEvaluation &evaluation, CorrectionTo20 correction,
              const Language &language) {
     test["edition"] = evaluation.edition ? Json(evaluation.edition->word) : Json(nullptr);
-    test["inAccordance"] = evaluation.inAccordance();
+    const Accordance accordance = evaluation.accordance();
+    const RequirementCounts counts = countRequirements(evaluation.findings);
+    test["accordance"] = word(accordance);
+    test["inAccordance"] = accordance == Accordance::yes  ? Json(true)
+                           : accordance == Accordance::no ? Json(false)
+                                                          : Json(nullptr);
+    test["unmet"] = counts.unmet;
+    test["undeclared"] = counts.undeclared;
+    test["role"] = fileWord(source.role);
+    test["purpose"] = fileWord(source.purpose);
+    test["limits"] = limitsWord(evaluation.verdict);
     test["verdict"] = verdictWord(evaluation.verdict);
     test["correctionTo20"] = fileWord(correction);
     test["decisionRule"] = fileWord(source.decisionRule.rule);

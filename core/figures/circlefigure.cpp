@@ -49,13 +49,14 @@ CircleOf circleOf(Sense sense) {
 }
 
 /// The test and what of it a figure shows.
-struct Source {
+struct CircleSource {
     const CircularMeasurement &measurement;
     const CircularResults &results;
     const TestEvaluation &evaluation;
     const CircleFigureOptions &options;
 
-    Source(const Test &test, const TestEvaluation &testEvaluation, const CircleFigureOptions &figureOptions)
+    CircleSource(const Test &test, const TestEvaluation &testEvaluation,
+                 const CircleFigureOptions &figureOptions)
         : measurement(std::get<CircularMeasurement>(test.measurement))
         , results(std::get<CircularResults>(testEvaluation.results))
         , evaluation(testEvaluation)
@@ -156,7 +157,7 @@ std::vector<std::size_t> evaluatedPoints(const Arc &arc) {
 }
 
 /// The points of a further arc as those of the evaluated ones are made.
-Points pointsOf(const Arc &arc, const std::vector<std::size_t> &source, const Source &from) {
+Points pointsOf(const Arc &arc, const std::vector<std::size_t> &source, const CircleSource &from) {
     std::vector<double> angles;
     std::vector<double> distances;
     for (const std::size_t i : source) {
@@ -168,7 +169,7 @@ Points pointsOf(const Arc &arc, const std::vector<std::size_t> &source, const So
                : polarPoints(angles, distances);
 }
 
-void finish(PathProfile &profile, const Source &source, std::size_t arc) {
+void finish(PathProfile &profile, const CircleSource &source, std::size_t arc) {
     profile.arc = arc;
     profile.index = iso230_4::axisIndex(source.measurement.plane, profile.sense);
     const double correction =
@@ -181,7 +182,7 @@ void finish(PathProfile &profile, const Source &source, std::size_t arc) {
     profile.ordered = std::ranges::is_sorted(angles) || std::ranges::is_sorted(angles, std::greater<>());
 }
 
-std::vector<PathProfile> profilesOf(const Source &source) {
+std::vector<PathProfile> profilesOf(const CircleSource &source) {
     const CircularMeasurement &measurement = source.measurement;
     const CircleResult *circle = source.circle();
     const Point centre = circle ? circle->centre : Point{};
@@ -332,7 +333,7 @@ QString limitLabel(double limit, const Language &language) {
         {REPORT_TEXT("report", "limit %1"), {Number{limit, Quantity::deviation, decimals}}, {}});
 }
 
-void addEnvelope(CircleFigure &figure, const Source &source, const Language &language) {
+void addEnvelope(CircleFigure &figure, const CircleSource &source, const Language &language) {
     const Parameter *shown = source.circularDeviation();
     const CircleResult *circle = source.circle();
     if (source.radial() || !circle || !shown || !shown->value)
@@ -354,7 +355,7 @@ void addEnvelope(CircleFigure &figure, const Source &source, const Language &lan
 }
 
 /// Fmin and Fmax as circles, and their limits.
-void addRadialDeviations(CircleFigure &figure, const Source &source, const Test &test,
+void addRadialDeviations(CircleFigure &figure, const CircleSource &source, const Test &test,
                          std::span<const PathProfile> profiles, const Language &language) {
     if (!source.radial() || profiles.empty())
         return;
@@ -417,7 +418,7 @@ QString senseText(Sense sense, const std::string &index, const Language &languag
                               {}});
 }
 
-void addLegend(CircleFigure &figure, const Source &source, std::span<const PathProfile> profiles,
+void addLegend(CircleFigure &figure, const CircleSource &source, std::span<const PathProfile> profiles,
                const Language &language) {
     const auto add = [&](CircleLegendSample sample, const QString &text) {
         figure.legend.push_back({sample, text});
@@ -455,7 +456,7 @@ void addLegend(CircleFigure &figure, const Source &source, std::span<const PathP
         keyGap + keyRow * std::ceil(static_cast<double>(figure.legend.size()) / figure.keyColumns);
 }
 
-Text titleText(const Source &source, std::size_t paths) {
+Text titleText(const CircleSource &source, std::size_t paths) {
     if (source.radial())
         return REPORT_TEXT("report", "Radial deviation F, %1");
     if (source.options.of != CircleOf::both)
@@ -463,7 +464,7 @@ Text titleText(const Source &source, std::size_t paths) {
     return paths == 1 ? REPORT_TEXT("report", "Actual path, %1") : REPORT_TEXT("report", "Actual paths");
 }
 
-Message centreText(const Source &source) {
+Message centreText(const CircleSource &source) {
     if (source.aboutSetUp())
         return {REPORT_TEXT("report", "about the centre of the set-up"), {}, {}};
     if (!source.circle())
@@ -513,12 +514,12 @@ CircleScale circleScale(const Interval &deviations, double figureRadius) {
 
 std::vector<PathProfile> pathProfiles(const Test &test, const TestEvaluation &evaluation,
                                       const CircleFigureOptions &options) {
-    return profilesOf(Source(test, evaluation, options));
+    return profilesOf(CircleSource(test, evaluation, options));
 }
 
 PathProfile wholeArc(const Test &test, const TestEvaluation &evaluation, std::size_t arc) {
     const CircleFigureOptions options;
-    const Source source(test, evaluation, options);
+    const CircleSource source(test, evaluation, options);
     const Arc &measured = source.measurement.arcs[arc];
     const CircleResult *circle =
         source.results.circle(circleOf(measured.sense), ReferenceCircle::leastSquares);
@@ -538,7 +539,7 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation, co
 CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
                           std::span<const PathProfile> profiles, const Language &language,
                           const CircleFigureOptions &options) {
-    const Source source(test, evaluation, options);
+    const CircleSource source(test, evaluation, options);
     CircleFigure figure;
     figure.firstAxis = QString::fromStdString(source.measurement.plane.first);
     figure.secondAxis = QString::fromStdString(source.measurement.plane.second);
@@ -584,7 +585,7 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
 
 std::vector<CircleFigureOptions> separateCircleFigures(const Test &test, const TestEvaluation &evaluation) {
     const CircleFigureOptions options;
-    const Source source(test, evaluation, options);
+    const CircleSource source(test, evaluation, options);
     std::vector<CircleFigureOptions> result;
     if (source.results.paths.size() == 2)
         result.push_back({});
@@ -593,7 +594,7 @@ std::vector<CircleFigureOptions> separateCircleFigures(const Test &test, const T
             CircleFigureOptions one;
             one.of = circleOf(path.sense);
             one.subject = subject;
-            const Source of(test, evaluation, one);
+            const CircleSource of(test, evaluation, one);
             const Parameter *shown = of.radial() ? of.parameter("Fmax") : of.circularDeviation();
             if (shown && shown->value)
                 result.push_back(one);

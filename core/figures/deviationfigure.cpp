@@ -21,7 +21,7 @@ constexpr double mostValueTicks = 12;
 constexpr double longLinearAxis = 2000; ///< mm
 constexpr double longRotaryAxis = 360;  ///< degrees
 
-struct Source {
+struct AxisSource {
     const PositioningMeasurement &measurement;
     const PositioningResults &results;
     const TestEvaluation &evaluation;
@@ -74,7 +74,7 @@ bool wholeTravelOfLongAxis(const PositioningMeasurement &measurement, const Posi
     return travel > (measurement.axis.motion == Motion::rotary ? longRotaryAxis : longLinearAxis);
 }
 
-void addCurves(CurveFigure &figure, const Source &source, CurveRole role, auto &&mean) {
+void addCurves(CurveFigure &figure, const AxisSource &source, CurveRole role, auto &&mean) {
     bool open = false;
     for (std::size_t i = 0; i < source.targets(); ++i) {
         const double y = mean(i);
@@ -89,7 +89,7 @@ void addCurves(CurveFigure &figure, const Source &source, CurveRole role, auto &
     }
 }
 
-void addBands(CurveFigure &figure, const Source &source, Direction direction) {
+void addBands(CurveFigure &figure, const AxisSource &source, Direction direction) {
     bool open = false;
     for (std::size_t i = 0; i < source.targets(); ++i) {
         const BandPoint point{source.position(i), source.lower(i, direction), source.upper(i, direction)};
@@ -104,7 +104,7 @@ void addBands(CurveFigure &figure, const Source &source, Direction direction) {
     }
 }
 
-void addReadings(CurveFigure &figure, const Source &source) {
+void addReadings(CurveFigure &figure, const AxisSource &source) {
     int ups = 0;
     int downs = 0;
     figure.readings.reserve(source.targets() * source.measurement.runs.size());
@@ -123,7 +123,7 @@ void addReadings(CurveFigure &figure, const Source &source) {
 }
 
 /// The parameter, if the edition has it and it has a value.
-const Parameter *parameter(const Source &source, std::string_view id) {
+const Parameter *parameter(const AxisSource &source, std::string_view id) {
     for (const Parameter &candidate : source.evaluation.parameters) {
         if (candidate.term.id == id && candidate.value && candidate.ruling[0])
             return &candidate;
@@ -132,7 +132,8 @@ const Parameter *parameter(const Source &source, std::string_view id) {
 }
 
 /// A value of zero has no length to show. A limit that gave a verdict stands beside its dimension.
-void addDimension(CurveFigure &figure, const Source &source, const Parameter &shown, Dimension dimension) {
+void addDimension(CurveFigure &figure, const AxisSource &source, const Parameter &shown,
+                  Dimension dimension) {
     if (!(dimension.upper > dimension.lower))
         return;
     if (shown.verdict && shown.limit && shown.limit->value) {
@@ -146,7 +147,7 @@ void addDimension(CurveFigure &figure, const Source &source, const Parameter &sh
 }
 
 /// From the ruling place of the largest value to that of the smallest: A, E, M.
-void addSpan(CurveFigure &figure, const Source &source, std::string_view id, auto &&largest,
+void addSpan(CurveFigure &figure, const AxisSource &source, std::string_view id, auto &&largest,
              auto &&smallest) {
     const Parameter *shown = parameter(source, id);
     if (!shown || !shown->ruling[1])
@@ -162,11 +163,11 @@ void addSpan(CurveFigure &figure, const Source &source, std::string_view id, aut
 }
 
 /// R_i is the height of the limits of both directions taken together.
-void addRepeatability(CurveFigure &figure, const Source &source, std::string_view id) {
+void addRepeatability(CurveFigure &figure, const AxisSource &source, std::string_view id) {
     const Parameter *shown = parameter(source, id);
     if (!shown)
         return;
-    const std::size_t i = Source::index(*shown->ruling[0]);
+    const std::size_t i = AxisSource::index(*shown->ruling[0]);
     double lower = std::numeric_limits<double>::infinity();
     double upper = -lower;
     for (const Direction direction : source.directions()) {
@@ -181,11 +182,11 @@ void addRepeatability(CurveFigure &figure, const Source &source, std::string_vie
                  {{}, {}, lower, upper, source.position(i), source.position(i), place});
 }
 
-void addReversal(CurveFigure &figure, const Source &source) {
+void addReversal(CurveFigure &figure, const AxisSource &source) {
     const Parameter *shown = parameter(source, "B");
     if (!shown)
         return;
-    const std::size_t i = Source::index(*shown->ruling[0]);
+    const std::size_t i = AxisSource::index(*shown->ruling[0]);
     const auto [lower, upper] =
         std::minmax({source.mean(i, Direction::positive), source.mean(i, Direction::negative)});
     addDimension(
@@ -194,7 +195,7 @@ void addReversal(CurveFigure &figure, const Source &source) {
 }
 
 /// R, M, E, A from the plot outwards, and B.
-void addDimensions(CurveFigure &figure, const Source &source) {
+void addDimensions(CurveFigure &figure, const AxisSource &source) {
     if (source.targets() == 0 || (!source.results.upward && !source.results.downward))
         return;
     const Direction only = source.results.upward ? Direction::positive : Direction::negative;
@@ -203,13 +204,13 @@ void addDimensions(CurveFigure &figure, const Source &source) {
         return both ? bidirectional : only == Direction::positive ? up : down;
     };
     const auto mean = [&](const Ruling &ruling) {
-        return source.mean(Source::index(ruling), ruling.approach.value_or(only));
+        return source.mean(AxisSource::index(ruling), ruling.approach.value_or(only));
     };
     if (source.limits)
         addRepeatability(figure, source, id("R", "R+", "R-"));
     if (both) {
         const auto meanOfBoth = [&](const Ruling &ruling) {
-            return source.results.targets[Source::index(ruling)].mean() * source.scale;
+            return source.results.targets[AxisSource::index(ruling)].mean() * source.scale;
         };
         addSpan(figure, source, "M", meanOfBoth, meanOfBoth);
     }
@@ -218,17 +219,17 @@ void addDimensions(CurveFigure &figure, const Source &source) {
         addSpan(
             figure, source, id("A", "A+", "A-"),
             [&](const Ruling &ruling) {
-                return source.upper(Source::index(ruling), ruling.approach.value_or(only));
+                return source.upper(AxisSource::index(ruling), ruling.approach.value_or(only));
             },
             [&](const Ruling &ruling) {
-                return source.lower(Source::index(ruling), ruling.approach.value_or(only));
+                return source.lower(AxisSource::index(ruling), ruling.approach.value_or(only));
             });
     }
     if (both)
         addReversal(figure, source);
 }
 
-void addLegend(CurveFigure &figure, const Source &source, const Language &language) {
+void addLegend(CurveFigure &figure, const AxisSource &source, const Language &language) {
     const auto shown = [&](CurveRole role) {
         return std::any_of(figure.bands.begin(), figure.bands.end(),
                            [role](const Band &band) { return band.role == role; });
@@ -337,14 +338,14 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
     const auto &results = std::get<PositioningResults>(evaluation.results);
     const bool rotary = measurement.axis.motion == Motion::rotary;
     const double c = evaluation.edition ? evaluation.edition->c : 0;
-    const Source source{measurement,
-                        results,
-                        evaluation,
-                        rotary,
-                        unitScale(positionQuantity(measurement.axis), language.units()),
-                        unitScale(deviationQuantity(measurement.axis), language.units()),
-                        c,
-                        c > 0 && !wholeTravelOfLongAxis(measurement, results)};
+    const AxisSource source{measurement,
+                            results,
+                            evaluation,
+                            rotary,
+                            unitScale(positionQuantity(measurement.axis), language.units()),
+                            unitScale(deviationQuantity(measurement.axis), language.units()),
+                            c,
+                            c > 0 && !wholeTravelOfLongAxis(measurement, results)};
 
     CurveFigure figure;
     figure.title = language.sentence({title(evaluation.edition), {measurement.axis.name}, std::nullopt});

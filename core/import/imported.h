@@ -42,7 +42,8 @@ struct Imported {
 
     std::optional<Test> test;              ///< null for temperatures
     std::vector<Sensor> sensors;           ///< from the file
-    std::optional<double> gradientPerHour; ///< °C/h, the largest of the sensors with a series
+    std::optional<double> gradientPerHour; ///< °C/h, the largest of the sensors of the air with a series
+    std::optional<double> seriesStart;     ///< of a dated series: s since 1970, by its own clock
     Machine machine;                       ///< what the file says of it; empty = not stated
     std::optional<Instrument> instrument;  ///< likewise; its id is not set
     std::string operatorName;

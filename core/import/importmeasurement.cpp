@@ -4,7 +4,9 @@
 #include "document/edits.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
+#include "import/dates.h"
 #include "import/doubts.h"
+#include "import/headings.h"
 #include "import/readers.h"
 
 #include <QCryptographicHash>
@@ -98,14 +100,27 @@ void demandSense(const Test &test) {
                          "there are numbers in it that no machine has; check units and decimal mark")});
 }
 
+/// Hours of the series before the test; nothing where one of the two is not dated.
+std::optional<double> hoursBefore(const Test &test, const Imported &imported) {
+    const auto date = test.date ? dayOf(*test.date) : std::nullopt;
+    const auto time = test.time ? clockTime(*test.time) : std::nullopt;
+    if (!date || !time || !imported.seriesStart)
+        return std::nullopt;
+    constexpr double hour = 3600;
+    const double start = static_cast<double>(*date) * 24 * hour + *time;
+    return std::max(0.0, std::floor((start - *imported.seriesStart) / hour * 100 + 1e-6) / 100);
+}
+
 void addTemperatures(Test &test, const Imported &imported, const ImportedFile &file) {
     Conditions *conditions = conditionsOf(test);
     if (!conditions)
         return;
     conditions->sensors.insert(conditions->sensors.end(), imported.sensors.begin(), imported.sensors.end());
     if (auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
-        positioning && imported.gradientPerHour)
+        positioning && imported.gradientPerHour) {
         positioning->conditions.gradientPerHour = imported.gradientPerHour;
+        positioning->conditions.gradientHoursBefore = hoursBefore(test, imported);
+    }
     test.imports.push_back(file);
 }
 

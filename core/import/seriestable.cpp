@@ -240,12 +240,15 @@ private:
                 Error::Kind::content,
                 {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
         const double first = m_times.front();
+        if (m_isDated)
+            m.result.seriesStart = first;
         for (double &time : m_times)
             time = m_clock ? time - first : time;
     }
 
     void readTemperatures() {
         m.choices.settle("kind", "temperatures", Origin::recognised);
+        bool air = false;
         for (const std::size_t column : m_values) {
             Sensor sensor;
             sensor.position = withoutUnit(m.body.columns[column].heading);
@@ -260,7 +263,10 @@ private:
             }
             if (series.times.empty())
                 continue;
-            const auto gradient = gradientPerHour(series);
+            // The editions speak of the environment.
+            const bool ofAir = sensor.measures == SensorMeasures::air;
+            air = air || ofAir;
+            const auto gradient = ofAir ? gradientPerHour(series) : std::nullopt;
             if (gradient)
                 m.result.gradientPerHour = std::max(m.result.gradientPerHour.value_or(0), *gradient);
             m.remark(RemarkGrade::assumption,
@@ -277,7 +283,8 @@ private:
                                          {Number{*m.result.gradientPerHour, Quantity::gradient, 2}}});
         else
             m.remark(RemarkGrade::note,
-                     {REPORT_TEXT("report", "The series is shorter than an hour: no gradient per hour.")});
+                     {air ? REPORT_TEXT("report", "The series is shorter than an hour: no gradient per hour.")
+                          : REPORT_TEXT("report", "No sensor is of the air: no gradient per hour.")});
     }
 
     void readDrift() {

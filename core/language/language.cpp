@@ -128,6 +128,8 @@ QString Language::argument(const Argument &argument) const {
         return quantity(number->value, number->quantity, number->decimals);
     if (const auto *word = std::get_if<Text>(&argument))
         return text(*word);
+    if (const auto *day = std::get_if<Date>(&argument))
+        return date(day->iso);
     return QString::fromStdString(std::get<std::string>(argument));
 }
 

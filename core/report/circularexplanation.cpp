@@ -1,5 +1,6 @@
 #include "report/circularexplanation.h"
 
+#include "export/findingtext.h"
 #include "figures/circlefigure.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/evaluation/iso230_4/parameters.h"
@@ -17,7 +18,6 @@ using namespace iso230_4;
 
 constexpr int leastDecimals = 2; ///< of what is put in: 0.01 µm, as statistics per target have them
 constexpr int angleDecimals = 1; ///< of the ruling points
-constexpr std::array whyNoValue{"noValue", "arcs", "centring", "minimumZone", "referenceLength"};
 
 /// How one function of parameters.h is explained. In the formulas stand
 ///   %s symbol of the parameter    [=]  the result with its unit
@@ -277,9 +277,8 @@ private:
     [[nodiscard]] QStringList reasons() const {
         QStringList result;
         for (const Finding &finding : m_evaluation.findings) {
-            if (finding.grade == Grade::requirement &&
-                std::ranges::find(whyNoValue, std::string_view(finding.id)) != whyNoValue.end())
-                result << m_language.sentence(finding.message);
+            if (finding.explains == Explains::missingValues)
+                result << findingText(finding, m_language);
         }
         return result;
     }

@@ -329,9 +329,9 @@ void addActualPaths(std::vector<Block> &blocks, const CircularPart &part) {
     const QString about = figure.centre;
     SideBySide both = besideFigure(std::move(figure));
     Phrase clause;
-    if (*part.edition().statementsClause != 0)
+    if (*part.edition().parametersClause != 0)
         clause =
-            write.say(REPORT_TEXT("report", "clause %1"), {std::string(part.edition().statementsClause)});
+            write.say(REPORT_TEXT("report", "clause %1"), {std::string(part.edition().parametersClause)});
     both.right.emplace_back(Heading{2, write.text(REPORT_TEXT("report", "Test parameters")), clause});
     both.right.emplace_back(parameterRows(part));
     const Expansion &expansion = part.measurement.conditions.common.expansion;

@@ -1,6 +1,7 @@
 #include "report/conditionparts.h"
 
 #include "figures/linefigure.h"
+#include "kernel/evaluation/agreedpoints.h"
 #include "report/uncertaintyparts.h"
 #include "report/wording.h"
 
@@ -28,15 +29,29 @@ QString stated(const Writer &write, std::optional<bool> value, const Text &yes, 
     return value ? write.text(*value ? yes : no) : QString();
 }
 
+QString specifiedText(const Writer &write, SpecifiedBy by) {
+    switch (by) {
+    case SpecifiedBy::notStated:
+        break;
+    case SpecifiedBy::maker:
+        return write.text(REPORT_TEXT("report", "as the maker specifies"));
+    case SpecifiedBy::agreement:
+        return write.text(REPORT_TEXT("report", "as agreed"));
+    }
+    return {};
+}
+
 QString warmUpText(const Writer &write, const WarmUp &warmUp) {
     const QString text = QString::fromStdString(warmUp.text);
+    const QString by = specifiedText(write, warmUp.specifiedBy);
     switch (warmUp.kind) {
     case WarmUpKind::notStated:
-        return text;
+        return joined({by, text});
     case WarmUpKind::procedure:
-        return joined({write.text(REPORT_TEXT("report", "agreed or maker’s procedure")), text});
+        return joined(
+            {by.isEmpty() ? write.text(REPORT_TEXT("report", "agreed or maker’s procedure")) : by, text});
     case WarmUpKind::dryRun:
-        return joined({write.text(REPORT_TEXT("report", "dry run")), text});
+        return joined({write.text(REPORT_TEXT("report", "dry run")), by, text});
     case WarmUpKind::setUpOnly:
         return joined({write.text(REPORT_TEXT("report", "set-up movements only")), text});
     }
@@ -55,7 +70,9 @@ QString targetChoiceText(const PositioningPart &part) {
         texts << write.text(REPORT_TEXT("report", "chosen freely"));
         break;
     case TargetChoiceKind::polygon:
-        texts << write.text(REPORT_TEXT("report", "faces of the polygon"));
+        texts << (choice.faces ? write.say(REPORT_TEXT("report", "polygon of %1 faces"),
+                                           {Number{static_cast<double>(*choice.faces), Quantity::count, 0}})
+                               : write.text(REPORT_TEXT("report", "faces of the polygon")));
         break;
     case TargetChoiceKind::fixed:
         texts << write.text(REPORT_TEXT("report", "fixed by the instrument"));
@@ -132,7 +149,62 @@ void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions
                        REPORT_TEXT("report", "not levelled"))}));
 }
 
+QString compensationText(const Writer &write, InstrumentCompensation compensation) {
+    switch (compensation) {
+    case InstrumentCompensation::notStated:
+        break;
+    case InstrumentCompensation::on:
+        return write.text(REPORT_TEXT_FOR("report", "switched on", "compensation"));
+    case InstrumentCompensation::off:
+        return write.text(REPORT_TEXT_FOR("report", "switched off", "compensation"));
+    case InstrumentCompensation::none:
+        return write.text(REPORT_TEXT("report", "the instrument has none"));
+    }
+    return {};
+}
+
+QString purposeText(const Writer &write, Purpose purpose) {
+    switch (purpose) {
+    case Purpose::notStated:
+        break;
+    case Purpose::type:
+        return write.text(REPORT_TEXT("report", "type test"));
+    case Purpose::acceptance:
+        return write.text(REPORT_TEXT_FOR("report", "acceptance", "purpose"));
+    case Purpose::comparison:
+        return write.text(REPORT_TEXT_FOR("report", "comparison", "purpose"));
+    case Purpose::periodic:
+        return write.text(REPORT_TEXT("report", "periodic check"));
+    case Purpose::compensation:
+        return write.text(REPORT_TEXT_FOR("report", "compensation", "purpose"));
+    case Purpose::afterRepair:
+        return write.text(REPORT_TEXT("report", "after repair"));
+    case Purpose::afterCollision:
+        return write.text(REPORT_TEXT("report", "after collision"));
+    case Purpose::other:
+        return write.text(REPORT_TEXT("report", "other purpose"));
+    }
+    return {};
+}
+
+void addPurpose(ConditionRows &rows, const TestPart &part) {
+    const Text role = roleText(part.test.role);
+    QStringList texts{purposeText(part.write, part.test.purpose),
+                      role.empty() ? QString() : part.write.text(role)};
+    texts.removeAll(QString());
+    rows.addStated(REPORT_TEXT("report", "Purpose of the test"), texts.join(QStringLiteral(", ")));
+}
+
 void addThermalPreparation(ConditionRows &rows, const Writer &write, const Conditions &conditions) {
+    rows.addStated(REPORT_TEXT("report", "Room temperature"),
+                   stated(write, conditions.temperatureControlled, REPORT_TEXT("report", "can be controlled"),
+                          REPORT_TEXT("report", "cannot be controlled")));
+    rows.addStated(REPORT_TEXT("report", "Before the test"),
+                   stated(write, conditions.stabilised,
+                          REPORT_TEXT("report", "machine and instruments thermally stable"),
+                          REPORT_TEXT("report", "machine or instruments not thermally stable")));
+    rows.addStated(REPORT_TEXT("report", "Compensation by the instrument"),
+                   compensationText(write, conditions.instrumentCompensation));
     rows.addStated(REPORT_TEXT("report", "Soak"), conditions.soak);
     rows.addStated(REPORT_TEXT("report", "Thermal shielding"), yesNo(write, conditions.shielded));
     rows.addStated(REPORT_TEXT("report", "Maker’s thermal guidelines"), conditions.thermalGuidelines);
@@ -145,6 +217,7 @@ KeyValues conditionRows(const PositioningPart &part) {
     const Quantity feed =
         part.measurement.axis.motion == Motion::linear ? Quantity::feed : Quantity::angularFeed;
     ConditionRows rows(write);
+    addPurpose(rows, part);
     rows.add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
     QString feedText = write.quantity(conditions.feed, feed);
     if (conditions.feedMode == FeedMode::rapid)
@@ -161,11 +234,45 @@ KeyValues conditionRows(const PositioningPart &part) {
     rows.add(REPORT_TEXT("report", "Choice of targets"), targetChoiceText(part));
     if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
         rows.add(REPORT_TEXT("report", "Target positions"), targetList(part)); // in the tables otherwise
+    const auto &element = part.measurement.axis.scaleElement;
+    if (element)
+        rows.add(REPORT_TEXT("report", "Element of the scale"),
+                 *element > 0 ? write.quantity(element, Quantity::position)
+                              : write.text(REPORT_TEXT_FOR("report", "continuous", "scale")));
+    rows.addStated(REPORT_TEXT("report", "Continuous device"), yesNo(write, conditions.continuousDevice));
     if (conditions.referencePosition)
         rows.add(REPORT_TEXT("report", "Zero of displacement"),
                  write.quantity(conditions.referencePosition, part.along()));
     addThermalPreparation(rows, write, common);
+    if (conditions.gradientHoursBefore)
+        rows.add(REPORT_TEXT("report", "Temperature gradient"),
+                 write.say(REPORT_TEXT("report", "over the %1 h before the test and during it"),
+                           {Number{*conditions.gradientHoursBefore, Quantity::number, -1}}));
     return rows.take();
+}
+
+/// The circle as it was specified.
+QString specifiedCircle(const CircularPart &part) {
+    const SpecifiedCircle &circle = part.measurement.specified;
+    QStringList texts;
+    if (circle.diameter)
+        texts << part.write.say(REPORT_TEXT("report", "diameter %1"),
+                                {Number{*circle.diameter, Quantity::position, -1}});
+    if (circle.feed)
+        texts << part.write.say(REPORT_TEXT_FOR("report", "feed %1", "contouring"),
+                                {Number{*circle.feed, Quantity::feed, -1}});
+    return texts.join(part.write.semicolon());
+}
+
+/// What the evaluated ranges leave out, as stated of each arc.
+QString leftOut(const CircularPart &part) {
+    QStringList texts;
+    for (const EvaluatedPath &path : part.results.paths) {
+        const QString text = QString::fromStdString(part.measurement.arcs[path.arc].cutOff);
+        if (!text.isEmpty() && !texts.contains(text))
+            texts << text;
+    }
+    return texts.join(u'\n');
 }
 
 QString angleReferenceText(const CircularPart &part) {
@@ -186,8 +293,11 @@ KeyValues conditionRows(const CircularPart &part) {
     const CircularConditions &conditions = part.measurement.conditions;
     const Conditions &common = conditions.common;
     ConditionRows rows(write);
+    addPurpose(rows, part);
     rows.add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
     addLoadAndState(rows, part, common);
+    rows.addStated(REPORT_TEXT("report", "Specified circle"), specifiedCircle(part));
+    rows.addStated(REPORT_TEXT("report", "Left out"), leftOut(part));
     rows.addStated(REPORT_TEXT("report", "Instrument"), common.instrumentPosition);
     rows.addStated(REPORT_TEXT("report", "Angles"), angleReferenceText(part));
     if (!part.feedback() && part.results.paths.size() > 1)
@@ -383,6 +493,21 @@ void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
     addTemperatureCurve(blocks, part, conditions.sensors);
 }
 
+/// The text of an agreement; the number behind it unless the text says it.
+QString agreedText(const TestPart &part, const AgreedPoint &agreed) {
+    QString text = QString::fromStdString(agreed.text);
+    if (!agreed.value)
+        return text;
+    const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
+    const bool rotary = positioning && positioning->axis.motion == Motion::rotary;
+    const Quantity quantity = agreed.point == "gradient" ? Quantity::gradient
+                              : agreed.point != "feed"   ? Quantity::number
+                              : rotary                   ? Quantity::angularFeed
+                                                         : Quantity::feed;
+    const QString value = part.write.language().quantity(*agreed.value, quantity);
+    return text.contains(value) ? text : text.isEmpty() ? value : value + part.write.semicolon() + text;
+}
+
 void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
     const Edition &edition = part.edition();
     if (edition.points.empty())
@@ -411,28 +536,25 @@ void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
     for (const AgreementPoint &point : edition.points) {
         const auto found = std::ranges::find(part.test.agreedPoints, point.point, &AgreedPoint::point);
         const bool listed = found != part.test.agreedPoints.end();
-        const AgreementState state = listed ? found->state : AgreementState::notAgreed;
         Cell agreement;
-        switch (state) {
-        case AgreementState::agreed:
+        if (roleOf(point, part.test) == PointRole::notApplicable) {
+            agreement = write.text(REPORT_TEXT("report", "not applicable"));
+        } else if (!listed) {
+            agreement = write.text(REPORT_TEXT("report", "not declared"));
+        } else if (found->state == AgreementState::agreed) {
             agreement = write.text(REPORT_TEXT("report", "agreed"));
             agreement.mark = Mark::check;
-            break;
-        case AgreementState::notAgreed:
+        } else {
             agreement = write.text(REPORT_TEXT("report", "not agreed"));
             agreement.mark = Mark::cross;
             agreement.bold = true;
-            break;
-        case AgreementState::notApplicable:
-            agreement = write.text(REPORT_TEXT("report", "not applicable"));
-            break;
         }
         std::vector<Cell> row;
         if (letters)
             row.emplace_back(QString::fromUtf8(point.letter) + u')');
         row.emplace_back(write.text(point.name));
         row.push_back(agreement);
-        row.emplace_back(listed ? QString::fromStdString(found->text) : QString());
+        row.emplace_back(listed ? agreedText(part, *found) : QString());
         table.rows.push_back(std::move(row));
     }
     addHeading(blocks, write.text(REPORT_TEXT("report", "Points to be agreed")), note);
@@ -444,7 +566,10 @@ void addUncertainty(std::vector<Block> &blocks, const TestPart &part, Uncertaint
         return;
     const Writer &write = part.write;
     const auto &findings = part.evaluation.findings;
-    const bool asked = std::ranges::find(findings, "uncertainty", &Finding::id) != findings.end();
+    const auto found = std::ranges::find_if(findings, [](const Finding &finding) {
+        return finding.explains == Explains::missingUncertainty && finding.source == Source::text;
+    });
+    const bool asked = found != findings.end();
     const bool any = std::ranges::any_of(
         part.evaluation.parameters, [](const Parameter &p) { return p.expandedUncertainty.has_value(); });
     if (!asked && (!any || usesBudget(part.evaluation)))
@@ -457,11 +582,18 @@ void addUncertainty(std::vector<Block> &blocks, const TestPart &part, Uncertaint
     if (any && method == UncertaintyMethod::direct)
         words << write.text(REPORT_TEXT(
             "report", "The expanded uncertainties U beside the results were stated by the laboratory."));
-    if (asked)
+    if (asked && found->grade == Grade::requirement)
         words << write.say(
             any ? REPORT_TEXT("report",
                               "%1 asks for the uncertainty beside every result; some are not stated.")
                 : REPORT_TEXT("report", "%1 asks for the uncertainty beside every result; none is stated."),
+            {std::string(part.edition().word)});
+    else if (asked)
+        words << write.say(
+            any ? REPORT_TEXT("report", "%1 recommends stating the uncertainty beside every result; some are "
+                                        "not stated.")
+                : REPORT_TEXT("report",
+                              "%1 recommends stating the uncertainty beside every result; none is stated."),
             {std::string(part.edition().word)});
     blocks.emplace_back(Paragraph{words.join(u' ')});
 }

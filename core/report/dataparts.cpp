@@ -1,8 +1,8 @@
 #include "report/dataparts.h"
 
+#include "kernel/evaluation/instrumentresult.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "language/rounding.h"
-#include "report/instrumentresult.h"
 #include "report/printednumbers.h"
 #include "report/wording.h"
 

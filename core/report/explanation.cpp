@@ -1,10 +1,11 @@
 #include "report/explanation.h"
 
+#include "export/findingtext.h"
 #include "figures/budgetfigure.h"
+#include "kernel/evaluation/instrumentresult.h"
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "report/circularexplanation.h"
-#include "report/instrumentresult.h"
 #include "report/printednumbers.h"
 #include "report/wording.h"
 
@@ -290,8 +291,8 @@ private:
 
     [[nodiscard]] QString whyNoValue() const {
         for (const Finding &finding : m_evaluation.findings) {
-            if (finding.id == "noValue")
-                return m_language.sentence(finding.message);
+            if (finding.explains == Explains::missingValues)
+                return findingText(finding, m_language);
         }
         return {};
     }

@@ -1,6 +1,8 @@
 #include "report/headparts.h"
 
+#include "document/testsofverdict.h"
 #include "kernel/evaluation/conformity.h"
+#include "report/accordancetext.h"
 #include "report/resultparts.h"
 #include "report/wording.h"
 
@@ -291,25 +293,32 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
                      {write.text(REPORT_TEXT("report", "Edition")), {}, Alignment::left, false, 34},
                      {write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, 42}};
     std::optional<Verdict> verdict;
-    double outside = 0;
+    std::vector<Accordance> accordances;
     for (const TestPart &part : parts) {
         const TestEvaluation &evaluation = part.evaluation;
-        verdict = worst(verdict, evaluation.verdict);
-        const bool inAccordance = evaluation.inAccordance();
-        outside += inAccordance ? 0 : 1;
+        const Accordance accordance = evaluation.accordance();
+        const bool counts = countsForVerdict(document, part.index);
+        if (counts) {
+            verdict = worst(verdict, evaluation.verdict);
+            accordances.push_back(accordance);
+        }
         Cell word;
         word.text.spans.push_back({write.text(verdictWord(evaluation.verdict, hasLimits(part.test)))});
         word.text.spans.back().bold = evaluation.verdict == Verdict::doesNotConform;
         if (evaluation.verdict)
             word.mark = markOf(*evaluation.verdict);
-        if (!inAccordance) {
-            word.text.spans.push_back(
-                {u'\n' + write.text(REPORT_TEXT("report", "NOT in accordance with the edition"))});
-            word.text.spans.back().bold = true;
+        if (const Text words = accordanceWords(accordance); !words.empty()) {
+            word.text.spans.push_back({u'\n' + write.text(words)});
+            word.text.spans.back().bold = accordance == Accordance::no;
         }
         table.links.push_back(part.headAnchor());
+        if (!counts)
+            word.text.spans.push_back(
+                {u'\n' + write.text(REPORT_TEXT("report", "for information, not part of the verdict"))});
+        const Text role = roleText(part.test.role);
         table.rows.push_back({QString::number(part.number),
-                              joined({testName(write, part.test), QString::fromStdString(part.test.title)},
+                              joined({testName(write, part.test), QString::fromStdString(part.test.title),
+                                      role.empty() ? QString() : write.text(role)},
                                      QStringLiteral("\n")),
                               dateText(write, part.test.date), QString::fromUtf8(part.edition().word), word});
     }
@@ -317,22 +326,21 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
     blocks.emplace_back(std::move(table));
 
     VerdictLine line;
-    line.verdict = verdict;
+    const Accordance weakest =
+        std::ranges::find(accordances, Accordance::no) != accordances.end()         ? Accordance::no
+        : std::ranges::find(accordances, Accordance::notShown) != accordances.end() ? Accordance::notShown
+                                                                                    : Accordance::yes;
+    line.verdict = largeMark(verdict, weakest);
     line.label = write.text(REPORT_TEXT("report", "Verdict of the report"));
     const bool anyLimit =
         std::ranges::any_of(parts, [](const TestPart &part) { return hasLimits(part.test); });
-    line.word = write.text(verdictWord(verdict, anyLimit)).toUpper();
+    line.word = write.text(largeWord(verdict, anyLimit, weakest)).toUpper();
     line.reason = write.text(
         verdict    ? REPORT_TEXT("report", "The worst verdict of the tests.")
         : anyLimit ? REPORT_TEXT("report", "The limits agreed do not hold for these tests: no verdict.")
                    : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
-    line.inAccordance = outside == 0;
-    const Number all{static_cast<double>(parts.size()), Quantity::count, 0};
-    line.accordance =
-        outside == 0
-            ? write.text(REPORT_TEXT("report", "All tests carried out in accordance with their editions."))
-            : write.say(REPORT_TEXT("report", "Tests NOT in accordance with their edition: %1 of %2."),
-                        {Number{outside, Quantity::count, 0}, all});
+    line.inAccordance = weakest != Accordance::no;
+    line.accordance = accordanceOfAll(accordances, write.language());
     blocks.emplace_back(std::move(line));
 }
 

@@ -61,9 +61,12 @@ public:
         cells({QString(verdict.accordance).replace(QLatin1String("%1"), QString(dash))});
     }
     void operator()(const FindingsBlock &findings) {
-        for (const FindingLine &finding : findings.lines)
+        for (const FindingLine &finding : findings.lines) {
+            if (!finding.heading.isEmpty())
+                cells({finding.heading});
             cells({finding.gradeName, finding.sentence,
                    finding.clause.isEmpty() ? QString(dash) : finding.clause});
+        }
     }
     void operator()(const Signatures &signatures) {
         for (const SignatureColumn &column : signatures.columns) {

@@ -229,6 +229,8 @@ public:
             clause = std::max(clause, displayWidth(orDash(line.clause)));
         }
         for (const FindingLine &line : findings.lines) {
+            if (!line.heading.isEmpty())
+                m_lines << wrapped(line.heading, m_width);
             const QString label = padded(line.gradeName, grade + 2, Alignment::left) + orDash(line.clause);
             m_lines << hanging(label, line.sentence, grade + 2 + clause + 2, m_width);
         }

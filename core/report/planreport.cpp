@@ -32,13 +32,17 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
     add(REPORT_TEXT("report", "Nominal interval"),
         joined(language, plan.interval, position, request.decimals));
     add(REPORT_TEXT("report", "Random part"),
-        request.rule == TargetRule::pitches1988 && request.period
+        request.rule == TargetRule::pitches1988 && !plan.boundOf2006 && request.period
             ? language.sentence({REPORT_TEXT("report", "P = (N + r)·p, p = %1"),
                                  {Number{*request.period, position, -1}},
                                  {}})
             : language.sentence({REPORT_TEXT("report", "± %1, new for every target"),
                                  {Number{plan.randomPart, position, request.decimals}},
                                  {}}));
+    if (plan.boundOf2006)
+        add(REPORT_TEXT("report", "Rule"),
+            language.text(REPORT_TEXT("report", "that of ISO 230-2:2006: ISO 230-2:1988 has none for an "
+                                                "unknown or long cyclic pitch")));
     add(REPORT_TEXT("report", "Seed"), QString::number(request.seed));
     add(REPORT_TEXT("report", "Cycle"),
         language.text(program.cycle == Cycle::standard ? REPORT_TEXT("report", "standard test cycle")

@@ -237,8 +237,10 @@ struct VerdictLine {
     bool operator==(const VerdictLine &) const = default;
 };
 
-/// One finding in words. Order of the text: grade, sentence, clause.
+/// Findings in words, those of one clause and state together. Order of the text: heading, grade, sentence,
+/// clause.
 struct FindingLine {
+    QString heading = {}; ///< of the first of a source: what follows it comes from there
     Grade grade = Grade::note;
     QString gradeName;
     QString clause; ///< "4.3.2"; empty where it is not known: a dash

@@ -1,4 +1,7 @@
 #include "report/resultparts.h"
+#include "export/findingtext.h"
+#include "report/accordancetext.h"
+#include "report/findinglines.h"
 
 #include "figures/deviationfigure.h"
 #include "kernel/evaluation/conformity.h"
@@ -502,27 +505,16 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
 VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &results) {
     const TestEvaluation &evaluation = part.evaluation;
     VerdictLine line;
-    line.verdict = evaluation.verdict;
+    line.verdict = largeMark(evaluation.verdict, evaluation.accordance());
     line.label = part.write.text(REPORT_TEXT("report", "Verdict of the test"));
-    line.word = part.write.text(verdictWord(evaluation.verdict, hasLimits(part.test))).toUpper();
+    line.word = part.write.text(largeWord(evaluation.verdict, hasLimits(part.test), evaluation.accordance()))
+                    .toUpper();
     line.reason = reason(part, results);
-    line.inAccordance = evaluation.inAccordance();
-    const QString standard = standardName(part.write, QString::fromUtf8(part.edition().word));
-    if (line.inAccordance) {
-        line.accordance =
-            part.write.say(REPORT_TEXT("report", "Test carried out in accordance with %1."), standard);
-        return line;
-    }
-    const auto unmet = std::ranges::count(evaluation.findings, Grade::requirement, &Finding::grade);
-    line.accordance = part.write.language().sentence(
-        {REPORT_TEXT_COUNTED("report", "Test NOT in accordance with %1: %n requirement(s) not met"),
-         {standard.toStdString()},
-         static_cast<int>(unmet)});
-    if (!part.leavesOut(ReportPart::findings)) {
+    line.inAccordance = evaluation.accordance() != Accordance::no;
+    const bool listed = !part.leavesOut(ReportPart::findings);
+    line.accordance = accordanceText(part.test, evaluation, part.write.language(), listed);
+    if (line.accordance.contains(QLatin1String("%1")))
         line.anchor = part.findingsAnchor();
-        line.accordance += QStringLiteral(", ") + part.write.text(REPORT_TEXT("report", "see page %1"));
-    }
-    line.accordance += u'.';
     return line;
 }
 
@@ -542,6 +534,29 @@ Text verdictWord(std::optional<Verdict> verdict, bool anyLimit) {
     if (verdict)
         return verdictText(*verdict);
     return anyLimit ? REPORT_TEXT("report", "no verdict") : REPORT_TEXT("report", "no limit agreed");
+}
+
+Text largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance) {
+    if (!verdict || (accordance != Accordance::no && accordance != Accordance::notShown))
+        return verdictWord(verdict, anyLimit);
+    switch (*verdict) {
+    case Verdict::conforms:
+        break;
+    case Verdict::notProven:
+        return REPORT_TEXT("report", "limits not proven");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT("report", "limits exceeded");
+    }
+    return accordance == Accordance::no ? REPORT_TEXT("report", "no verdict")
+                                        : REPORT_TEXT("report", "limits met");
+}
+
+std::optional<Verdict> largeMark(std::optional<Verdict> verdict, Accordance accordance) {
+    if (verdict != Verdict::conforms)
+        return verdict;
+    if (accordance == Accordance::no)
+        return std::nullopt;
+    return accordance == Accordance::notShown ? std::optional(Verdict::notProven) : verdict;
 }
 
 bool hasLimits(const Test &test) {
@@ -581,11 +596,10 @@ void addResults(std::vector<Block> &blocks, const CircularPart &part) {
 
 void addFindings(std::vector<Block> &blocks, const TestPart &part) {
     if (part.leavesOut(ReportPart::findings)) {
-        // That readings are stand-ins is said wherever they are shown.
+        // That readings are substitutes is said wherever they are shown.
         for (const Finding &finding : part.evaluation.findings) {
-            if (finding.id == "workedExample")
-                blocks.emplace_back(
-                    Paragraph{part.write.language().sentence(finding.message), TextSize::small});
+            if (finding.explains == Explains::substituteReadings)
+                blocks.emplace_back(Paragraph{findingText(finding, part.write.language()), TextSize::small});
         }
         return;
     }
@@ -593,15 +607,7 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part) {
         blocks, part.write.text(REPORT_TEXT("report", "Findings")),
         part.write.text(REPORT_TEXT("report", "what the edition asks for and this test does not have")),
         part.findingsAnchor());
-    FindingsBlock block;
-    for (const Grade grade : {Grade::requirement, Grade::recommendation, Grade::note}) {
-        for (const Finding &finding : part.evaluation.findings) {
-            if (finding.grade == grade)
-                block.lines.push_back({grade, part.write.text(gradeText(grade)),
-                                       clauseText(finding.clause, part.write.language()),
-                                       part.write.language().sentence(finding.message)});
-        }
-    }
+    FindingsBlock block = findingLines(part.evaluation, part.write.language());
     if (block.lines.empty())
         blocks.emplace_back(Paragraph{part.write.text(REPORT_TEXT("report", "No findings."))});
     else

@@ -8,6 +8,14 @@ namespace palmer {
 /// hold.
 [[nodiscard]] Text verdictWord(std::optional<Verdict> verdict, bool anyLimit);
 
+/// The large word of a verdict line. "Conforms" and its likes stand only where no requirement is known to be
+/// unmet or was not declared; there the word is of the limits alone, and with an unmet requirement there is
+/// no verdict on limits that are respected.
+[[nodiscard]] Text largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance);
+
+/// What the mark beside the large word says; none where it has none.
+[[nodiscard]] std::optional<Verdict> largeMark(std::optional<Verdict> verdict, Accordance accordance);
+
 /// Whether any limit was agreed for the test, for whatever edition.
 [[nodiscard]] bool hasLimits(const Test &test);
 

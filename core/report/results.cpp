@@ -1,7 +1,9 @@
 #include "report/results.h"
 
 #include "kernel/evaluation/targetvalue.h"
+#include "report/accordancetext.h"
 #include "report/diagnosisparts.h"
+#include "report/findinglines.h"
 #include "report/printednumbers.h"
 #include "report/wording.h"
 
@@ -47,7 +49,7 @@ public:
     void addFindingsOf(const Test &test, const TestEvaluation &evaluation) {
         addTitle(test, evaluation);
         if (evaluation.edition)
-            m_report.blocks.emplace_back(Paragraph{accordance(evaluation)});
+            m_report.blocks.emplace_back(Paragraph{accordanceText(test, evaluation, m_language, false)});
         addFindings(evaluation);
     }
 
@@ -305,17 +307,6 @@ private:
 
     // ---- Verdict and findings --------------------------------------------------------------------------
 
-    [[nodiscard]] QString accordance(const TestEvaluation &evaluation) const {
-        const auto unmet = std::ranges::count(evaluation.findings, Grade::requirement, &Finding::grade);
-        const std::string word = evaluation.edition->word;
-        if (unmet == 0)
-            return say(REPORT_TEXT("report", "In accordance with %1."), {word});
-        return m_language.sentence(
-            {REPORT_TEXT_COUNTED("report", "NOT in accordance with %1: %n requirement(s) not met."),
-             {word},
-             static_cast<int>(unmet)});
-    }
-
     [[nodiscard]] VerdictLine verdictLine(const Test &test, const TestEvaluation &evaluation) const {
         QString limits = text(REPORT_TEXT("report", "Limits: no verdict."));
         if (evaluation.verdict)
@@ -323,7 +314,12 @@ private:
                          {verdictText(*evaluation.verdict), ruleOf(test).toStdString()});
         else if (test.limits.empty())
             limits = text(REPORT_TEXT("report", "Limits: none agreed, no verdict."));
-        return {evaluation.verdict, {}, {}, limits, evaluation.inAccordance(), accordance(evaluation)};
+        return {evaluation.verdict,
+                {},
+                {},
+                limits,
+                evaluation.accordance() != Accordance::no,
+                accordanceText(test, evaluation, m_language, false)};
     }
 
     void addFindings(const TestEvaluation &evaluation) {
@@ -331,15 +327,7 @@ private:
             m_report.blocks.emplace_back(Paragraph{text(REPORT_TEXT("report", "No findings."))});
             return;
         }
-        FindingsBlock block;
-        for (const Grade grade : {Grade::requirement, Grade::recommendation, Grade::note}) {
-            for (const Finding &finding : evaluation.findings) {
-                if (finding.grade == grade)
-                    block.lines.push_back({grade, text(gradeText(grade)),
-                                           clauseText(finding.clause, m_language),
-                                           m_language.sentence(finding.message)});
-            }
-        }
+        FindingsBlock block = findingLines(evaluation, m_language);
         m_report.blocks.emplace_back(Heading{2, text(REPORT_TEXT("report", "Findings"))});
         m_report.blocks.emplace_back(std::move(block));
     }

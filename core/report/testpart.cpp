@@ -49,13 +49,6 @@ QString CircularPart::plane() const {
     return QString::fromStdString(axes.empty() ? "–" : axes);
 }
 
-QString standardName(const Writer &write, const QString &word) {
-    const QLatin1String iso("ISO ");
-    if (!word.startsWith(iso))
-        return word;
-    return write.say(REPORT_TEXT_FOR("report", "ISO %1", "after a preposition"), word.mid(iso.size()));
-}
-
 QString testName(const Writer &write, const Test &test) {
     const auto nameOr = [](const std::string &name) {
         return QString::fromStdString(name.empty() ? "–" : name);

@@ -82,9 +82,6 @@ struct CircularPart : TestPart {
     [[nodiscard]] QString plane() const;
 };
 
-/// "ISO 230-2:2006" as it stands after a preposition: with its article where the language has one.
-[[nodiscard]] QString standardName(const Writer &write, const QString &word);
-
 /// "Positioning test of the X axis".
 [[nodiscard]] QString testName(const Writer &write, const Test &test);
 

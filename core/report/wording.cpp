@@ -42,6 +42,18 @@ Text gradeText(Grade grade) {
     return {};
 }
 
+Text roleText(TestRole role) {
+    switch (role) {
+    case TestRole::notStated:
+        break;
+    case TestRole::asFound:
+        return REPORT_TEXT("report", "as found");
+    case TestRole::asLeft:
+        return REPORT_TEXT("report", "as left");
+    }
+    return {};
+}
+
 Text correctionText(CorrectionTo20 correction) {
     switch (correction) {
     case CorrectionTo20::notStated:
@@ -57,10 +69,33 @@ Text correctionText(CorrectionTo20 correction) {
 }
 
 QString clauseText(const std::string &clause, const Language &language) {
-    constexpr std::string_view annex = "Annex ";
-    if (!clause.starts_with(annex))
-        return QString::fromStdString(clause);
-    return language.sentence({REPORT_TEXT("report", "Annex %1"), {clause.substr(annex.size())}, {}});
+    struct Word {
+        std::string_view before; ///< what it stands behind, as the tables write it
+        std::string_view word;
+        Text text;
+    };
+    constexpr std::array words{Word{"", "Annex ", REPORT_TEXT("report", "Annex %1")},
+                               Word{"", "Foreword ", REPORT_TEXT("report", "Foreword %1")},
+                               Word{", ", "Table ", REPORT_TEXT("report", "Table %1")}};
+    for (const Word &one : words) {
+        const std::string mark = std::string(one.before) + std::string(one.word);
+        const auto at = clause.find(mark);
+        if (at == std::string::npos || (one.before.empty() && at != 0))
+            continue;
+        return QString::fromStdString(clause.substr(0, at) + std::string(one.before)) +
+               language.sentence({one.text, {clause.substr(at + mark.size())}, {}});
+    }
+    return QString::fromStdString(clause);
+}
+
+QString standardName(const Language &language, const Edition *edition) {
+    const QString word = edition ? QString::fromUtf8(edition->word) : QString();
+    const QLatin1String iso("ISO ");
+    if (!word.startsWith(iso))
+        return word;
+    return language.sentence({REPORT_TEXT_FOR("report", "ISO %1", "after a preposition"),
+                              {word.mid(iso.size()).toStdString()},
+                              {}});
 }
 
 Text senseText(Sense sense) {

@@ -15,8 +15,15 @@ namespace palmer {
 [[nodiscard]] Text correctionText(CorrectionTo20 correction);
 [[nodiscard]] QString arrow(Direction direction);
 
+/// "as found", "as left"; empty where it is not stated.
+[[nodiscard]] Text roleText(TestRole role);
+
 /// The clause of a finding; an annex as the language calls it.
 [[nodiscard]] QString clauseText(const std::string &clause, const Language &language);
+
+/// "ISO 230-2:2006" as it stands after a preposition: with its article where the language has one. Empty
+/// without an edition.
+[[nodiscard]] QString standardName(const Language &language, const Edition *edition);
 
 /// "anticlockwise", "clockwise".
 [[nodiscard]] Text senseText(Sense sense);

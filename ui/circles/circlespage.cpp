@@ -268,6 +268,21 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
         end->setReader([this, end](const QString &typed) { return readEnd(end, typed); });
         connect(end, &Field::entered, this, [this, end] { typeRange(end); });
     }
+    m_cutOff = new Field(Field::Kind::text, this);
+    m_cutOff->edit()->setObjectName(QStringLiteral("cutOff"));
+    m_cutOff->setBare();
+    m_numbers.push_back(m_cutOff);
+    connect(m_cutOff, &Field::begun, this, [this] { ++m_visit; });
+    connect(m_cutOff, &Field::entered, this, [this] {
+        edit(
+            QT_TRANSLATE_NOOP("edits", "state what an arc leaves out"),
+            [this](CircularMeasurement &m) {
+                if (m_arc < m.arcs.size())
+                    m.arcs[m_arc].cutOff = m_cutOff->valueText().toStdString();
+            },
+            stepOf(m_cutOff));
+        showReason();
+    });
     const auto button = [&](const char *name) {
         auto *made = new QPushButton(this);
         made->setObjectName(QLatin1StringView(name));
@@ -308,7 +323,7 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     row.addWidget(new QLabel(QStringLiteral("…"), this));
     row.addWidget(m_to);
     row.addWidget(m_whole);
-    row.addStretch();
+    row.addWidget(m_cutOff, 1);
     row.addWidget(m_reverse);
     row.addWidget(m_earlier);
     row.addWidget(m_later);
@@ -349,7 +364,7 @@ void CirclesPage::typeRange(const Field *end) {
 /// Why something here is red: an end of the range, or the point that was typed last.
 void CirclesPage::showReason() {
     QString reason = m_pointReason;
-    for (const Field *end : {m_from, m_to}) {
+    for (const Field *end : {m_from, m_to, m_cutOff}) {
         if (end->isRefused())
             reason = end->refusal();
     }
@@ -544,7 +559,7 @@ void CirclesPage::setPlane() {
 
 void CirclesPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     if (m_test != test) {
-        leaveFields({m_from, m_to});
+        leaveFields({m_from, m_to, m_cutOff});
         m_arc = 0;
     }
     m_evaluated = evaluated;
@@ -620,6 +635,9 @@ void CirclesPage::fillRange() {
         end->setEnabled(range.has_value());
         m_refused.giveBack(shownArc(), *end);
     }
+    m_cutOff->show(any ? QString::fromStdString(shown->arcs[m_arc].cutOff) : QString(), false);
+    m_cutOff->setEnabled(any);
+    m_refused.giveBack(shownArc(), *m_cutOff);
     showReason();
     m_whole->setEnabled(any && shown->arcs[m_arc].evaluated.has_value());
     m_reverse->setEnabled(any);
@@ -631,7 +649,7 @@ void CirclesPage::fillRange() {
 /// Texts that are refused come back with what they were typed for.
 void CirclesPage::leaveFields(const std::vector<Field *> &fields) {
     for (Field *field : fields) {
-        const bool ofArc = field == m_from || field == m_to;
+        const bool ofArc = field == m_from || field == m_to || field == m_cutOff;
         m_refused.keep(ofArc ? shownArc() : QString::fromStdString(m_shownId), *field);
         field->forget();
     }
@@ -640,7 +658,7 @@ void CirclesPage::leaveFields(const std::vector<Field *> &fields) {
 void CirclesPage::chooseArc(int row) {
     const auto arc = static_cast<std::size_t>(std::max(0, row));
     if (arc != m_arc)
-        leaveFields({m_from, m_to});
+        leaveFields({m_from, m_to, m_cutOff});
     m_arc = arc;
     m_curves->setCurrentArc(m_arc);
     fillRange();
@@ -755,6 +773,8 @@ void CirclesPage::retranslate() {
     m_to->setLabel(tr("Evaluated range, to"));
     for (Field *end : {m_from, m_to})
         end->setUnit(m_language.unit(Quantity::angle));
+    m_cutOff->setLabel(tr("What the evaluated range leaves out"));
+    m_cutOff->setPlaceholder(tr("left out: feed-in, overshoot…"));
     m_whole->setText(tr("Whole arc"));
     m_whole->setToolTip(tr("Evaluate all of the arc, of more than 360° the middle 360°"));
     m_reverse->setText(tr("Reverse sense"));

@@ -105,10 +105,10 @@ private:
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
-    std::size_t m_arc = 0; ///< the current one
-    std::string m_shownId; ///< of the test
-    int m_visit = 0;       ///< counts the numbers the focus came to
-    std::vector<Field *> m_numbers;
+    std::size_t m_arc = 0;          ///< the current one
+    std::string m_shownId;          ///< of the test
+    int m_visit = 0;                ///< counts the numbers the focus came to
+    std::vector<Field *> m_numbers; ///< and the text of an arc
     RefusedFields m_refused;
     QString m_pointReason;  ///< why the point typed last is not taken
     std::string m_curvesOf; ///< id of the test the curves show
@@ -128,6 +128,7 @@ private:
     QLabel *m_rangeLabel;
     Field *m_from;
     Field *m_to;
+    Field *m_cutOff; ///< what the range leaves out
     QPushButton *m_whole;
     QPushButton *m_reverse;
     QToolButton *m_earlier;

@@ -426,7 +426,10 @@ QString PlanDialog::summary() const {
     if (measurement && measurement->axis.range &&
         (low < measurement->axis.range->from || high > measurement->axis.range->to))
         text += u' ' + tr("That is beyond the ends of the axis.");
-    if (m_program.cycle == Cycle::step)
+    if (m_plan.boundOf2006)
+        text += u' ' + tr("The random part follows ISO 230-2:2006: ISO 230-2:1988 has no rule for an unknown "
+                          "or long cyclic pitch.");
+    if (m_program.cycle == Cycle::step && m_request.rule == TargetRule::nominalInterval)
         text += u' ' + tr("The step cycle needs a written agreement.");
     return text;
 }

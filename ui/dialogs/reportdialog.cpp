@@ -375,7 +375,7 @@ void ReportDialog::showDocument() {
     int missing = 0;
     for (const TestEvaluationPointer &test : m_evaluated.tests) {
         for (const Finding &finding : test->findings)
-            missing += isMissing(finding, test->edition);
+            missing += finding.missing ? 1 : 0;
     }
     m_missing->setVisible(missing > 0);
     m_missing->setText(tr("%n required statement(s) missing; printed as “–”", nullptr, missing));

@@ -2,6 +2,7 @@
 
 #include "document/bounds.h"
 #include "document/edits.h"
+#include "kernel/evaluation/agreedpoints.h"
 #include "report/agreedtext.h"
 #include "ui/elidedlabel.h"
 #include "ui/model/documentmodel.h"
@@ -118,6 +119,7 @@ void AgreedPointsPage::build(const Edition &edition) {
                 new QToolButton(area),
                 new QToolButton(area),
                 new QToolButton(area),
+                new QToolButton(area),
                 new AgreementEdit(area),
                 new QPushButton(area),
                 new QLabel(area)};
@@ -139,10 +141,11 @@ void AgreedPointsPage::build(const Edition &edition) {
         connect(row.take, &QPushButton::clicked, this, [this, &point] { takeFromConditions(point); });
         row.text->setFixedHeight(fieldHeight);
         row.text->setObjectName(QStringLiteral("field.agreedPoints.") + QString::fromLatin1(point.point));
-        const QString places[]{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("last")};
-        QToolButton *buttons[]{row.agreed, row.notAgreed, row.notApplicable};
-        constexpr AgreementState states[]{AgreementState::agreed, AgreementState::notAgreed,
-                                          AgreementState::notApplicable};
+        const QString places[]{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("middle"),
+                               QStringLiteral("last")};
+        QToolButton *buttons[]{row.agreed, row.notAgreed, row.notApplicable, row.notDeclared};
+        constexpr std::optional<AgreementState> states[]{AgreementState::agreed, AgreementState::notAgreed,
+                                                         AgreementState::notApplicable, std::nullopt};
         auto *head = new QHBoxLayout;
         head->setSpacing(8);
         head->addWidget(row.letter);
@@ -153,7 +156,7 @@ void AgreedPointsPage::build(const Edition &edition) {
         body->setSpacing(0);
         body->addWidget(row.text, 1);
         body->addSpacing(8);
-        for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < std::size(buttons); ++k) {
             buttons[k]->setProperty("segment", places[k]);
             buttons[k]->setCheckable(true);
             buttons[k]->setFocusPolicy(Qt::StrongFocus);
@@ -183,7 +186,8 @@ const AgreedPoint *AgreedPointsPage::agreed(const AgreementPoint &point) const {
     return found == points.end() ? nullptr : &*found;
 }
 
-void AgreedPointsPage::setState(const AgreementPoint &point, AgreementState state) {
+/// A point that is not declared has no entry in the file: its text goes, too.
+void AgreedPointsPage::setState(const AgreementPoint &point, std::optional<AgreementState> state) {
     const AgreedPoint *before = agreed(point);
     m_model.edit(QT_TRANSLATE_NOOP("edits", "change a point to agree"),
                  [&, text = before ? before->text : std::string()](Document &document) {
@@ -211,15 +215,15 @@ bool AgreedPointsPage::refuses(const Row &row, const QString &text) const {
     return tooLong;
 }
 
-/// A text for what was not agreed is its agreement; taken away again, it is not.
+/// A text for what was not declared or not agreed is its agreement; taken away again, nothing is declared.
 void AgreedPointsPage::setText(const AgreementPoint &point, const QString &text) {
     const AgreedPoint *before = agreed(point);
-    AgreementState state = before ? before->state : AgreementState::notAgreed;
+    std::optional<AgreementState> state = before ? std::optional(before->state) : std::nullopt;
     const bool wasEmpty = !before || before->text.empty();
-    if (state == AgreementState::notAgreed && wasEmpty && !text.isEmpty())
+    if (state.value_or(AgreementState::notAgreed) == AgreementState::notAgreed && wasEmpty && !text.isEmpty())
         state = AgreementState::agreed;
-    else if (state == AgreementState::agreed && !wasEmpty && text.isEmpty())
-        state = AgreementState::notAgreed;
+    else if (state == AgreementState::agreed && !wasEmpty && text.isEmpty() && !before->value)
+        state.reset();
     m_model.edit(
         changeOf(context, QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Text of an agreement"))
             .constData(),
@@ -239,6 +243,7 @@ void AgreedPointsPage::takeFromConditions(const AgreementPoint &point) {
                      editTest(document, m_test, [&](Test &test) {
                          const QString text = agreedTextFromConditions(test, point.point, m_language);
                          setAgreedPoint(test, point.point, AgreementState::agreed, text.toStdString());
+                         takeAgreedValue(test, point.point);
                      });
                  });
 }
@@ -270,23 +275,28 @@ void AgreedPointsPage::refresh() {
     int open = 0;
     for (const Row &row : m_rows) {
         const auto found = std::ranges::find(test.agreedPoints, row.point->point, &AgreedPoint::point);
-        const AgreementState state =
-            found == test.agreedPoints.end() ? AgreementState::notAgreed : found->state;
-        const bool settled = state != AgreementState::notAgreed;
+        const std::optional<AgreementState> state =
+            found == test.agreedPoints.end() ? std::nullopt : std::optional(found->state);
+        const bool settled = state == AgreementState::agreed || state == AgreementState::notApplicable ||
+                             roleOf(*row.point, test) == PointRole::notApplicable;
         open += settled ? 0 : 1;
         const QString letter = QString::fromUtf8(row.point->letter);
         row.letter->setContent(
             letter, letter.isEmpty() ? QString::fromLatin1(settled ? "check" : "miss") : QString(),
             settled ? Token::ok : Token::unsure, settled ? Token::okGround : Token::unsureGround);
-        row.letter->setAccessibleName(settled ? tr("settled") : tr("not agreed"));
+        row.letter->setAccessibleName(settled ? tr("settled")
+                                      : state ? tr("not agreed")
+                                              : tr("not declared"));
         row.letter->setFixedWidth(letterWidth);
         row.name->setText(m_language.text(row.point->name));
         row.agreed->setText(tr("Agreed"));
         row.notAgreed->setText(tr("Not agreed"));
         row.notApplicable->setText(tr("Not applicable"));
+        row.notDeclared->setText(tr("Not declared"));
         row.agreed->setChecked(state == AgreementState::agreed);
         row.notAgreed->setChecked(state == AgreementState::notAgreed);
         row.notApplicable->setChecked(state == AgreementState::notApplicable);
+        row.notDeclared->setChecked(!state);
         const QString text =
             found == test.agreedPoints.end() ? QString() : QString::fromStdString(found->text);
         if (row.text->text() != text && row.refusal->isHidden()) {
@@ -295,11 +305,12 @@ void AgreedPointsPage::refresh() {
         }
         row.take->setText(tr("take from the conditions"));
         row.take->setFont(themeFont(TextSize::small));
-        row.take->setVisible(text.isEmpty() && state == AgreementState::notAgreed &&
+        row.take->setVisible(text.isEmpty() && !settled &&
                              !agreedTextFromConditions(test, row.point->point, m_language).isEmpty());
         row.text->setPlaceholderText(tr("text of the agreement"));
         row.text->setAccessibleName(row.name->text());
-        row.text->setAccessibleDescription(state == AgreementState::agreed      ? row.agreed->text()
+        row.text->setAccessibleDescription(!state                               ? row.notDeclared->text()
+                                           : state == AgreementState::agreed    ? row.agreed->text()
                                            : state == AgreementState::notAgreed ? row.notAgreed->text()
                                                                                 : row.notApplicable->text());
     }

@@ -19,8 +19,8 @@ class AgreementEdit;
 class Chip;
 class DocumentModel;
 
-/// The points to be agreed between supplier/manufacturer and user: each agreed, not agreed or not applicable,
-/// with its text.
+/// The points to be agreed between supplier/manufacturer and user: each agreed, not agreed, not applicable or
+/// not declared, with its text.
 class AgreedPointsPage : public QWidget {
     Q_OBJECT
 
@@ -43,6 +43,7 @@ private:
         QToolButton *agreed;
         QToolButton *notAgreed;
         QToolButton *notApplicable;
+        QToolButton *notDeclared;
         AgreementEdit *text;
         QPushButton *take; ///< what the conditions say
         QLabel *refusal;   ///< of a text that is too long
@@ -50,7 +51,7 @@ private:
 
     void build(const Edition &edition);
     [[nodiscard]] const AgreedPoint *agreed(const AgreementPoint &point) const;
-    void setState(const AgreementPoint &point, AgreementState state);
+    void setState(const AgreementPoint &point, std::optional<AgreementState> state);
     [[nodiscard]] bool refuses(const Row &row, const QString &text) const;
     void setText(const AgreementPoint &point, const QString &text);
     void takeFromConditions(const AgreementPoint &point);

@@ -1,9 +1,14 @@
 #include "ui/forms/conditionspage.h"
 
+#include "document/edits.h"
+#include "kernel/evaluation/agreedpoints.h"
+#include "kernel/evaluation/iso230_4/circularcase.h"
 #include "language/decimals.h"
+#include "ui/forms/templatebutton.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
+#include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 #include <array>
@@ -120,6 +125,82 @@ SensorLabels labelsOf(SensorMeasures what, bool another) {
                                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, end")};
 }
 
+/// The number that was agreed on a point; to state one is to agree.
+Member<std::optional<double>> agreedValue(const char *point) {
+    return {[point](const FormSource &source) {
+                const AgreedPoint *agreed = source.test ? agreedPoint(*source.test, point) : nullptr;
+                return agreed ? agreed->value : std::nullopt;
+            },
+            [point](Document &document, std::size_t index, const std::optional<double> &value) {
+                editTest(document, index, [&](Test &test) {
+                    const AgreedPoint *before = agreedPoint(test, point);
+                    if (value || before)
+                        setAgreedPoint(test, point, value ? AgreementState::agreed : before->state,
+                                       before ? before->text : std::string());
+                    for (AgreedPoint &agreed : test.agreedPoints) {
+                        if (agreed.point == point)
+                            agreed.value = value;
+                    }
+                });
+            }};
+}
+
+/// Faces of the polygon: a whole number.
+Member<std::optional<double>> faces() {
+    const auto member = positioning<&PositioningMeasurement::targetChoice, &TargetChoice::faces>();
+    return {[member](const FormSource &source) -> std::optional<double> {
+                const auto value = member.read(source);
+                return value ? std::optional<double>(*value) : std::nullopt;
+            },
+            [member](Document &document, std::size_t index, const std::optional<double> &value) {
+                member.write(document, index,
+                             value && *value < 1e6 ? std::optional(std::max(1, static_cast<int>(*value)))
+                                                   : std::nullopt);
+            }};
+}
+
+/// A requirement that only a declaration can meet.
+struct Declaration {
+    const char *id;  ///< of its row
+    const char *key; ///< of its field
+    const char *label;
+    std::optional<bool> Conditions::*member;
+};
+constexpr std::array declarations{
+    Declaration{"soak", "stabilised",
+                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Thermally stable before the test"),
+                &Conditions::stabilised},
+    Declaration{"shielded", "shielded",
+                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Shielded from draughts and radiation"),
+                &Conditions::shielded},
+    Declaration{"complete", "complete",
+                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine complete, in working order"),
+                &Conditions::complete},
+    Declaration{"levelled", "levelled",
+                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Levelled and aligned"),
+                &Conditions::levelled},
+    Declaration{"unloaded", "unloaded", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine unloaded"),
+                &Conditions::unloaded}};
+
+Member<std::optional<bool>> ofDeclaration(std::optional<bool> Conditions::*member) {
+    return ofTest([member](auto &test) {
+        auto *conditions = conditionsOf(test);
+        return conditions ? &(conditions->*member) : nullptr;
+    });
+}
+
+/// The clause of the edition that asks for it; empty where its text was not read.
+std::string clauseOf(const Edition &edition, std::string_view id) {
+    const auto in = [id](const auto &rows) -> std::string {
+        for (const auto &row : rows) {
+            if (row.id == id)
+                return row.clause;
+        }
+        return {};
+    };
+    return edition.circles ? in(edition.circles->requirements) : in(edition.requirements);
+}
+
 std::size_t shownSensors(const Conditions &conditions, SensorMeasures what) {
     return std::max<std::size_t>(1, countSensors(conditions, what));
 }
@@ -129,6 +210,7 @@ std::size_t shownSensors(const Conditions &conditions, SensorMeasures what) {
 ConditionsPage::ConditionsPage(DocumentModel &model, Selection &selection, QWidget *parent)
     : Form(context, Page::conditions, model, parent) {
     follow(selection);
+    addToBar(new TemplateButton(TemplateButton::Kind::conditions, model, selection, this));
     setObjectName(QStringLiteral("conditionsPage"));
     refresh();
 }
@@ -145,6 +227,7 @@ void ConditionsPage::prepare() {
     } else {
         wanted += rotary ? QStringLiteral(" rotary") : QString();
         wanted += edition && edition->rangeMethod ? QStringLiteral(" range") : QString();
+        wanted += edition ? u' ' + QString::fromUtf8(edition->family) : QString();
         for (const SensorMeasures what : kinds)
             wanted += u' ' + QString::number(shownSensors(*conditions, what));
         for (const Instrument &instrument : evaluated().document->instruments)
@@ -158,6 +241,7 @@ void ConditionsPage::prepare() {
     if (!conditions)
         return;
     addTemperatures(*shown);
+    addDeclarations(edition);
     addLoad(measurement != nullptr, rotary);
     addPositions(measurement != nullptr);
     addTestAndAxis(measurement);
@@ -243,6 +327,20 @@ void ConditionsPage::addTemperatures(const Test &test) {
     addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another instrument sensor"),
            SensorMeasures::instrument, QStringLiteral("addInstrumentSensor"));
     addWidget(new QWidget(body()));
+    beginRow();
+    addYesNo("temperatureControlled",
+             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Room temperature can be controlled"),
+             common<&Conditions::temperatureControlled>());
+    addChoice("instrumentCompensation",
+              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Compensation by the instrument"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "switched on"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "switched off"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "the instrument has none")},
+              choiceOf<InstrumentCompensation>(common<&Conditions::instrumentCompensation>(),
+                                               {InstrumentCompensation::notStated, InstrumentCompensation::on,
+                                                InstrumentCompensation::off, InstrumentCompensation::none}),
+              true);
     if (!std::holds_alternative<PositioningMeasurement>(test.measurement))
         return;
     constexpr auto conditionsMember = &PositioningMeasurement::conditions;
@@ -253,6 +351,12 @@ void ConditionsPage::addTemperatures(const Test &test) {
               Quantity::percent, positioning<conditionsMember, &PositioningConditions::airHumidity>());
     addNumber("gradientPerHour", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperature gradient"),
               Quantity::gradient, positioning<conditionsMember, &PositioningConditions::gradientPerHour>());
+    beginRow();
+    addNumber("gradientHoursBefore",
+              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Gradient: hours before the test"),
+              Quantity::number, positioning<conditionsMember, &PositioningConditions::gradientHoursBefore>());
+    addNumber("gradient", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed limit of the gradient"),
+              Quantity::gradient, agreedValue("gradient"));
 }
 
 void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
@@ -296,31 +400,77 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details"),
             commonPart<&Conditions::warmUp, &WarmUp::text>(), 7);
     beginRow();
+    addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up specified by"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "the maker"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreement")},
+              choiceOf<SpecifiedBy>(commonPart<&Conditions::warmUp, &WarmUp::specifiedBy>(),
+                                    {SpecifiedBy::notStated, SpecifiedBy::maker, SpecifiedBy::agreement}),
+              true);
+    if (isPositioning)
+        addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate"),
+                  rotary ? Quantity::angularFeed : Quantity::feed, agreedValue("feed"));
+    if (isPositioning && rotary)
+        addYesNo(
+            "continuousDevice",
+            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Continuous measuring device"),
+            positioning<&PositioningMeasurement::conditions, &PositioningConditions::continuousDevice>());
+    if (!isPositioning) {
+        addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified diameter"),
+                  Quantity::position, circular<&CircularMeasurement::specified, &SpecifiedCircle::diameter>(),
+                  1, Allowed::positive);
+        addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified feed"), Quantity::feed,
+                  circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), 1, Allowed::positive);
+    }
+    beginRow();
     addText("compensation", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Active compensation"),
             common<&Conditions::compensation>());
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), common<&Conditions::load>());
+    addText("load", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), common<&Conditions::load>());
     beginRow();
-    addYesNo("complete", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Complete, in working order"),
-             common<&Conditions::complete>());
-    addYesNo("levelled", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Levelled and aligned"),
-             common<&Conditions::levelled>());
-    addYesNo("unloaded", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Unloaded"),
-             common<&Conditions::unloaded>());
-    beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Soaking time"), common<&Conditions::soak>(),
-            2);
-    addYesNo("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Shielded from draughts and radiation"),
-             common<&Conditions::shielded>(), 3);
-    beginRow();
+    addText("soak", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Soaking time"),
+            common<&Conditions::soak>(), 2);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Thermal guidelines of the maker"),
-            common<&Conditions::thermalGuidelines>());
+            common<&Conditions::thermalGuidelines>(), 3);
+}
+
+void ConditionsPage::addDeclarations(const Edition *edition) {
+    addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declarations"));
+    addSectionButton(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "All of these apply"), [this] {
+        edit(QT_TRANSLATE_NOOP("edits", "declare what was not declared"), [&](Document &document) {
+            editTest(document, this->test(), [](Test &changed) {
+                for (const Declaration &declaration : declarations) {
+                    std::optional<bool> &declared = conditionsOf(changed)->*declaration.member;
+                    declared = declared.value_or(true);
+                }
+            });
+        });
+    })->setObjectName(QStringLiteral("allApply"));
+    std::vector<std::string> clauses;
+    for (const Declaration &declaration : declarations) {
+        const std::string clause = edition ? clauseOf(*edition, declaration.id) : std::string();
+        if (std::ranges::find(clauses, clause) == clauses.end())
+            clauses.push_back(clause);
+    }
+    for (const std::string &clause : clauses) {
+        beginRow();
+        if (!clause.empty()) {
+            auto *label = new QLabel(QString::fromStdString(clause), body());
+            label->setProperty("secondary", true);
+            addWidget(label, 0);
+        }
+        for (const Declaration &declaration : declarations) {
+            if (clause == (edition ? clauseOf(*edition, declaration.id) : std::string()))
+                addYesNo(declaration.key, declaration.label, ofDeclaration(declaration.member));
+        }
+    }
 }
 
 void ConditionsPage::addPositions(bool isPositioning) {
     constexpr auto mm = Quantity::position;
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the instrument"),
+    addText("instrumentPosition",
+            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the instrument"),
             common<&Conditions::instrumentPosition>());
     addText("otherAxes", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axes not under test"),
             common<&Conditions::otherAxes>());
@@ -369,7 +519,37 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
             ofTest([](auto &test) { return &test.date; }), 5);
     addTime("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Time"),
             ofTest([](auto &test) { return &test.time; }), 3);
+    beginRow();
+    addChoice("purpose", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Purpose of the test"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "type test"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "acceptance"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "comparison"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "periodic check"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "compensation"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "after repair"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "after collision"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "other purpose")},
+              choiceOf<Purpose>(ofTest([](auto &test) { return &test.purpose; }),
+                                {Purpose::notStated, Purpose::type, Purpose::acceptance, Purpose::comparison,
+                                 Purpose::periodic, Purpose::compensation, Purpose::afterRepair,
+                                 Purpose::afterCollision, Purpose::other}),
+              true);
+    addChoice("role", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "As found or as left"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as found"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as left")},
+              choiceOf<TestRole>(ofTest([](auto &test) { return &test.role; }),
+                                 {TestRole::notStated, TestRole::asFound, TestRole::asLeft}),
+              true);
     addInstruments();
+    beginRow();
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Rest of the requirements declared met by"),
+            ofTest([](auto &test) { return &test.declaredAccordance.by; }), 6);
+    addDate("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declared on"),
+            ofTest([](auto &test) { return &test.declaredAccordance.date; }), 4);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Text of the declaration"),
+            ofTest([](auto &test) { return &test.declaredAccordance.text; }), 6);
     if (!measurement) {
         beginRow();
         addText("positionFeedback",
@@ -418,6 +598,12 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
               positioning<&Measurement::targetChoice, &TargetChoice::interval>());
     addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Period of the error"), position,
               positioning<&Measurement::targetChoice, &TargetChoice::period>());
+    addNumber("faces", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Faces of the polygon, number"),
+              Quantity::count, faces(), 1, Allowed::positive);
+    if (measurement->axis.motion == Motion::linear)
+        addNumber("scaleElement",
+                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Element of the scale (0: continuous)"),
+                  position, positioning<&Measurement::axis, &Axis::scaleElement>());
     beginRow();
     addChoice("cycle", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test cycle"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "standard test cycle"),

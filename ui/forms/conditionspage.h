@@ -26,6 +26,8 @@ private:
     void addTemperatures(const Test &test);
     void addSensor(SensorMeasures what, std::size_t ordinal);
     void addLoad(bool positioning, bool rotary);
+    /// What only a declaration can meet, by clause of the edition, and a button that says yes to the rest.
+    void addDeclarations(const Edition *edition);
     void addPositions(bool positioning);
     void addTestAndAxis(const PositioningMeasurement *measurement);
     void addInstruments();

@@ -350,10 +350,10 @@ bool Form::isMissingHere(const char *key) const {
         return false;
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     return std::ranges::any_of(evaluation.findings, [&](const Finding &finding) {
-        return finding.id == key &&
-               (finding.grade == Grade::requirement ||
-                (m_page == Page::uncertainty && isMissing(finding, evaluation.edition))) &&
-               pageOf(finding, evaluation.edition, *m_evaluated.document) == m_page;
+        // The form knows the last part of the path of a field: which object it stands in is that of its page.
+        const auto names = [key](const std::string &path) { return path.substr(path.rfind('.') + 1) == key; };
+        return finding.missing && std::ranges::any_of(finding.keys, names) &&
+               pageOf(finding, *m_evaluated.document) == m_page;
     });
 }
 

@@ -123,7 +123,7 @@ void InstrumentsPage::addFields(std::size_t k) {
     beginRow();
     addDate("calibrationDate", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated on"),
             ofInstrument<&Instrument::calibrationDate>(k));
-    addDate("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration due"),
+    addDate("calibrationDue", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration due"),
             ofInstrument<&Instrument::calibrationDue>(k));
     addNumber("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Resolution"), Quantity::deviation,
               ofInstrument<&Instrument::resolution>(k), 1, Allowed::notNegative);

@@ -33,11 +33,12 @@ TemplateButton::TemplateButton(Kind kind, DocumentModel &model, Selection &selec
 bool TemplateButton::fits(const Template &content) const {
     if (content.content.index() != static_cast<std::size_t>(m_kind))
         return false;
-    const auto *set = std::get_if<LimitSet>(&content.content);
-    if (!set)
-        return true;
     const auto &tests = m_model.document()->tests;
-    return m_selection.test() < tests.size() && kindOf(*tests[m_selection.test()]) == set->kind;
+    const Test *test = m_selection.test() < tests.size() ? tests[m_selection.test()].get() : nullptr;
+    if (m_kind == Kind::conditions)
+        return test && conditionsOf(*test);
+    const auto *set = std::get_if<LimitSet>(&content.content);
+    return !set || (test && kindOf(*test) == set->kind);
 }
 
 bool TemplateButton::apply(const Template &content) {
@@ -51,8 +52,12 @@ bool TemplateButton::apply(const Template &content) {
         else if (const auto *laboratory = std::get_if<Laboratory>(&content.content))
             document.report.laboratory = *laboratory;
         else
-            editTest(document, m_selection.test(),
-                     [&](Test &test) { applyLimitSet(test, std::get<LimitSet>(content.content)); });
+            editTest(document, m_selection.test(), [&](Test &test) {
+                if (const auto *declarations = std::get_if<Declarations>(&content.content))
+                    applyDeclarations(test, *declarations);
+                else
+                    applyLimitSet(test, std::get<LimitSet>(content.content));
+            });
     });
     return true;
 }
@@ -75,6 +80,11 @@ Template TemplateButton::current(const QString &name) const {
                              ? limitSetOf(*document.tests[m_selection.test()])
                              : LimitSet();
         break;
+    case Kind::conditions:
+        result.content = m_selection.test() < document.tests.size()
+                             ? declarationsOf(*document.tests[m_selection.test()])
+                             : Declarations();
+        break;
     }
     return result;
 }
@@ -90,6 +100,7 @@ QString TemplateButton::suggestedName() const {
     case Kind::laboratory:
         return QString::fromStdString(document.report.laboratory.name);
     case Kind::limits:
+    case Kind::conditions:
         return QString::fromStdString(document.machine.name);
     }
     return {};

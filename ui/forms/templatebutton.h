@@ -15,7 +15,7 @@ class TemplateButton : public QToolButton {
     Q_OBJECT
 
 public:
-    enum class Kind { machine, instrument, laboratory, limits };
+    enum class Kind { machine, instrument, laboratory, limits, conditions };
 
     TemplateButton(Kind kind, DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 

@@ -2,6 +2,7 @@
 
 #include "document/evaluateddocument.h"
 
+#include <QString>
 #include <cstddef>
 
 namespace palmer::ui {
@@ -20,13 +21,13 @@ enum class Page {
 
 /// Where that of which a finding speaks is shown and will be edited.
 /// That a test names no instrument is mended on its page of conditions, once the document has instruments.
-[[nodiscard]] Page pageOf(const Finding &finding, const Edition *edition, const Document &document);
+[[nodiscard]] Page pageOf(const Finding &finding, const Document &document);
 
-/// Whether the finding is a statement the report needs, or a point to agree, that is not there: what badges
-/// count and F8 walks.
-[[nodiscard]] bool isMissing(const Finding &finding, const Edition *edition);
+/// The field of its page that a finding speaks of, by the last part of its path; a point to be agreed by all
+/// of it.
+[[nodiscard]] QString fieldOf(const Finding &finding);
 
-/// Number of missing statements (or points) of a page.
+/// Number of what is not there on a page, statements, declarations or points: what badges count and F8 walks.
 [[nodiscard]] int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page);
 
 } // namespace palmer::ui

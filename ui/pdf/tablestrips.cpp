@@ -447,8 +447,19 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
     topRule->height = 0.6 * mm;
 
     Strips strips;
+    std::vector<std::size_t> headings;
     for (std::size_t i = 0; i < findings.lines.size(); ++i) {
         const FindingLine &line = findings.lines[i];
+        if (!line.heading.isEmpty()) {
+            TextStyle bold = style;
+            bold.bold = true;
+            Row heading;
+            heading.texts.push_back({TextBlock(line.heading, bold, width - 2 * firstPadding), firstPadding});
+            heading.lines = heading.texts[0].block.lineCount();
+            headings.push_back(strips.size());
+            addRow(strips, std::move(heading), style.size * style.leading, width,
+                   {padding, padding, false, false}, topRule);
+        }
         TextStyle grade = style;
         grade.bold = line.grade == Grade::requirement;
         TextStyle clause = style;
@@ -468,6 +479,8 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
     if (!strips.empty())
         strips.insert(strips.begin(), *topRule);
     keepTogether(strips, false, true);
+    for (const std::size_t heading : headings) // behind the rule at the top
+        strips[heading + 1].withNext = true;
     return strips;
 }
 

@@ -1,10 +1,12 @@
 #include "ui/results/findingsmodel.h"
 
+#include "export/findingtext.h"
 #include "report/wording.h"
 
 #include <QStringList>
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace palmer::ui {
 
@@ -12,15 +14,6 @@ namespace {
 
 constexpr std::array pages{Page::readings,    Page::conditions,     Page::agreedPoints, Page::limits,
                            Page::uncertainty, Page::identification, Page::machine,      Page::instruments};
-
-/// What a finding names: the point that is not agreed.
-QString nameIn(const Finding &finding, const Language &language) {
-    for (const Argument &argument : finding.message.arguments) {
-        if (const auto *text = std::get_if<Text>(&argument))
-            return language.text(*text);
-    }
-    return {};
-}
 
 } // namespace
 
@@ -66,20 +59,20 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
     if (test < evaluated.tests.size()) {
         const TestEvaluation *evaluation = evaluated.tests[test].get();
         const Document &document = *evaluated.document;
-        const Edition *edition = evaluation->edition;
         std::array<int, 3> counts{};
         std::vector<const Finding *> here;
         for (const Finding &finding : evaluation->findings) {
             ++counts.at(static_cast<std::size_t>(finding.grade));
-            if (pageOf(finding, edition, document) == page)
+            if (pageOf(finding, document) == page)
                 here.push_back(&finding);
         }
-        std::ranges::stable_sort(here, {}, &Finding::grade);
+        std::ranges::stable_sort(here, {},
+                                 [](const Finding *f) { return std::tuple(f->source, f->grade, f->state); });
         for (const Finding *finding : here) {
-            const QString sentence = language.sentence(finding->message);
-            m_lines.push_back({finding->grade, page, QString::fromStdString(finding->id),
-                               isMissing(*finding, edition) && page == Page::agreedPoints
-                                   ? tr("Not agreed: %1").arg(nameIn(*finding, language))
+            const QString sentence = findingText(*finding, language);
+            m_lines.push_back({finding->grade, page, fieldOf(*finding),
+                               page == Page::agreedPoints && !finding->name.empty()
+                                   ? tr("Not agreed: %1").arg(findingName(*finding, language))
                                    : sentence,
                                sentence, clauseText(finding->clause, language)});
         }
@@ -90,10 +83,10 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
             int missing = 0;
             Grade worst = Grade::note;
             for (const Finding &finding : evaluation->findings) {
-                if (pageOf(finding, edition, document) != other)
+                if (pageOf(finding, document) != other)
                     continue;
                 ++all;
-                missing += isMissing(finding, edition) ? 1 : 0;
+                missing += finding.missing ? 1 : 0;
                 worst = std::min(worst, finding.grade);
             }
             if (all == 0)

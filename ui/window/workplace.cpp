@@ -434,9 +434,8 @@ bool Workplace::showNextMissing(bool forward) {
     const TestEvaluation &evaluation = *m_evaluated.tests[test];
     std::map<Page, QStringList> missing;
     for (const Finding &finding : evaluation.findings) {
-        if (isMissing(finding, evaluation.edition))
-            missing[pageOf(finding, evaluation.edition, *m_evaluated.document)] +=
-                QString::fromStdString(finding.id);
+        if (finding.missing)
+            missing[pageOf(finding, *m_evaluated.document)] += fieldOf(finding);
     }
     if (missing.empty())
         return false;

@@ -14,17 +14,35 @@ bool isAgreed(const Test &test, std::string_view point) {
     return found && found->state == AgreementState::agreed;
 }
 
+PointRole roleOf(const AgreementPoint &point, const Test &test) {
+    const AgreedPoint *stated = agreedPoint(test, point.point);
+    if (point.role && point.role(test) == PointRole::notApplicable)
+        return PointRole::notApplicable;
+    if (stated && stated->state == AgreementState::notApplicable &&
+        !(point.needsReason && stated->text.empty()))
+        return PointRole::notApplicable;
+    return point.role ? point.role(test) : PointRole::listed;
+}
+
 void findNotAgreed(const Edition &edition, const Test &test, std::vector<Finding> &findings) {
+    const bool read = *edition.pointsClause != 0;
     for (const AgreementPoint &row : edition.points) {
-        const AgreedPoint *point = agreedPoint(test, row.point);
-        if (!point || point->state == AgreementState::notAgreed)
-            findings.push_back(
-                {Grade::recommendation,
-                 std::string("agreedPoints.") + row.point,
-                 edition.pointsClause,
-                 {REPORT_TEXT("report",
-                              "To be agreed between supplier/manufacturer and user, not agreed: %1."),
-                  {row.name}}});
+        if (roleOf(row, test) != PointRole::listed || isAgreed(test, row.point))
+            continue;
+        Finding finding;
+        finding.grade = read ? Grade::recommendation : Grade::note;
+        finding.source = read ? Source::text : Source::practice;
+        finding.subject = Subject::agreedPoints;
+        finding.clause = edition.pointsClause;
+        finding.id = finding.keys.emplace_back(std::string("agreedPoints.") + row.point);
+        finding.name = row.name;
+        finding.letter = row.letter;
+        finding.missing = true;
+        finding.message = {REPORT_TEXT("report", "To be agreed, not agreed: %1."), {row.name}};
+        if (read)
+            finding.message = {REPORT_TEXT("report", "To be agreed (clause %2), not agreed: %1."),
+                               {row.name, finding.clause}};
+        findings.push_back(std::move(finding));
     }
 }
 

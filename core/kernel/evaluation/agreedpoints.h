@@ -14,7 +14,12 @@ namespace palmer {
 /// The parties agreed on the point.
 [[nodiscard]] bool isAgreed(const Test &test, std::string_view point);
 
-/// A recommendation for each point of the edition that is not agreed.
+/// Whether the point is one of those listed for the test, is asked for by a row of the requirements, or does
+/// not apply, by its rule or as stated.
+[[nodiscard]] PointRole roleOf(const AgreementPoint &point, const Test &test);
+
+/// A recommendation (where the text was not read, a note) for each point of the edition that applies, is
+/// asked for by no row of its own and is not agreed.
 void findNotAgreed(const Edition &edition, const Test &test, std::vector<Finding> &findings);
 
 } // namespace palmer

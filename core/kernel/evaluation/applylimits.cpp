@@ -2,6 +2,8 @@
 
 #include "kernel/evaluation/conformity.h"
 
+#include <cmath>
+
 namespace palmer {
 
 namespace {
@@ -27,17 +29,24 @@ double room(const Parameter &p, double limit, Bound bound) {
     return p.value ? judgedLimit(limit, bound) - judgedValue(*p.value, bound) : 0;
 }
 
+void note(TestEvaluation &evaluation, const char *id, Source source, Message message) {
+    Finding finding;
+    finding.source = source;
+    finding.subject = Subject::limits;
+    finding.id = id;
+    finding.keys = {id};
+    finding.message = std::move(message);
+    evaluation.findings.push_back(std::move(finding));
+}
+
 void findSecondLimit(TestEvaluation &evaluation, const Parameter &p, const std::string &other, bool worse) {
-    evaluation.findings.push_back(
-        {Grade::note,
-         "limits",
-         "",
+    note(evaluation, "limits", Source::program,
          {worse
               ? REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
                                       "%2, which has the worse verdict.")
               : REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
                                       "%2, which is the tighter one."),
-          {plainSymbol(p), p.limitOf, other}}});
+          {plainSymbol(p), p.limitOf, other}});
 }
 
 /// Puts the limit of `key` and its verdict into the row, unless the one that stands there rules. A limit for
@@ -65,13 +74,36 @@ void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &
 void findUncorrected(TestEvaluation &evaluation, const std::string &symbols) {
     if (symbols.empty())
         return;
-    evaluation.findings.push_back(
-        {Grade::note,
-         "decisionRule",
-         "",
+    note(evaluation, "decisionRule", Source::laboratory,
          {REPORT_TEXT("report", "Nothing is proven for %1: results that depend on the temperature are not "
                                 "corrected to 20 °C."),
-          {symbols}}});
+          {symbols}});
+}
+
+/// What the size of U against the limits means, whatever the verdicts.
+void findLargeUncertainty(TestEvaluation &evaluation, const DecisionRule &rule) {
+    std::string guarded;
+    std::string large;
+    const auto add = [](std::string &symbols, const Parameter &p) {
+        symbols += (symbols.empty() ? "" : ", ") + plainSymbol(p);
+    };
+    for (const Parameter &p : evaluation.parameters) {
+        if (!p.limit || !p.limit->value)
+            continue;
+        const double limit = std::abs(*p.limit->value);
+        const bool byRule = rule.rule != Rule::simpleAcceptance;
+        if (byRule && p.bound == Bound::magnitude && p.guardBand && *p.guardBand >= limit)
+            add(guarded, p);
+        if (p.expandedUncertainty && *p.expandedUncertainty > limit / 2)
+            add(large, p);
+    }
+    if (!guarded.empty())
+        note(
+            evaluation, "guardBand", Source::laboratory,
+            {REPORT_TEXT("report", "%1: the guard band reaches the limit; nothing can conform."), {guarded}});
+    if (!large.empty())
+        note(evaluation, "largeUncertainty", Source::laboratory,
+             {REPORT_TEXT("report", "%1: U is more than half the limit."), {large}});
 }
 
 } // namespace
@@ -87,23 +119,17 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
             continue;
         const std::vector<Judged> found = judged(id);
         if (found.empty()) {
-            evaluation.findings.push_back(
-                {Grade::note,
-                 "limits",
-                 "",
+            note(evaluation, "limits", Source::program,
                  {REPORT_TEXT("report",
                               "The limit of %1 has no verdict: this test has no such parameter under %2."),
-                  {id, std::string(evaluation.edition->word)}}});
+                  {id, std::string(evaluation.edition->word)}});
             continue;
         }
         if (!holds(limit, evaluation)) {
-            evaluation.findings.push_back(
-                {Grade::note,
-                 "limits",
-                 "",
+            note(evaluation, "limits", Source::program,
                  {REPORT_TEXT("report", "The limit of %1 has no verdict: it was agreed for %2, the test is "
                                         "evaluated under %3."),
-                  {id, *limit.edition, std::string(evaluation.edition->word)}}});
+                  {id, *limit.edition, std::string(evaluation.edition->word)}});
             continue;
         }
         for (const Judged &one : found) {
@@ -126,12 +152,10 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
     }
     findUncorrected(evaluation, uncorrected);
     if (uncertaintyMissing)
-        evaluation.findings.push_back(
-            {Grade::requirement,
-             "decisionRule",
-             "",
+        note(evaluation, "decisionRule", Source::laboratory,
              {REPORT_TEXT("report", "The decision rule needs the measurement uncertainty: without it "
-                                    "nothing is proven.")}});
+                                    "nothing is proven.")});
+    findLargeUncertainty(evaluation, test.decisionRule);
 }
 
 } // namespace palmer

@@ -23,7 +23,12 @@ bool shifted(const Parameter &parameter) {
 }
 
 void note(TestEvaluation &evaluation, const char *id, Message message) {
-    evaluation.findings.push_back({Grade::note, id, "", std::move(message)});
+    Finding finding;
+    finding.subject = Subject::uncertainty;
+    finding.id = id;
+    finding.keys = {std::string("uncertainty.") + id};
+    finding.message = std::move(message);
+    evaluation.findings.push_back(std::move(finding));
 }
 
 void findMissing(TestEvaluation &evaluation, const std::vector<MissingInput> &missing) {
@@ -40,6 +45,7 @@ void findMissing(TestEvaluation &evaluation, const std::vector<MissingInput> &mi
                       ? REPORT_TEXT("report", "No uncertainty of %1 by the budget: impossible as stated: %2.")
                       : REPORT_TEXT("report", "No uncertainty of %1 by the budget: not stated: %2."),
                   {results, defect.name}});
+        evaluation.findings.back().missing = true;
     }
 }
 

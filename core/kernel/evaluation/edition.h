@@ -2,6 +2,7 @@
 
 #include "kernel/evaluation/finding.h"
 #include "kernel/evaluation/parameter.h"
+#include "kernel/evaluation/requirement.h"
 #include "kernel/evaluation/statistics.h"
 
 #include <optional>
@@ -36,45 +37,32 @@ struct TargetTerm {
     const char *clause = "";
 };
 
+struct PositioningCase; // a test and all that is known of it: positioningcase.h
+struct CircularCase;    // likewise: iso230_4/circularcase.h
+struct Test;
+
+/// Whether a point to be agreed applies to a test, or to none.
+enum class PointRole { listed, inRow, notApplicable };
+
 /// A point to be agreed between supplier/manufacturer and user.
 struct AgreementPoint {
     const char *point;  ///< word of the file format
     const char *letter; ///< as the standard letters it; empty where no letters are printed
     Text name = {};
+    /// Listed with its agreement, asked for by a row of the requirements, or without object.
+    PointRole (*role)(const Test &) = nullptr; ///< null: always listed
+    bool needsReason = false;                  ///< "not applicable" holds with a text only
 };
 
 enum class Kind { positioning, circular, drift };
 
-struct PositioningCase; // a test and all that is known of it: positioningcase.h
-struct CircularCase;    // likewise: iso230_4/circularcase.h
+/// How much of the text of an edition was read: what Palmer can cite.
+enum class TextRead { all, part, none };
 
-/// One thing an edition asks of a test. `unmet`: the sentence of the finding, or null when it is met.
-template <class Case>
-struct RequirementOf {
-    const char *id; ///< of a missing statement: the key in the file
-    const char *clause;
-    Grade grade;
-    std::optional<Message> (*unmet)(const Case &);
-};
 using Requirement = RequirementOf<PositioningCase>;
-
-/// Something the report has to state.
-template <class Case>
-struct StatementOf {
-    const char *id; ///< the key in the file
-    Text name = {};
-    bool (*stated)(const Case &); ///< or does not apply to this test
-};
-using Statement = StatementOf<PositioningCase>;
 
 /// What an edition of ISO 230-4 computes and asks for; see iso230_4/circularrules.h.
 struct CircularRules;
-
-/// The kind of test and what is asked of it; the first of an edition that applies is taken.
-struct Scheme {
-    bool (*applies)(const PositioningCase &);
-    std::span<const Requirement> requirements;
-};
 
 /// One edition of a standard. Aliases share everything with their family but word and title.
 struct Edition {
@@ -88,12 +76,13 @@ struct Edition {
     Text stepCycle = {};
     std::span<const Row> rows = {};
     std::span<const TargetTerm> targetTerms = {};
-    std::span<const Scheme> schemes = {};
-    std::span<const Requirement> requirements = {}; ///< asked of every test
-    std::span<const Statement> statements = {};
-    const char *statementsClause = "";
+    TextRead textRead = TextRead::none;
+    bool stepCycleByAgreement = false; ///< its results are acceptance results by written agreement only
+    std::span<const Requirement> requirements = {}; ///< in the order of the printed standard
+    const char *resultsClause = "";                 ///< that asks for the results; empty where none was read
     std::span<const AgreementPoint> points = {};
     const char *pointsClause = "";
+    const char *parametersClause = "";      ///< of the test parameters of a circular test
     const CircularRules *circles = nullptr; ///< of ISO 230-4; null for ISO 230-2
 };
 

@@ -3,6 +3,7 @@
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/applylimits.h"
 #include "kernel/evaluation/decideuncertainty.h"
+#include "kernel/evaluation/instrumentresult.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/evaluation/iso230_4/results.h"
 #include "kernel/uncertainty/circularbudget.h"
@@ -161,12 +162,13 @@ void explainMissingValues(TestEvaluation &evaluation) {
         if (!p.value && p.required)
             symbols += (symbols.empty() ? "" : ", ") + parameterId(p);
     }
-    if (!symbols.empty())
-        evaluation.findings.push_back(
-            {Grade::requirement,
-             "noValue",
-             "",
-             {REPORT_TEXT("report", "No value for %1: see what the test lacks."), {symbols}}});
+    if (symbols.empty())
+        return;
+    Finding finding;
+    finding.id = "noValue";
+    finding.explains = Explains::missingValues;
+    finding.message = {REPORT_TEXT("report", "No value for %1: see what the test lacks."), {symbols}};
+    evaluation.findings.push_back(std::move(finding));
 }
 
 } // namespace
@@ -187,23 +189,14 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
         return !p.value || !p.required || p.expandedUncertainty;
     });
 
-    for (const CircularRequirement &row : edition.circles->requirements) {
-        if (auto message = row.unmet(whole))
-            evaluation.findings.push_back({row.grade, row.id, row.clause, std::move(*message)});
-    }
+    judge(edition.circles->requirements, whole, evaluation.findings);
     explainMissingValues(evaluation);
-    for (const CircularStatement &row : edition.circles->statements) {
-        if (!row.stated(whole))
-            evaluation.findings.push_back({Grade::requirement,
-                                           row.id,
-                                           edition.statementsClause,
-                                           {REPORT_TEXT("report", "Not stated: %1."), {row.name}}});
-    }
     findNotAgreed(edition, test, evaluation.findings);
     findUncertainty(evaluation, missing,
                     [&](const Parameter &p) { return reasonOfDifference(p, evaluation, measurement); });
     applyLimits(evaluation, test, results.notCorrected,
                 [&](const std::string &id) { return judged(evaluation.parameters, id); });
+    findOtherResults(evaluation, test, surroundings);
 
     evaluation.results = std::move(results);
     return evaluation;

@@ -3,6 +3,8 @@
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/applylimits.h"
 #include "kernel/evaluation/decideuncertainty.h"
+#include "kernel/evaluation/instrumentresult.h"
+#include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/correction.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
 #include "kernel/evaluation/positioningcase.h"
@@ -71,7 +73,7 @@ Parameter parameter(const Row &row, const PositioningMeasurement &measurement,
 /// Why parameters have no value: the first target whose statistic is missing, and the parameters it takes
 /// away.
 void explainMissingValues(TestEvaluation &evaluation, std::span<const TargetStatistics> targets,
-                          const PositioningResults &results) {
+                          const PositioningResults &results, const Edition &edition) {
     std::string symbols;
     for (const Parameter &p : evaluation.parameters) {
         if (!p.value)
@@ -99,25 +101,19 @@ void explainMissingValues(TestEvaluation &evaluation, std::span<const TargetStat
             REPORT_TEXT("report", "No value for %1: target %2 has no reading."), {symbols, noMean}, {}};
     else
         message = {REPORT_TEXT("report", "No value for %1: target %2 has no s."), {symbols, noScatter}, {}};
-    evaluation.findings.push_back({Grade::requirement, "noValue", "", std::move(message)});
-}
-
-void findUnmet(std::span<const Requirement> requirements, const PositioningCase &test,
-               std::vector<Finding> &findings) {
-    for (const Requirement &row : requirements) {
-        if (auto message = row.unmet(test))
-            findings.push_back({row.grade, row.id, row.clause, std::move(*message)});
+    // ISO 230-2:1988 asks for R, A and the mean reversal value.
+    const bool asked = *edition.resultsClause != 0;
+    Finding finding;
+    finding.id = "noValue";
+    finding.explains = Explains::missingValues;
+    finding.message = std::move(message);
+    if (asked) {
+        finding.grade = Grade::requirement;
+        finding.source = Source::text;
+        finding.state = State::unmet;
+        finding.clause = edition.resultsClause;
     }
-}
-
-void findNotStated(const Edition &edition, const PositioningCase &test, std::vector<Finding> &findings) {
-    for (const Statement &row : edition.statements) {
-        if (!row.stated(test))
-            findings.push_back({Grade::requirement,
-                                row.id,
-                                edition.statementsClause,
-                                {REPORT_TEXT("report", "Not stated: %1."), {row.name}, {}}});
-    }
+    evaluation.findings.push_back(std::move(finding));
 }
 
 } // namespace
@@ -162,16 +158,14 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
         results.drift, results.positiveRuns, results.negativeRuns, uncertaintyStated};
     results.judgedAsZone = whole.zoneTest();
 
-    const auto scheme =
-        std::ranges::find_if(edition.schemes, [&](const Scheme &s) { return s.applies(whole); });
-    if (scheme != edition.schemes.end())
-        findUnmet(scheme->requirements, whole, evaluation.findings);
-    findUnmet(edition.requirements, whole, evaluation.findings);
-    // Editions that allow both cycles (1988) do not ask for an agreement.
+    results.countByPractice = whole.longAxis() || !whole.linear();
+    results.stepCycleAgreed = edition.stepCycleByAgreement && measurement.cycle == Cycle::step &&
+                              iso230_2::stepCycleInWriting(whole);
     results.stepCycleNotAgreed =
-        std::ranges::find(evaluation.findings, "cycle", &Finding::id) != evaluation.findings.end();
-    explainMissingValues(evaluation, results.targets, results);
-    findNotStated(edition, whole, evaluation.findings);
+        edition.stepCycleByAgreement && measurement.cycle == Cycle::step && !results.stepCycleAgreed;
+
+    judge(edition.requirements, whole, evaluation.findings);
+    explainMissingValues(evaluation, results.targets, results, edition);
     findNotAgreed(edition, test, evaluation.findings);
     findUncertainty(evaluation, missingInputs(budget), [&](const Parameter &p) {
         return reasonOfDifference(p, evaluation, measurement, budget, results.targets);
@@ -181,6 +175,7 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
             std::ranges::find_if(evaluation.parameters, [&](const Parameter &p) { return id == p.term.id; });
         return found == evaluation.parameters.end() ? std::vector<Judged>{} : std::vector<Judged>{{&*found}};
     });
+    findOtherResults(evaluation, test, surroundings);
 
     evaluation.results = std::move(results);
     return evaluation;

@@ -19,10 +19,6 @@ TestEvaluation evaluateDrift(const DriftMeasurement &measurement) {
 
 } // namespace
 
-bool TestEvaluation::inAccordance() const {
-    return std::ranges::none_of(findings, [](const Finding &f) { return f.grade == Grade::requirement; });
-}
-
 const Edition *editionFor(const Test &test, const Edition *asked) {
     if (std::holds_alternative<DriftMeasurement>(test.measurement))
         return nullptr;

@@ -4,12 +4,17 @@
 
 namespace palmer {
 
+bool isLongAxis(const PositioningMeasurement &measurement) {
+    return measurement.axis.travel.value_or(measurementTravel(measurement)) >
+           (measurement.axis.motion == Motion::linear ? 2000.0 : 360.0);
+}
+
 double PositioningCase::travel() const {
     return measurement.axis.travel.value_or(measurementTravel(measurement));
 }
 
 bool PositioningCase::longAxis() const {
-    return travel() > (linear() ? 2000.0 : 360.0);
+    return isLongAxis(measurement);
 }
 
 bool PositioningCase::zoneTest() const {

@@ -10,6 +10,10 @@
 
 namespace palmer {
 
+/// The axis is longer than a short one: above 2 000 mm, 360°; where its travel is not stated the measurement
+/// travel is judged.
+[[nodiscard]] bool isLongAxis(const PositioningMeasurement &measurement);
+
 /// A positioning test and all that its requirements look at. Owns nothing.
 struct PositioningCase {
     const Test &test;

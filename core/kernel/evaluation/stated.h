@@ -23,18 +23,6 @@ bool common(const Case &test) {
         return value.has_value();
 }
 
-/// X, Y and Z.
-template <auto point, class Case>
-bool offset(const Case &test) {
-    const Point3 &value = test.common().*point;
-    return std::ranges::all_of(value, [](const auto &x) { return x.has_value(); });
-}
-
-template <SensorMeasures what, class Case>
-bool temperature(const Case &test) {
-    return meanTemperature(test.common(), what).has_value();
-}
-
 template <class Case>
 bool date(const Case &test) {
     return test.test.date.has_value();
@@ -65,10 +53,9 @@ bool calibrationDate(const Case &test) {
 }
 
 template <class Case>
-bool sensorPositions(const Case &test) {
-    const auto &sensors = test.common().sensors;
-    return !sensors.empty() &&
-           std::ranges::none_of(sensors, [](const Sensor &s) { return s.position.empty(); });
+bool calibrationDue(const Case &test) {
+    return std::ranges::all_of(test.surroundings.instruments,
+                               [](const Instrument *i) { return i->calibrationDue.has_value(); });
 }
 
 template <class Case>

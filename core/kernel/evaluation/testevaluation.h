@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernel/evaluation/accordance.h"
 #include "kernel/evaluation/drift.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/finding.h"
@@ -31,6 +32,8 @@ struct PositioningResults {
     bool notCorrected = false;       ///< lengths do not hold at 20 °C: E, A, M say so
     std::optional<DriftStatistic> drift;
     bool judgedAsZone = false;       ///< a zone test of a long axis, judged as a short one
+    bool countByPractice = false;    ///< number of targets and approaches: not of a short linear axis
+    bool stepCycleAgreed = false;    ///< in writing, where the edition asks for that
     bool stepCycleNotAgreed = false; ///< the title says: not an acceptance result under the edition
 };
 
@@ -105,8 +108,7 @@ struct TestEvaluation {
     UncertaintyEvaluation uncertainty;
     std::variant<PositioningResults, CircularResults, DriftResults> results;
 
-    /// No requirement is unmet.
-    [[nodiscard]] bool inAccordance() const;
+    [[nodiscard]] Accordance accordance() const { return accordanceOf(findings, edition); }
 };
 
 } // namespace palmer

@@ -13,6 +13,7 @@ struct AgreedPoint {
     std::string point;
     AgreementState state = AgreementState::notAgreed;
     std::string text;
+    std::optional<double> value = {}; ///< gradient: °C/h; feed: mm/min or °/min; null: no number
 
     bool operator==(const AgreedPoint &) const = default;
 };

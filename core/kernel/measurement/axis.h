@@ -25,6 +25,8 @@ struct Axis {
     std::optional<double> travel;  ///< axis travel (not the measurement travel); null: not stated
     std::optional<Interval> range; ///< ends of the travel in axis coordinates; null: not stated
     std::string positionFeedback;  ///< measuring system of the axis
+    std::optional<double> scaleElement =
+        {}; ///< length of an element of the measuring system, mm; 0: continuous; null: not stated
 
     bool operator==(const Axis &) const = default;
 };

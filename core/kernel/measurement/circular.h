@@ -44,8 +44,17 @@ struct Arc {
     std::vector<double> radialDeviations;
     std::optional<Interval> evaluated;    ///< unwrapped degrees; null: all, or the middle 360°
     std::optional<double> sampleInterval; ///< s
+    std::string cutOff = {};              ///< what `evaluated` leaves out: feed-in, overshoot
 
     bool operator==(const Arc &) const = default;
+};
+
+/// The circle as it was specified: ISO 230-4:2005, Annex C.
+struct SpecifiedCircle {
+    std::optional<double> diameter; ///< mm
+    std::optional<double> feed;     ///< mm/min
+
+    bool operator==(const SpecifiedCircle &) const = default;
 };
 
 /// A circular test as measured (ISO 230-4); arcs in the order of time.
@@ -54,6 +63,7 @@ struct CircularMeasurement {
     std::string positionFeedback;
     double nominalRadius = 0;   ///< mm
     std::optional<double> feed; ///< mm/min
+    SpecifiedCircle specified;
     SignalSource source = SignalSource::external;
     Centring centring = Centring::leastSquares;
     ReferenceCircle referenceCircle = ReferenceCircle::minimumZone;

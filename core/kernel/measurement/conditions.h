@@ -9,9 +9,13 @@ namespace palmer {
 
 enum class WarmUpKind { notStated, procedure, dryRun, setUpOnly };
 
+/// By whom the warm-up was specified.
+enum class SpecifiedBy { notStated, maker, agreement };
+
 struct WarmUp {
     WarmUpKind kind = WarmUpKind::notStated;
     std::string text;
+    SpecifiedBy specifiedBy = SpecifiedBy::notStated;
 
     bool operator==(const WarmUp &) const = default;
 };
@@ -49,6 +53,9 @@ enum class CorrectionTo20 { notStated, notApplied, appliedByInstrument, appliedH
 
 using Point3 = std::array<std::optional<double>, 3>; ///< X, Y, Z in mm; null: not stated
 
+/// The compensation of the instrument for the air and the temperature of the machine; none: it has none.
+enum class InstrumentCompensation { notStated, on, off, none };
+
 /// What positioning and circular tests state alike.
 struct Conditions {
     WarmUp warmUp;
@@ -60,6 +67,9 @@ struct Conditions {
     std::optional<bool> unloaded;
     std::string soak;
     std::optional<bool> shielded;
+    std::optional<bool> temperatureControlled; ///< the temperature of the room can be controlled
+    std::optional<bool> stabilised;            ///< machine and instruments were thermally stable
+    InstrumentCompensation instrumentCompensation = InstrumentCompensation::notStated;
     std::string thermalGuidelines;
     Point3 toolOffset;
     Point3 workpieceOffset;
@@ -77,11 +87,13 @@ struct PositioningConditions {
     Conditions common;
     std::optional<double> feed; ///< mm/min, rotary °/min
     FeedMode feedMode = FeedMode::programmed;
-    std::optional<double> dwell;            ///< s
-    std::optional<double> approachDistance; ///< mm, rotary degrees
-    std::optional<double> airPressure;      ///< hPa
-    std::optional<double> airHumidity;      ///< %
-    std::optional<double> gradientPerHour;  ///< °C/h
+    std::optional<double> dwell;               ///< s
+    std::optional<double> approachDistance;    ///< mm, rotary degrees
+    std::optional<double> airPressure;         ///< hPa
+    std::optional<double> airHumidity;         ///< %
+    std::optional<double> gradientPerHour;     ///< °C/h
+    std::optional<double> gradientHoursBefore; ///< hours before the test that the gradient covers
+    std::optional<bool> continuousDevice; ///< rotary: a continuous scale of suitable accuracy was at hand
     std::optional<double>
         referencePosition; ///< mm: where the displacement was set to zero; null = first target
 

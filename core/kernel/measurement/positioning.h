@@ -22,6 +22,7 @@ struct TargetChoice {
     std::optional<double> interval; ///< nominal interval p, mm or degrees
     std::optional<double> period;   ///< of the periodic error, mm or degrees
     std::optional<long long> seed;
+    std::optional<int> faces = {}; ///< of the polygon
 
     bool operator==(const TargetChoice &) const = default;
 };

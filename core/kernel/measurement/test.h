@@ -31,6 +31,30 @@ struct ImportedFile {
     bool operator==(const ImportedFile &) const = default;
 };
 
+enum class Purpose {
+    notStated,
+    type,
+    acceptance,
+    comparison,
+    periodic,
+    compensation,
+    afterRepair,
+    afterCollision,
+    other
+};
+
+/// Before or after the adjustment of the machine.
+enum class TestRole { notStated, asFound, asLeft };
+
+/// What the laboratory, which owns the text of the edition, declares of what was not checked here.
+struct DeclaredAccordance {
+    std::string by;                  ///< empty: nothing was declared
+    std::optional<std::string> date; ///< YYYY-MM-DD
+    std::string text;
+
+    bool operator==(const DeclaredAccordance &) const = default;
+};
+
 /// One test of a report: what all kinds have in common, and the measurement. `edition` is the word of the
 /// file, echoed literally; drift tests have none. `extensions` is a JSON object, kept as text.
 struct Test {
@@ -40,6 +64,9 @@ struct Test {
     std::optional<std::string> time; ///< HH:MM
     std::vector<std::string> instruments;
     std::string edition;
+    Purpose purpose = Purpose::notStated;
+    TestRole role = TestRole::notStated;
+    DeclaredAccordance declaredAccordance;
     std::vector<AgreedPoint> agreedPoints;
     Limits limits;
     DecisionRule decisionRule;

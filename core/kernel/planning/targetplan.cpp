@@ -66,6 +66,7 @@ std::vector<double> freeTargets(const TargetRequest &request, TargetPlan &plan, 
     const double bound =
         std::min(request.period.value_or(largestShare * plan.interval), largestShare * plan.interval);
     plan.randomPart = bound;
+    plan.boundOf2006 = request.rule == TargetRule::pitches1988 && !(pitches && bound == *request.period);
     for (std::size_t i = 0; i < count; ++i) {
         const double nominal = request.from + static_cast<double>(i) * plan.interval;
         double position = nominal + (2 * uniform.next() - 1) * bound;

@@ -34,6 +34,8 @@ struct TargetPlan {
     double interval = 0;         ///< nominal interval p
     double randomPart = 0;       ///< largest |r| (1988: length of the range of r), mm or degrees
     int runs = 5;                ///< approaches each way
+    /// Planned for 1988 without a pitch that fits: the bound of ± 30 % is that of ISO 230-2:2006.
+    bool boundOf2006 = false;
 };
 
 /// Most targets of one plan.
@@ -44,7 +46,8 @@ inline constexpr std::size_t mostTargets = 10'000;
 /// Number: linear max(5, ⌈perMetre · travel in metres⌉); rotary 3 up to 90°, 5 up to 180°, 8 above, from a
 /// full turn on 8 a turn and the end (1988: the multiples of 90° and three chosen freely). Random part: new
 /// for every target, uniform within ± the period, and never beyond ± 30 % of the interval, which holds where
-/// the period is unknown and keeps the targets apart where it is long; 1988 within [0, p) after the N-th
+/// the period is unknown and keeps the targets apart where it is long (a rule of 2006, which 1988 has none in
+/// place of: the plan says so); 1988 within [0, p) after the N-th
 /// pitch. All targets lie inside the measurement travel (r clipped at its ends) and are rounded to the
 /// resolution towards its inside. The same seed gives the same plan on every machine.
 /// Approaches: 5 each way; 1 over more than 2 000 mm or 360°, where the standard asks for a full test of an

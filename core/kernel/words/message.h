@@ -20,8 +20,15 @@ struct Number {
     bool operator==(const Number &) const = default;
 };
 
-/// A number, a word of the catalogue, or a name that is the same in every language (UTF-8).
-using Argument = std::variant<Number, Text, std::string>;
+/// A day inside a sentence: YYYY-MM-DD.
+struct Date {
+    std::string iso;
+
+    bool operator==(const Date &) const = default;
+};
+
+/// A number, a word of the catalogue, a name that is the same in every language (UTF-8), or a day.
+using Argument = std::variant<Number, Text, std::string, Date>;
 
 /// The one carrier of sentences: findings, remarks and errors hold one, Language::sentence makes the text.
 /// `%1` … `%9` in the text stand for the arguments; `%n` for `count`, which also chooses the plural.

@@ -1,4 +1,5 @@
 #include "core/document/completefile.h"
+#include "document/edits.h"
 #include "document/filewords.h"
 #include "document/readdocument.h"
 #include "document/writedocument.h"
@@ -17,7 +18,44 @@ using namespace palmer;
 
 namespace {
 
-const QString schemaPath = QStringLiteral(PALMER_SOURCE_DIR "/resources/schema/palmer-1.schema.json");
+/// One schema per version.
+QString schemaPath(int version) {
+    return QStringLiteral(PALMER_SOURCE_DIR "/resources/schema/palmer-%1.schema.json").arg(version);
+}
+
+/// The complete file with every field of version 2.
+QByteArray completeFileOf(int version) {
+    Document document = readDocument(completeFile());
+    if (version == 1)
+        return completeFile();
+    const auto common = [](Conditions &conditions) {
+        conditions.warmUp.specifiedBy = SpecifiedBy::maker;
+        conditions.temperatureControlled = true;
+        conditions.stabilised = true;
+        conditions.instrumentCompensation = InstrumentCompensation::on;
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+        editTest(document, i, [&](Test &test) {
+            test.purpose = Purpose::acceptance;
+            test.role = TestRole::asLeft;
+            test.declaredAccordance = {"laboratory", "2026-11-20", "read in full"};
+            if (!test.agreedPoints.empty())
+                test.agreedPoints[0].value = 0.5;
+            if (auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
+                m->axis.scaleElement = 1020;
+                m->targetChoice.faces = 12;
+                m->conditions.gradientHoursBefore = 12;
+                m->conditions.continuousDevice = true;
+                common(m->conditions.common);
+            } else if (auto *c = std::get_if<CircularMeasurement>(&test.measurement)) {
+                c->specified = {300, 1000};
+                c->arcs[0].cutOff = "overshoot";
+                common(c->conditions.common);
+            }
+        });
+    }
+    return writeDocument(document);
+}
 
 // What the reader refuses and a schema cannot express (as the schema itself says).
 const std::set<std::string> beyondSchema{
@@ -122,7 +160,7 @@ QByteArray nameOf(const QVariantList &path) {
 }
 
 // One call of the validator for all of them.
-QList<bool> validate(const QList<Case> &cases) {
+QList<bool> validate(const QList<Case> &cases, int version) {
     QTemporaryFile file;
     if (!file.open())
         return {};
@@ -131,9 +169,9 @@ QList<bool> validate(const QList<Case> &cases) {
     file.close();
     QProcess validator;
     validator.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    validator.start(
-        QStringLiteral("/usr/bin/python3"),
-        {QStringLiteral(PALMER_SOURCE_DIR "/tests/core/document/validate.py"), schemaPath, file.fileName()});
+    validator.start(QStringLiteral("/usr/bin/python3"),
+                    {QStringLiteral(PALMER_SOURCE_DIR "/tests/core/document/validate.py"),
+                     schemaPath(version), file.fileName()});
     if (!validator.waitForFinished(240'000) || validator.exitCode() != 0)
         return {};
     QList<bool> valid;
@@ -158,8 +196,8 @@ QByteArray oneLine(const QJsonValue &value) {
 // A part of the schema, its references followed; what stands beside a reference wins.
 class Schema {
 public:
-    Schema() {
-        QFile file(schemaPath);
+    explicit Schema(int version = 1) {
+        QFile file(schemaPath(version));
         if (file.open(QIODevice::ReadOnly))
             m_root = QJsonDocument::fromJson(file.readAll()).object();
     }
@@ -276,8 +314,16 @@ private slots:
             QVERIFY2(isParameter(Kind::circular, id.toString().toStdString()), qPrintable(id.toString()));
     }
 
+    void schemaAndReaderRefuseTheSame_data() {
+        QTest::addColumn<int>("version");
+        QTest::newRow("version 1") << 1;
+        QTest::newRow("version 2") << 2;
+    }
     void schemaAndReaderRefuseTheSame() {
-        const QByteArray complete = completeFile();
+        QFETCH(int, version);
+        const QByteArray complete = completeFileOf(version);
+        QCOMPARE(QJsonDocument::fromJson(complete).object().value(QStringLiteral("version")).toInt(),
+                 version);
         QList<Case> cases{{"complete file", oneLine(QJsonDocument::fromJson(complete).object())},
                           {"complete file as written",
                            oneLine(QJsonDocument::fromJson(writeDocument(readDocument(complete))).object())}};
@@ -345,7 +391,7 @@ private slots:
         }
         QVERIFY(cases.size() > 5000);
 
-        const QList<bool> valid = validate(cases);
+        const QList<bool> valid = validate(cases, version);
         QCOMPARE(valid.size(), cases.size());
         int refused = 0;
         QByteArrayList differences;

@@ -91,7 +91,9 @@ private slots:
         setAgreedPoint(test, "feed", AgreementState::agreed, "2000");
         setAgreedPoint(test, "zone", AgreementState::notApplicable, "");
         QCOMPARE(test.agreedPoints.size(), std::size_t(2));
-        setAgreedPoint(test, "feed", AgreementState::notAgreed, "");
+        setAgreedPoint(test, "feed", AgreementState::notAgreed, ""); // which is a statement
+        QCOMPARE(test.agreedPoints.size(), std::size_t(2));
+        setAgreedPoint(test, "feed", std::nullopt, "2000");
         QCOMPARE(test.agreedPoints.size(), std::size_t(1));
         editLimit(test, "A", [](Limit &limit) { limit.value = 0.02; });
         QCOMPARE(test.limits.size(), std::size_t(1));

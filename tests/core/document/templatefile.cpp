@@ -39,6 +39,17 @@ Template limits(Kind kind) {
     return {"contract 12", set};
 }
 
+Template declarations() {
+    Declarations declared;
+    declared.conditions.complete = true;
+    declared.conditions.unloaded = false;
+    declared.conditions.stabilised = true;
+    declared.conditions.soak = "12 h";
+    declared.conditions.warmUp = {WarmUpKind::procedure, "60 min", SpecifiedBy::maker};
+    declared.conditions.instrumentCompensation = InstrumentCompensation::on;
+    return {"hall 2", declared};
+}
+
 } // namespace
 
 Q_DECLARE_METATYPE(Template)
@@ -55,6 +66,8 @@ private slots:
         QTest::newRow("a laboratory with its logo") << laboratory();
         QTest::newRow("limits of positioning") << limits(Kind::positioning);
         QTest::newRow("limits of circles") << limits(Kind::circular);
+        QTest::newRow("declarations") << declarations();
+        QTest::newRow("no declaration") << Template{"", Declarations()};
     }
     void comesBackAsItWas() {
         QFETCH(Template, content);
@@ -87,6 +100,11 @@ private slots:
             << file(R"("kind": "positioning", "limits": {"Q": {"value": 1}})") << QByteArray("limits.Q");
         QTest::newRow("a parameter of the other kind")
             << file(R"("kind": "positioning", "limits": {"G": {"value": 1}})") << QByteArray("limits.G");
+        QTest::newRow("a condition that was measured")
+            << file(R"("conditions": {"dwell": 3})") << QByteArray("conditions.dwell");
+        QTest::newRow("a condition of a wrong type")
+            << file(R"("conditions": {"complete": 1})") << QByteArray("conditions.complete");
+        QTest::newRow("conditions that are none") << file(R"("conditions": [1])") << QByteArray("conditions");
         QTest::newRow("limits of no kind") << file(R"("limits": {})") << QByteArray("kind");
         QTest::newRow("a rule that is none")
             << file(R"("kind": "circular", "limits": {}, "decisionRule": {"rule": "mine"})")
@@ -112,6 +130,28 @@ private slots:
         const QByteArray bytes = writeTemplate(limits(Kind::circular)).trimmed();
         for (qsizetype length = 0; length < bytes.size(); ++length)
             QVERIFY_EXCEPTION_THROWN(static_cast<void>(readTemplate(bytes.first(length))), Error);
+    }
+
+    /// What the template states goes over what stood there; all else stays.
+    void declarationsLeaveTheRest() {
+        Test test;
+        PositioningMeasurement measurement;
+        measurement.conditions.dwell = 3;
+        Conditions &conditions = measurement.conditions.common;
+        conditions.otherAxes = "Y 0";
+        conditions.shielded = false;
+        conditions.unloaded = true;
+        test.measurement = measurement;
+        QVERIFY(applyDeclarations(test, std::get<Declarations>(declarations().content)));
+        PositioningMeasurement expected = measurement;
+        const Conditions stated = std::get<Declarations>(declarations().content).conditions;
+        expected.conditions.common = stated;
+        expected.conditions.common.otherAxes = "Y 0";
+        expected.conditions.common.shielded = false;
+        QVERIFY(std::get<PositioningMeasurement>(test.measurement) == expected);
+        QVERIFY(declarationsOf(test).conditions.otherAxes.empty()); // where axes stood is of one test
+        test.measurement = DriftMeasurement();
+        QVERIFY(!applyDeclarations(test, Declarations()));
     }
 
     void aSetOfLimitsNamesItsEdition() {

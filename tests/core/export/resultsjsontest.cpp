@@ -65,9 +65,9 @@ void ResultsJsonTest::hasTheKeysOfTheFormat() {
     QCOMPARE(file["file"].toString(), "x.palmer");
     QVERIFY(file["program"].toString().startsWith("Palmer "));
     const QJsonObject test = file["tests"][0].toObject();
-    QCOMPARE(test.keys(),
-             QStringList({"correctionTo20", "decisionRule", "edition", "findings", "inAccordance", "kind",
-                          "parameters", "targets", "title", "uncertainty", "verdict"}));
+    QCOMPARE(test.keys(), QStringList({"accordance", "correctionTo20", "decisionRule", "edition", "findings",
+                                       "inAccordance", "kind", "limits", "parameters", "purpose", "role",
+                                       "targets", "title", "uncertainty", "undeclared", "unmet", "verdict"}));
     QCOMPARE(parameter(test, "A").keys(),
              QStringList({"clause", "expandedUncertainty", "guardBand", "id", "limit", "limitOf",
                           "monteCarlo", "name", "quantity", "ruling", "symbol", "unit", "value", "verdict"}));
@@ -76,7 +76,8 @@ void ResultsJsonTest::hasTheKeysOfTheFormat() {
                           "nNegative", "nPositive", "rangeNegative", "rangePositive", "repeatability",
                           "repeatabilityNegative", "repeatabilityPositive", "reversal", "sNegative",
                           "sPositive", "target", "upperNegative", "upperPositive"}));
-    QCOMPARE(test["findings"][0].toObject().keys(), QStringList({"clause", "grade", "id", "text"}));
+    QCOMPARE(test["findings"][0].toObject().keys(),
+             QStringList({"clause", "grade", "id", "keys", "source", "state", "text"}));
 }
 
 void ResultsJsonTest::givesTheValuesOf1988() {

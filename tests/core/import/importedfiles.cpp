@@ -1,6 +1,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "core/import/importpicture.h"
+#include "document/edits.h"
 #include "document/readdocument.h"
 #include "document/writedocument.h"
 
@@ -63,6 +64,8 @@ private slots:
     void refusesHugeFilesAtOnce();
     void keepsTheOriginal();
     void putsTemperaturesIntoTheTests();
+    void takesTheGradientOfTheAir_data();
+    void takesTheGradientOfTheAir();
     void coloursTheCells();
     void readsWhatStandsBesideTheTable();
     void showsWhatCannotBeRead();
@@ -255,6 +258,41 @@ void ImportedFilesTest::putsTemperaturesIntoTheTests() {
             std::abs(*conditions.gradientPerHour - 0.5) < 1e-12); // rounding of 20.6 − 20.1
     QCOMPARE(test.imports.size(), std::size_t(2));
     QVERIFY(readDocument(writeDocument(document)) == document);
+}
+
+void ImportedFilesTest::takesTheGradientOfTheAir_data() {
+    QTest::addColumn<QByteArray>("heading");
+    QTest::addColumn<QByteArray>("time"); // of the test
+    QTest::addColumn<double>("gradient"); // 0: none
+    QTest::addColumn<double>("hours");    // −1: not known
+    QTest::newRow("air, half a day before") << QByteArray("Air (°C)") << QByteArray("08:30") << 0.4 << 12.5;
+    QTest::newRow("air, when the test began is not stated")
+        << QByteArray("Air (°C)") << QByteArray() << 0.4 << -1.0;
+    QTest::newRow("machine") << QByteArray("Machine (°C)") << QByteArray("08:30") << 0.0 << -1.0;
+}
+
+/// The gradient is that of the environment; before the test lie the hours from the start of a dated series.
+void ImportedFilesTest::takesTheGradientOfTheAir() {
+    QFETCH(QByteArray, heading);
+    QFETCH(QByteArray, time);
+    QFETCH(double, gradient);
+    QFETCH(double, hours);
+    const QByteArray table = contents(DATA "tables/typical.csv");
+    Document document;
+    addImported(document, importMeasurement(table, "x.csv"), table, "x.csv", false);
+    editTest(document, 0, [&](Test &test) {
+        test.date = "2026-11-20";
+        test.time = time.isEmpty() ? std::nullopt : std::optional(time.toStdString());
+    });
+    const QByteArray series = "Time;" + heading +
+                              "\n2026-11-19 20:00:00;20,0\n2026-11-19 21:00:00;20,4\n"
+                              "2026-11-20 09:00:00;20,5\n";
+    addImported(document, importMeasurement(series, "t.csv"), series, "t.csv", false);
+    const auto &conditions = std::get<PositioningMeasurement>(document.tests.at(0)->measurement).conditions;
+    QCOMPARE(conditions.gradientPerHour.has_value(), gradient > 0);
+    if (gradient > 0)
+        QVERIFY(std::abs(*conditions.gradientPerHour - gradient) < 1e-12); // rounding of 20.4 − 20.0
+    QCOMPARE(conditions.gradientHoursBefore, hours < 0 ? std::nullopt : std::optional(hours));
 }
 
 void ImportedFilesTest::coloursTheCells() {

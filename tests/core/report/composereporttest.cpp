@@ -474,9 +474,11 @@ private slots:
                 if (edition->circles) {
                     for (const CircularRow &row : edition->circles->rows)
                         QVERIFY2(language.hasTranslation(row.term.name), row.term.name.source);
-                    for (const CircularStatement &row : edition->circles->statements)
-                        QVERIFY2(language.hasTranslation(row.name), row.name.source);
+                    for (const CircularRequirement &row : edition->circles->requirements)
+                        QVERIFY2(row.name.empty() || language.hasTranslation(row.name), row.id);
                 }
+                for (const Requirement &row : edition->requirements)
+                    QVERIFY2(row.name.empty() || language.hasTranslation(row.name), row.id);
                 for (const TargetTerm &term : edition->targetTerms)
                     QVERIFY2(language.hasTranslation(term.name), term.name.source);
                 for (const AgreementPoint &point : edition->points)
@@ -518,6 +520,69 @@ private slots:
         QCOMPARE(lines[0].verdict, evaluate(document("two-tests")).verdict());
         QVERIFY(composed.paper == Paper::letter);
         QVERIFY(headingsOf(composed).contains("Drift tests"));
+    }
+
+    /// "CONFORM" never stands large above a requirement that is unmet or was not declared.
+    void theLargeWordKnowsTheRequirements_data() {
+        QTest::addColumn<int>("shielded"); // −1: not declared
+        QTest::addColumn<double>("limit"); // of A, mm
+        QTest::addColumn<QString>("word");
+        QTest::addColumn<QString>("inFrench");
+        QTest::newRow("all met") << 1 << 1.0 << "CONFORMS"
+                                 << "CONFORME";
+        QTest::newRow("limit exceeded") << 1 << 0.001 << "DOES NOT CONFORM"
+                                        << "NON CONFORME";
+        QTest::newRow("not declared") << -1 << 1.0 << "LIMITS MET"
+                                      << "LIMITES RESPECTÉES";
+        QTest::newRow("not declared, limit exceeded") << -1 << 0.001 << "LIMITS EXCEEDED"
+                                                      << "LIMITES DÉPASSÉES";
+        QTest::newRow("unmet") << 0 << 1.0 << "NO VERDICT"
+                               << "SANS VERDICT";
+        QTest::newRow("unmet, limit exceeded") << 0 << 0.001 << "LIMITS EXCEEDED"
+                                               << "LIMITES DÉPASSÉES";
+    }
+    void theLargeWordKnowsTheRequirements() {
+        QFETCH(int, shielded);
+        QFETCH(double, limit);
+        QFETCH(QString, word);
+        QFETCH(QString, inFrench);
+        Document changed = *document("long-axis-with-zone");
+        Test test = *changed.tests[1];
+        auto &declared = std::get<PositioningMeasurement>(test.measurement).conditions.common.shielded;
+        declared = shielded < 0 ? std::nullopt : std::optional(shielded > 0);
+        test.limits = {{"A", {limit, {}, ""}}};
+        Test whole = *changed.tests[0];
+        changed.tests = {std::make_shared<const Test>(test), std::make_shared<const Test>(whole)};
+        const auto shared = std::make_shared<const Document>(changed);
+        QCOMPARE(blocksOf<VerdictLine>(report(shared, Language(Language::Id::english)))[1].word, word);
+        const auto lines = blocksOf<VerdictLine>(report(shared, Language(Language::Id::french)));
+        QCOMPARE(lines[1].word, inFrench);
+        QCOMPARE(lines[0].word, inFrench); // the other test is all right
+        QCOMPARE(lines[1].verdict == Verdict::conforms, shielded == 1 && limit == 1.0);
+    }
+
+    /// Tests as found are printed for information where there are others.
+    void theVerdictRestsOnTestsAsLeft() {
+        Document changed = *document("long-axis-with-zone");
+        const auto evaluated = [&](TestRole first, TestRole second) {
+            std::vector<Test> tests{*changed.tests[0], *changed.tests[1]};
+            tests[0].role = first;
+            tests[0].limits = {{"E", {0.001, {}, ""}}}; // exceeded
+            tests[1].role = second;
+            Document document = changed;
+            document.tests = {std::make_shared<const Test>(tests[0]), std::make_shared<const Test>(tests[1])};
+            return std::make_shared<const Document>(document);
+        };
+        using enum TestRole;
+        QCOMPARE(evaluate(evaluated(notStated, asLeft)).verdict(), Verdict::doesNotConform);
+        QCOMPARE(evaluate(evaluated(asFound, asLeft)).verdict(), Verdict::conforms);
+        QCOMPARE(evaluate(evaluated(asFound, notStated)).verdict(), Verdict::conforms);
+        QCOMPARE(evaluate(evaluated(asFound, asFound)).verdict(), Verdict::doesNotConform);
+        const Report composed = report(evaluated(asFound, asLeft), Language(Language::Id::english));
+        QCOMPARE(blocksOf<VerdictLine>(composed)[0].word, "CONFORMS");
+        QCOMPARE(blocksOf<VerdictLine>(composed)[1].word, "DOES NOT CONFORM");
+        const Cell information = blocksOf<Table>(composed)[0].rows[0].back();
+        QVERIFY(information.text.plain().contains("for information, not part of the verdict"));
     }
 
     void oneTestHasNoSummary() {
@@ -704,7 +769,7 @@ private slots:
         Document changed = *document("iso230-2-1988-example");
         changed.report.leaveOut = {ReportPart::findings};
         QVERIFY(text(std::make_shared<const Document>(changed), Language(Language::Id::english))
-                    .contains("ten readings are stand-ins with the published mean and s"));
+                    .contains("ten readings are substitutes with the published mean and s"));
     }
 
     void limitsThatDoNotHoldAreNoMissingLimits() {

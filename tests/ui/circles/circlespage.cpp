@@ -91,6 +91,19 @@ class CirclesPageTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void whatAnArcLeavesOutIsStated() {
+        Shown shown;
+        shown.type("cutOff", u"run-in"_s);
+        QCOMPARE(shown.circles().arcs[0].cutOff, std::string("run-in"));
+        QVERIFY(shown.circles().arcs[1].cutOff.empty());
+        QCOMPARE(shown.model.undoStack()->count(), 1);
+        shown.find<QTableView>("arcs")->setCurrentIndex(shown.find<QTableView>("arcs")->model()->index(1, 0));
+        QVERIFY(shown.find<QLineEdit>("cutOff")->text().isEmpty());
+        shown.type("cutOff", u"overshoot"_s);
+        QCOMPARE(shown.circles().arcs[0].cutOff, std::string("run-in"));
+        QCOMPARE(shown.circles().arcs[1].cutOff, std::string("overshoot"));
+    }
+
     void arcsSayWhatTheyAre() {
         const Shown shown;
         QCOMPARE(shown.find<QTableView>("arcs")->model()->rowCount(), 2);

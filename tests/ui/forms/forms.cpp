@@ -198,12 +198,14 @@ private slots:
             page->show(evaluated, 0);
         points.show(evaluated, 0);
         for (const Finding &finding : evaluated.tests[0]->findings) {
-            const Edition *edition = evaluated.tests[0]->edition;
-            if (!isMissing(finding, edition))
+            if (!finding.missing)
                 continue;
-            const QString id = QString::fromStdString(finding.id);
+            const QString id = fieldOf(finding);
             bool found = false;
-            switch (pageOf(finding, edition, *evaluated.document)) {
+            switch (pageOf(finding, *evaluated.document)) {
+            case Page::uncertainty: // a page of its own
+                found = true;
+                break;
             case Page::conditions:
                 found = conditions.focusField(id);
                 break;
@@ -241,7 +243,7 @@ private slots:
         const TestEvaluation &evaluation = *edited.evaluator.current().tests[0];
         const auto missing = std::ranges::find(evaluation.findings, "referenceLength", &Finding::id);
         QVERIFY(missing != evaluation.findings.end());
-        QCOMPARE(pageOf(*missing, evaluation.edition, *edited.model.document()), Page::uncertainty);
+        QCOMPARE(pageOf(*missing, *edited.model.document()), Page::uncertainty);
     }
 
     void theInstrumentOfATestIsChosenOnItsPage() {
@@ -254,7 +256,7 @@ private slots:
             const auto &findings = evaluated.tests[0]->findings;
             const auto missing = std::ranges::find(findings, "instruments", &Finding::id);
             QVERIFY(missing != findings.end());
-            const Page page = pageOf(*missing, evaluated.tests[0]->edition, document);
+            const Page page = pageOf(*missing, document);
             QCOMPARE(page, known ? Page::conditions : Page::instruments);
             if (!known)
                 continue;
@@ -623,7 +625,7 @@ private slots:
         QVERIFY(edited.test().instruments.empty());
     }
 
-    void agreementsHaveThreeStates() {
+    void agreementsHaveFourStates() {
         Edited<AgreedPointsPage> edited(example());
         auto *warmUp = edited.page.findChild<QLineEdit *>(u"field.agreedPoints.warmUp"_s);
         warmUp->setFocus();
@@ -638,6 +640,24 @@ private slots:
         QCOMPARE(edited.test().agreedPoints[0].state, AgreementState::notAgreed);
         QVERIFY(edited.page.findChild<QToolButton *>(u"state1.warmUp"_s)->isChecked());
         QVERIFY(!edited.page.findChild<QToolButton *>(u"state2.warmUp"_s)->isChecked());
+        QVERIFY(!edited.page.findChild<QToolButton *>(u"state3.warmUp"_s)->isChecked());
+        QTest::mouseClick(edited.page.findChild<QToolButton *>(u"state3.warmUp"_s), Qt::LeftButton);
+        QVERIFY(edited.test().agreedPoints.empty()); // no entry: not declared
+        QVERIFY(edited.page.findChild<QToolButton *>(u"state3.warmUp"_s)->isChecked());
+    }
+
+    void aNumberOutlivesTheTextOfItsAgreement() {
+        Document document = example();
+        editTest(document, 0, [](Test &test) {
+            test.agreedPoints = {{"gradient", AgreementState::agreed, "x", 0.5}};
+        });
+        Edited<AgreedPointsPage> edited(document);
+        auto *text = edited.page.findChild<QLineEdit *>(u"field.agreedPoints.gradient"_s);
+        text->setFocus();
+        QTest::keyClick(text, Qt::Key_Backspace);
+        QCOMPARE(edited.test().agreedPoints.size(), std::size_t(1));
+        QVERIFY(edited.test().agreedPoints[0].value == 0.5);
+        QVERIFY(edited.test().agreedPoints[0].text.empty());
     }
 
     void agreementsAreTakenFromTheConditions() {
@@ -724,6 +744,39 @@ private slots:
         QVERIFY(!templates->apply({"limits", LimitSet()})); // of another page
         removeTemplate(stored[0]);
         QVERIFY(storedTemplates().empty());
+    }
+
+    /// One step says yes to what was not declared; what was declared stays.
+    void allDeclarationsAtOnce() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).conditions.common.unloaded = false;
+        Edited<ConditionsPage> edited(documentOf(test));
+        button(edited.page, "allApply")->click();
+        const Conditions &common = edited.conditions().common;
+        QCOMPARE(common.unloaded, std::optional(false));
+        for (const auto &declared : {common.complete, common.levelled, common.shielded, common.stabilised})
+            QCOMPARE(declared, std::optional(true));
+        QVERIFY(!common.temperatureControlled); // no requirement is met by it
+        QCOMPARE(edited.model.undoStack()->count(), 1);
+        edited.model.undoStack()->undo();
+        QVERIFY(*edited.model.document()->tests[0] == test);
+    }
+
+    void declarationsAreTemplates() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).conditions.common.soak = "12 h";
+        measurement(test).conditions.common.complete = true;
+        Edited<ConditionsPage> edited(documentOf(test));
+        auto *templates = edited.page.findChild<TemplateButton *>();
+        QVERIFY(templates);
+        const Template content = templates->current(u"hall 2"_s);
+        edited.type(u"soak"_s, u"1 h"_s);
+        edited.type(u"dwell"_s, u"3"_s);
+        QVERIFY(templates->apply(content));
+        QCOMPARE(edited.conditions().common.soak, std::string("12 h"));
+        QCOMPARE(edited.conditions().common.complete, std::optional(true));
+        QCOMPARE(edited.conditions().dwell, std::optional(3.0)); // is of this test
+        QVERIFY(!templates->apply({"limits", LimitSet()}));
     }
 
     void withoutTests() {

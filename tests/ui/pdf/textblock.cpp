@@ -61,7 +61,7 @@ Report reportWith(const QString &place, const QString &text) {
     }
     if (place == "finding") {
         FindingsBlock findings;
-        findings.lines = {{Grade::requirement, "requirement", "4.3", text}};
+        findings.lines = {{{}, Grade::requirement, "requirement", "4.3", text}};
         return with(findings);
     }
     if (place == "signature") {

@@ -139,7 +139,6 @@ private slots:
     void findingsOfThePageComeFirst() {
         FindingsModel model;
         const EvaluatedDocument evaluated = evaluatedDocument(decidedExample());
-        const Edition *edition = evaluated.tests[0]->edition;
         model.show(evaluated, 0, Page::agreedPoints, Language(Language::Id::english));
         int single = 0;
         while (single < model.rowCount() && !model.line(single).id.isEmpty()) {
@@ -148,7 +147,7 @@ private slots:
         }
         const auto expected =
             std::ranges::count_if(evaluated.tests[0]->findings, [&](const Finding &finding) {
-                return pageOf(finding, edition, *evaluated.document) == Page::agreedPoints;
+                return pageOf(finding, *evaluated.document) == Page::agreedPoints;
             });
         QCOMPARE(single, static_cast<int>(expected));
         // Then a line per page, each page once.

@@ -4,65 +4,69 @@
 
 #include <optional>
 
-/// What the editions of ISO 230-2 ask of a test, one function a question. Each returns the sentence of the
-/// finding, or null when the requirement is met or cannot apply. Grade and clause stand in the tables.
+/// What the editions of ISO 230-2 ask of a test, one function a question. A Sentence says what is wrong, null
+/// where nothing is; a Judgement knows what was not declared, too. Source, clause, modality and when a row
+/// applies stand in the tables (requirements.cpp).
 namespace palmer::iso230_2 {
 
 using Sentence = std::optional<Message>;
 
 // Targets
-Sentence axisTravel(const PositioningCase &test);      ///< axis travel stated
+Judgement axisTravel(const PositioningCase &test);     ///< axis travel stated
 Sentence targetsPerMetre(const PositioningCase &test); ///< ≥ 5 a metre of the judged travel
 Sentence fiveTargets(const PositioningCase &test);     ///< ≥ 5 in all
 Sentence meanInterval(const PositioningCase &test);    ///< long axis: mean interval ≤ 250 mm
+Judgement elements(const PositioningCase &test); ///< the same, or a target in each element of the device
 Sentence
 wholeLength(const PositioningCase &test); ///< long axis: no more than 250 mm left out at an end, on average
-Sentence quarterTurns(const PositioningCase &test);    ///< 1988, rotary: 0, 90, 180, 270° or a polygon
+Sentence quarterTurns(const PositioningCase &test);    ///< 0, 90, 180, 270° that are within reach
+Judgement freeTargets(const PositioningCase &test);    ///< three more than those
+Judgement polygonFaces(const PositioningCase &test);   ///< as many targets as the polygon has faces
 Sentence targetsOfTravel(const PositioningCase &test); ///< rotary: ≤ 90° 3, ≤ 180° 5, above 8 targets
 Sentence targetsPerTurn(const PositioningCase &test);  ///< rotary above 360°: 8 a turn, up to 1 800°
 Sentence otherTest(const PositioningCase &test);       ///< long axis: whole travel and zone
 Sentence zoneLength(const PositioningCase &test);      ///< the zone is 2 000 mm (360°) long
+Judgement zone(const PositioningCase &test);           ///< and agreed
 Sentence ends(const PositioningCase &test);            ///< first and last target approached from both sides
 Sentence endsUnknown(const PositioningCase &test);     ///< ends of the axis not stated: not checked
-Sentence evenSpacing(const PositioningCase &test);     ///< freely chosen targets do not share a phase
-Sentence randomPart(const PositioningCase &test);      ///< r within ± the period, or ±30 % of p
+Judgement choiceOf1988(const PositioningCase &test);   ///< targets do not share a phase of the cyclic pitch
+Sentence spacing(const PositioningCase &test);         ///< steps within two periods (60 %) of the mean step
+Judgement choiceOf2006(const PositioningCase &test);   ///< random part within ± the period, or ±30 % of p
+Sentence evenSpacing(const PositioningCase &test);     ///< all steps alike, the period not known
 
 // Runs and readings
 Sentence fiveApproaches(const PositioningCase &test); ///< ≥ 5 each way
-Sentence oneApproach(const PositioningCase &test);    ///< ≥ 1 each way
-Sentence fewReadings(const PositioningCase &test);    ///< missing readings, fewer than 5 left somewhere
+Sentence moreThanFive(const PositioningCase &test);
+Sentence oneApproach(const PositioningCase &test); ///< ≥ 1 each way
 Sentence
-missingReadings(const PositioningCase &test); ///< missing readings, 5 left everywhere (or no full test)
+fewReadings(const PositioningCase &test); ///< five approaches, and fewer than 5 readings left somewhere
+Sentence missingReadings(const PositioningCase &test);  ///< missing readings, 5 left everywhere
 Sentence refusedReadings(const PositioningCase &test);  ///< none of them is a text that is no number
 Sentence unequalRuns(const PositioningCase &test);      ///< as many runs up as down
 Sentence excludedReadings(const PositioningCase &test); ///< none set aside
 Sentence excludedWithoutReason(const PositioningCase &test);
 Sentence rangeMethodElsewhere(const PositioningCase &test); ///< range method outside ISO 230-2:1988
 Sentence rangeMethodRuns(const PositioningCase &test);      ///< range method: 2 … 10 readings
-Sentence drift(const PositioningCase &test);         ///< no steady progression from approach to approach
-Sentence stepCycle(const PositioningCase &test);     ///< step cycle by written agreement only
-Sentence workedExample(const PositioningCase &test); ///< the readings are those of the 1988 example
-
-// The same where the text of the edition was not read: the sentence says so.
-Sentence meanIntervalInPractice(const PositioningCase &test);
-Sentence wholeLengthInPractice(const PositioningCase &test);
-Sentence zoneLengthInPractice(const PositioningCase &test);
-Sentence fiveApproachesInPractice(const PositioningCase &test);
-Sentence oneApproachInPractice(const PositioningCase &test);
+Sentence drift(const PositioningCase &test);           ///< no steady progression from approach to approach
+bool stepCycleInWriting(const PositioningCase &test);  ///< agreed, with a text that names the document
+Sentence stepCycle(const PositioningCase &test);       ///< step cycle by written agreement only
+Sentence stepCycleAgreed(const PositioningCase &test); ///< there is one
+Sentence workedExample(const PositioningCase &test);   ///< the readings are those of the 1988 example
 
 // Conditions
-Sentence temperature1988(const PositioningCase &test);      ///< 20 ± 0.5 °C where controllable
-Sentence correction1988(const PositioningCase &test);       ///< compensation on beyond 20 ± 0.5 °C
-Sentence correction(const PositioningCase &test);           ///< corrected to 20 °C where it is not 20 °C
-Sentence correctionImpossible(const PositioningCase &test); ///< "applied here" without θ or α
-Sentence correctionOfRotary(const PositioningCase &test);   ///< "applied here" to a rotary axis
-Sentence expansionUncertainty(const PositioningCase &test); ///< 0.6·R(α) ≥ 2 µm/(m·°C)
-Sentence incomplete(const PositioningCase &test);           ///< machine complete
-Sentence notLevelled(const PositioningCase &test);          ///< machine levelled and aligned
-Sentence loaded(const PositioningCase &test);               ///< machine unloaded
-Sentence warmUp1988(const PositioningCase &test);      ///< agreed or the maker's, else only set-up movements
-Sentence warmUpProcedure(const PositioningCase &test); ///< a procedure is agreed or described
-Sentence compensationStated(const PositioningCase &test); ///< compensation stated
-Sentence uncertaintyStated(const PositioningCase &test);  ///< U beside every result
+Judgement instrumentCompensation(const PositioningCase &test); ///< switched on where the instrument has one
+Judgement gradient(const PositioningCase &test);               ///< over 12 h within the agreed limit
+Judgement dwell(const PositioningCase &test);                  ///< at rest at each target
+Judgement feedOrRapid(const PositioningCase &test);            ///< rapid, or at an agreed feed
+Judgement feedAsAgreed(const PositioningCase &test);           ///< at an agreed feed
+Judgement correction(const PositioningCase &test);             ///< corrected to 20 °C where it is not 20 °C
+Sentence correctionImpossible(const PositioningCase &test);    ///< "applied here" without θ or α
+Sentence correctionOfRotary(const PositioningCase &test);      ///< "applied here" to a rotary axis
+Sentence expansionUncertainty(const PositioningCase &test);    ///< 0.6·R(α) ≥ 2 µm/(m·°C)
+Judgement temperaturesOf2006(const PositioningCase &test);     ///< of machine and instrument
+Judgement sensorsOf1988(const PositioningCase &test);          ///< positions and type of compensation
+Judgement correctionStatements(const PositioningCase &test);   ///< what goes with a correction
+Judgement uncertaintyStated(const PositioningCase &test);      ///< U beside every result
+Judgement namedInstrument(const PositioningCase &test);        ///< one that is described
 
 } // namespace palmer::iso230_2

@@ -1,3 +1,5 @@
+#include "kernel/evaluation/agreedpoints.h"
+#include "kernel/evaluation/commonchecks.h"
 #include "kernel/evaluation/correctionto20.h"
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/correction.h"
@@ -10,48 +12,85 @@ namespace palmer::iso230_2 {
 
 namespace {
 
-constexpr double reference = 20; ///< °C
-constexpr double margin1988 = 0.5;
+constexpr double rounding = 1e-9; ///< of numbers as they are written
+constexpr double hoursBefore = 12;
 
-Number celsius(double value) {
-    return {value, Quantity::temperature, -1};
+Number perHour(double value) {
+    return {value, Quantity::gradient, -1};
 }
 
-Sentence notCorrectedFrom(const PositioningCase &test, const std::optional<MeanTemperature> &away) {
-    if (!away || !isNotCorrected(test.measurement) ||
-        test.common().correctionTo20 == CorrectionTo20::appliedHere)
-        return std::nullopt; // asked for but impossible: correctionImpossible says why
-    return Message{away->of == SensorMeasures::machine
-                       ? REPORT_TEXT("report", "The machine was at %1 on average and the results are not "
-                                               "corrected to 20 °C.")
-                       : REPORT_TEXT("report", "The instrument was at %1 on average and the results are not "
-                                               "corrected to 20 °C."),
-                   {Number{away->value, Quantity::temperature, 1}}};
+bool isAgreedState(const AgreedPoint &point) {
+    return point.state == AgreementState::agreed;
 }
 
 } // namespace
 
-Sentence temperature1988(const PositioningCase &test) {
-    double worst = reference;
-    for (const Sensor &sensor : test.conditions().common.sensors) {
-        for (const auto value : {startTemperature(sensor), endTemperature(sensor)}) {
-            if (value && std::abs(*value - reference) > std::abs(worst - reference))
-                worst = *value;
-        }
+Judgement instrumentCompensation(const PositioningCase &test) {
+    if (isCorrectedTo20(test.common()))
+        return Judgement::met();
+    switch (test.common().instrumentCompensation) {
+    case InstrumentCompensation::notStated:
+        return Judgement::undeclared();
+    case InstrumentCompensation::off:
+        return Judgement::unmet();
+    case InstrumentCompensation::on:
+    case InstrumentCompensation::none:
+        break;
     }
-    if (std::abs(worst - reference) <= margin1988 + 1e-9)
-        return std::nullopt;
-    return Message{
-        REPORT_TEXT("report", "Temperature %1: where it can be controlled, 20 °C ± 0.5 °C are asked for."),
-        {celsius(worst)}};
+    return Judgement::met();
 }
 
-Sentence correction1988(const PositioningCase &test) {
-    return notCorrectedFrom(test, awayFrom20(test.common(), margin1988));
+Judgement gradient(const PositioningCase &test) {
+    const AgreedPoint *agreed = agreedPoint(test.test, "gradient");
+    const PositioningConditions &conditions = test.conditions();
+    if (agreed && !isAgreedState(*agreed))
+        return Judgement::unmet({REPORT_TEXT("report", "No limit of the gradient was agreed.")});
+    if (!agreed || !agreed->value || !conditions.gradientPerHour)
+        return Judgement::undeclared();
+    if (std::abs(*conditions.gradientPerHour) > *agreed->value + rounding)
+        return Judgement::unmet({REPORT_TEXT("report", "Gradient %1, agreed limit %2."),
+                                 {perHour(*conditions.gradientPerHour), perHour(*agreed->value)}});
+    // A gradient of fewer hours says nothing of the twelve that are asked for.
+    const auto &hours = conditions.gradientHoursBefore;
+    return hours && *hours >= hoursBefore - rounding ? Judgement::met() : Judgement::undeclared();
 }
 
-Sentence correction(const PositioningCase &test) {
-    return notCorrectedFrom(test, awayFrom20(test.common()));
+Judgement dwell(const PositioningCase &test) {
+    const auto &dwell = test.conditions().dwell;
+    if (!dwell)
+        return Judgement::undeclared();
+    return *dwell > 0 ? Judgement::met() : Judgement::unmet();
+}
+
+Judgement feedAsAgreed(const PositioningCase &test) {
+    const AgreedPoint *agreed = agreedPoint(test.test, "feed");
+    const auto &feed = test.conditions().feed;
+    if (agreed && !isAgreedState(*agreed))
+        return Judgement::unmet();
+    if (!agreed)
+        return Judgement::undeclared();
+    const bool contradicted =
+        agreed->value && feed && std::abs(*feed - *agreed->value) > rounding * std::abs(*agreed->value);
+    return contradicted ? Judgement::unmet() : Judgement::met();
+}
+
+Judgement feedOrRapid(const PositioningCase &test) {
+    if (test.conditions().feedMode == FeedMode::rapid)
+        return Judgement::met();
+    const Judgement agreed = feedAsAgreed(test);
+    return !agreed.state && !test.conditions().feed ? Judgement::undeclared() : agreed;
+}
+
+Judgement correction(const PositioningCase &test) {
+    const auto away = awayFrom20(test.common());
+    if (!away || !isNotCorrected(test.measurement))
+        return Judgement::met();
+    if (test.common().correctionTo20 == CorrectionTo20::notStated)
+        return Judgement::undeclared();
+    return Judgement::unmet({away->of == SensorMeasures::machine
+                                 ? REPORT_TEXT("report", "Machine at %1, results not corrected to 20 °C.")
+                                 : REPORT_TEXT("report", "Instrument at %1, results not corrected to 20 °C."),
+                             {Number{away->value, Quantity::temperature, 1}}});
 }
 
 Sentence correctionImpossible(const PositioningCase &test) {
@@ -85,51 +124,39 @@ Sentence expansionUncertainty(const PositioningCase &test) {
         {Number{factor * *range, Quantity::expansion, 2}, Number{typical, Quantity::expansion, -1}}};
 }
 
-Sentence incomplete(const PositioningCase &test) {
-    if (test.conditions().common.complete.value_or(true))
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "The machine was not complete."), {}};
+Judgement temperaturesOf2006(const PositioningCase &test) {
+    const Conditions &conditions = test.common();
+    using enum SensorMeasures;
+    const bool ofInstrument =
+        common::anyTemperature(conditions, instrument) ||
+        (conditions.expansion.instrument == 0.0 && common::anyTemperature(conditions, air));
+    return common::anyTemperature(conditions, machine) && ofInstrument ? Judgement::met()
+                                                                       : Judgement::unmet();
 }
 
-Sentence notLevelled(const PositioningCase &test) {
-    if (test.conditions().common.levelled.value_or(true))
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "The machine was not levelled and aligned."), {}};
+Judgement sensorsOf1988(const PositioningCase &test) {
+    return common::machineSensorsPlaced(test.common()) &&
+                   test.common().correctionTo20 != CorrectionTo20::notStated
+               ? Judgement::met()
+               : Judgement::unmet();
 }
 
-Sentence loaded(const PositioningCase &test) {
-    if (test.conditions().common.unloaded.value_or(true))
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "The machine was not unloaded."), {}};
+Judgement correctionStatements(const PositioningCase &test) {
+    const Expansion &alpha = test.common().expansion;
+    return common::machineSensorsPlaced(test.common()) && alpha.machine && alpha.instrument
+               ? Judgement::met()
+               : Judgement::unmet();
 }
 
-Sentence warmUp1988(const PositioningCase &test) {
-    if (test.conditions().common.warmUp.kind != WarmUpKind::dryRun || test.agreed("warmUp"))
-        return std::nullopt;
-    return Message{REPORT_TEXT("report",
-                               "A dry run without an agreed warm-up: only the movements needed to set up the "
-                               "instrument are allowed."),
-                   {}};
+Judgement uncertaintyStated(const PositioningCase &test) {
+    return test.uncertaintyStated ? Judgement::met() : Judgement::unmet();
 }
 
-Sentence warmUpProcedure(const PositioningCase &test) {
-    const WarmUp &warmUp = test.conditions().common.warmUp;
-    if (warmUp.kind != WarmUpKind::procedure || !warmUp.text.empty() || test.agreed("warmUp"))
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "The warm-up procedure is neither described nor agreed."), {}};
-}
-
-Sentence compensationStated(const PositioningCase &test) {
-    if (!test.conditions().common.compensation.empty())
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "Not stated: compensation active during the test."), {}};
-}
-
-Sentence uncertaintyStated(const PositioningCase &test) {
-    if (test.uncertaintyStated)
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "The measurement uncertainty is not stated beside every result."),
-                   {}};
+Judgement namedInstrument(const PositioningCase &test) {
+    return std::ranges::any_of(test.surroundings.instruments,
+                               [](const Instrument *i) { return !i->description.empty(); })
+               ? Judgement::met()
+               : Judgement::unmet();
 }
 
 } // namespace palmer::iso230_2

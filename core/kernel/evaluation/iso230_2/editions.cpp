@@ -31,10 +31,9 @@ Edition iso1988(const char *word) {
             .stepCycle = stepCycle1988,
             .rows = rows1988(),
             .targetTerms = targetTerms1988(),
-            .schemes = schemes1988(),
+            .textRead = TextRead::all,
             .requirements = requirements1988(),
-            .statements = statements(),
-            .statementsClause = "7",
+            .resultsClause = "6.1, 6.2, 6.3",
             .points = points1988(),
             .pointsClause = "8"};
 }
@@ -49,9 +48,7 @@ Edition iso1997(const char *word, Text title) {
             .stepCycle = stepCycle2006,
             .rows = rows2006WithoutClauses(),
             .targetTerms = targetTerms2006WithoutClauses(),
-            .schemes = schemesWithoutClauses(),
             .requirements = requirements1997(),
-            .statements = statements(),
             .points = points1997()};
 }
 
@@ -64,9 +61,9 @@ Edition iso2006() {
             .stepCycle = stepCycle2006,
             .rows = rows2006(),
             .targetTerms = targetTerms2006(),
-            .schemes = schemes2006(),
+            .textRead = TextRead::part,
+            .stepCycleByAgreement = true,
             .requirements = requirements2006(),
-            .statements = statements(),
             .points = points1997()};
 }
 
@@ -79,9 +76,7 @@ Edition aliasOf2006(const char *word) {
             .stepCycle = stepCycle2006,
             .rows = rows2006WithoutClauses(),
             .targetTerms = targetTerms2006WithoutClauses(),
-            .schemes = schemesWithoutClauses(),
             .requirements = requirements2014(),
-            .statements = statements(),
             .points = points1997()};
 }
 
@@ -95,9 +90,7 @@ Edition iso2014(const char *word, Text title, std::span<const Row> rows,
             .stepCycle = stepCycle2006,
             .rows = rows,
             .targetTerms = targetTerms,
-            .schemes = schemesWithoutClauses(),
             .requirements = requirements2014(),
-            .statements = statements(),
             .points = points1997()};
 }
 
@@ -115,9 +108,7 @@ Edition vdi3441() {
             .stepCycle = stepCycle2006,
             .rows = rowsVdi3441(),
             .targetTerms = targetTerms2006WithoutClauses(),
-            .requirements = requirementsVdi3441(),
-            .statements = statements(),
-            .points = points1997()};
+            .requirements = requirementsVdi3441()};
 }
 
 } // namespace
@@ -125,9 +116,9 @@ Edition vdi3441() {
 std::span<const Edition> editions() {
     static const std::vector<Edition> table{
         iso1988("ISO 230-2:1988"),
-        iso1997("ISO 230-2:1997", title2006),
+        iso1997("ISO 230-2:1997", {}),
         iso2006(),
-        iso2014("ISO 230-2:2014", title2006, rows2014(), targetTerms2014()),
+        iso2014("ISO 230-2:2014", {}, rows2014(), targetTerms2014()),
         vdi3441(),
         iso1997("GB/T 17421.2-2000", {}),
         aliasOf2006("GB/T 17421.2-2016"),

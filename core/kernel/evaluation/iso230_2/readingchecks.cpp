@@ -1,3 +1,4 @@
+#include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
@@ -14,13 +15,15 @@ namespace {
 
 constexpr int fullTest = 5; ///< approaches each way
 
-/// Places without a reading, those set aside not counted: they have a finding of their own.
-NameList gaps(const PositioningCase &test) {
+/// Places without a reading; those set aside have a finding of their own, `withSetAside` names them, too.
+NameList gaps(const PositioningCase &test, bool withSetAside) {
     const PositioningMeasurement &m = test.measurement;
     NameList result;
     std::set<std::pair<int, int>> setAside;
-    for (const ExcludedReading &reading : m.excluded)
-        setAside.emplace(reading.run, reading.target);
+    if (!withSetAside) {
+        for (const ExcludedReading &reading : m.excluded)
+            setAside.emplace(reading.run, reading.target);
+    }
     for (std::size_t run = 0; run < m.runs.size(); ++run) {
         const auto &deviations = m.runs[run].deviations;
         if (std::ranges::all_of(deviations, [](const auto &x) { return x.has_value(); }))
@@ -36,11 +39,10 @@ NameList gaps(const PositioningCase &test) {
 
 /// Somewhere fewer readings are left than a full test asks for, though there were enough runs.
 bool tooFewLeft(const PositioningCase &test) {
-    if (test.wholeTravelOfLongAxis())
+    if (std::min(test.positiveRuns, test.negativeRuns) < fullTest)
         return false;
     const auto few = [&](const TargetStatistics &target) {
-        return (test.positiveRuns >= fullTest && target.positive.n < fullTest) ||
-               (test.negativeRuns >= fullTest && target.negative.n < fullTest);
+        return target.positive.n < fullTest || target.negative.n < fullTest;
     };
     return std::ranges::any_of(test.statistics, few);
 }
@@ -72,14 +74,13 @@ Sentence fiveApproaches(const PositioningCase &test) {
         approaches(test)};
 }
 
-Sentence fiveApproachesInPractice(const PositioningCase &test) {
-    if (eachWay(test) >= fullTest)
+Sentence moreThanFive(const PositioningCase &test) {
+    if (std::max(test.positiveRuns, test.negativeRuns) <= fullTest)
         return std::nullopt;
-    return Message{
-        REPORT_TEXT("report",
-                    "Approaches in the positive direction: %1, in the negative: %2; practice asks for 5 each "
-                    "way (not verified against the text of the edition)."),
-        approaches(test)};
+    return Message{REPORT_TEXT("report",
+                               "Approaches in the positive direction: %1, in the negative: %2; the text "
+                               "speaks of five."),
+                   approaches(test)};
 }
 
 Sentence oneApproach(const PositioningCase &test) {
@@ -92,26 +93,15 @@ Sentence oneApproach(const PositioningCase &test) {
         approaches(test)};
 }
 
-Sentence oneApproachInPractice(const PositioningCase &test) {
-    if (eachWay(test) >= 1)
-        return std::nullopt;
-    return Message{
-        REPORT_TEXT(
-            "report",
-            "Approaches in the positive direction: %1, in the negative: %2; practice asks for at least "
-            "1 each way (not verified against the text of the edition)."),
-        approaches(test)};
-}
-
 Sentence fewReadings(const PositioningCase &test) {
-    const NameList list = gaps(test);
+    const NameList list = gaps(test, true);
     if (list.empty() || !tooFewLeft(test))
         return std::nullopt;
     return gapMessage(list);
 }
 
 Sentence missingReadings(const PositioningCase &test) {
-    const NameList list = gaps(test);
+    const NameList list = gaps(test, false);
     if (list.empty() || tooFewLeft(test))
         return std::nullopt;
     return gapMessage(list);
@@ -153,10 +143,12 @@ Sentence excludedReadings(const PositioningCase &test) {
         if (run < m.runs.size())
             list.add(readingName(m, run, static_cast<std::size_t>(reading.target - 1)));
     }
-    return Message{REPORT_TEXT_COUNTED(
-                       "report", "Readings set aside (%n): %1. The standard knows no rejection of readings."),
-                   {list.text()},
-                   list.count()};
+    return Message{
+        test.edition.textRead != TextRead::none
+            ? REPORT_TEXT_COUNTED("report", "Readings set aside (%n): %1. The text provides for none.")
+            : REPORT_TEXT_COUNTED("report", "Readings set aside (%n): %1."),
+        {list.text()},
+        list.count()};
 }
 
 Sentence excludedWithoutReason(const PositioningCase &test) {
@@ -225,13 +217,25 @@ Sentence drift(const PositioningCase &test) {
         {change, t, critical, beside->symbol, deviation(test, beside->outcome.value, 2)}};
 }
 
+bool stepCycleInWriting(const PositioningCase &test) {
+    const AgreedPoint *point = agreedPoint(test.test, "stepCycle");
+    return point && point->state == AgreementState::agreed && !point->text.empty();
+}
+
 Sentence stepCycle(const PositioningCase &test) {
-    if (test.measurement.cycle != Cycle::step || test.agreed("stepCycle"))
+    if (test.measurement.cycle != Cycle::step || stepCycleInWriting(test))
         return std::nullopt;
-    return Message{
-        REPORT_TEXT("report",
-                    "Step cycle without a written agreement: not an acceptance result under this standard."),
-        {}};
+    if (test.test.purpose == Purpose::acceptance)
+        return Message{REPORT_TEXT("report", "Step cycle without written agreement; strict reference for "
+                                             "acceptance is the standard cycle.")};
+    return Message{REPORT_TEXT("report", "Step cycle without written agreement.")};
+}
+
+Sentence stepCycleAgreed(const PositioningCase &test) {
+    if (test.measurement.cycle != Cycle::step || !stepCycleInWriting(test))
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "Step cycle by written agreement: %1."),
+                   {agreedPoint(test.test, "stepCycle")->text}};
 }
 
 Sentence workedExample(const PositioningCase &test) {
@@ -257,7 +261,7 @@ Sentence workedExample(const PositioningCase &test) {
     };
     return Message{REPORT_TEXT("report",
                                "Worked example of ISO 230-2:1988 (table 2): the position of the first "
-                               "target and ten readings are stand-ins with the published mean and "
+                               "target and ten readings are substitutes with the published mean and "
                                "s. Compare the mean reversal value (published: %1), R↑ (%2), R↓ "
                                "(%3), R (%4), A (%5) and the values per target, never the single "
                                "readings."),

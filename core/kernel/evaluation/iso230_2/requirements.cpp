@@ -1,257 +1,457 @@
 #include "kernel/evaluation/iso230_2/requirements.h"
 
+#include "kernel/evaluation/commonchecks.h"
 #include "kernel/evaluation/iso230_2/checks.h"
+#include "kernel/evaluation/laboratory.h"
 
 #include <array>
+#include <vector>
 
 namespace palmer::iso230_2 {
 
 namespace {
 
-constexpr auto requirement = Grade::requirement;
-constexpr auto recommendation = Grade::recommendation;
-constexpr auto note = Grade::note;
+using common::ofConditions;
+using common::statingConditions;
+using enum Source;
+using enum Subject;
 
+constexpr auto shall = Grade::requirement;
+constexpr auto should = Grade::recommendation;
+constexpr auto info = Grade::note;
+
+// ---- When a row applies ----------------------------------------------------------------------------------
+
+bool linear(const PositioningCase &test) {
+    return test.linear();
+}
+bool rotary(const PositioningCase &test) {
+    return !test.linear();
+}
+bool fullTest(const PositioningCase &test) {
+    return test.linear() && !test.wholeTravelOfLongAxis();
+}
 bool shortLinear(const PositioningCase &test) {
     return test.linear() && !test.longAxis();
+}
+bool notShortLinear(const PositioningCase &test) {
+    return !shortLinear(test);
 }
 bool zoneOfLinear(const PositioningCase &test) {
     return test.linear() && test.zoneTest();
 }
 bool longLinear(const PositioningCase &test) {
+    return test.linear() && test.longAxis();
+}
+bool wholeOfLinear(const PositioningCase &test) {
     return test.linear() && test.wholeTravelOfLongAxis();
 }
-bool shortRotary(const PositioningCase &test) {
-    return !test.linear() && !test.longAxis();
+bool turnOfRotary(const PositioningCase &test) {
+    return !test.linear() && !test.wholeTravelOfLongAxis();
 }
-bool zoneOfRotary(const PositioningCase &test) {
-    return !test.linear() && test.zoneTest();
-}
-bool longRotary(const PositioningCase &test) {
+bool wholeOfRotary(const PositioningCase &test) {
     return !test.linear() && test.wholeTravelOfLongAxis();
 }
+bool wholeTravel(const PositioningCase &test) {
+    return test.wholeTravelOfLongAxis();
+}
+bool longAxis(const PositioningCase &test) {
+    return test.longAxis();
+}
+bool zoneTest(const PositioningCase &test) {
+    return test.zoneTest();
+}
+bool polygon(const PositioningCase &test) {
+    return test.measurement.targetChoice.kind == TargetChoiceKind::polygon;
+}
+bool rotaryScale(const PositioningCase &test) {
+    return !test.linear() && !polygon(test);
+}
+bool furtherTargets(const PositioningCase &test) {
+    return rotaryScale(test) && test.conditions().continuousDevice.value_or(true);
+}
+bool chosenFreely(const PositioningCase &test) {
+    const auto kind = test.measurement.targetChoice.kind;
+    return kind == TargetChoiceKind::free || kind == TargetChoiceKind::notStated;
+}
+bool linearChosenFreely(const PositioningCase &test) {
+    return test.linear() && chosenFreely(test);
+}
+bool compensatingInstrument(const PositioningCase &test) {
+    return test.linear() && test.common().instrumentCompensation != InstrumentCompensation::none;
+}
+bool bothWays(const PositioningCase &test) {
+    return test.positiveRuns > 0 && test.negativeRuns > 0;
+}
+bool corrected(const PositioningCase &test) {
+    const auto correction = test.common().correctionTo20;
+    return test.linear() &&
+           (correction == CorrectionTo20::appliedByInstrument || correction == CorrectionTo20::appliedHere);
+}
+
+// ---- What needs its own words ----------------------------------------------------------------------------
+
+Judgement temperature1988(const PositioningCase &test) {
+    return common::temperature(
+        test.common(),
+        REPORT_TEXT("report", "The air was at %1; 20 ± 0.5 °C is asked for where it can be controlled."));
+}
+
+bool choiceStated(const PositioningCase &test) {
+    return test.measurement.targetChoice.kind != TargetChoiceKind::notStated;
+}
+bool axisName(const PositioningCase &test) {
+    return !test.measurement.axis.name.empty();
+}
+bool positionFeedback(const PositioningCase &test) {
+    return !test.measurement.axis.positionFeedback.empty();
+}
+bool expansionStated(const PositioningCase &test) {
+    const Expansion &alpha = test.common().expansion;
+    return alpha.machine && alpha.instrument;
+}
+bool feedStated(const PositioningCase &test) {
+    return test.conditions().feed || test.conditions().feedMode == FeedMode::rapid;
+}
+bool correctionStated(const PositioningCase &test) {
+    return test.common().correctionTo20 != CorrectionTo20::notStated;
+}
+template <auto member>
+bool number(const PositioningCase &test) {
+    return (test.conditions().*member).has_value();
+}
+bool machineAndInstrumentTemperature(const PositioningCase &test) {
+    return common::anyTemperature(test.common(), SensorMeasures::machine) &&
+           common::anyTemperature(test.common(), SensorMeasures::instrument);
+}
+bool airTemperature(const PositioningCase &test) {
+    return common::anyTemperature(test.common(), SensorMeasures::air);
+}
+
+using Row = Requirement;
 
 // clang-format off
 
 // ---- ISO 230-2:1988 ------------------------------------------------------------------------------------------
 
-constexpr std::array shortLinear1988{
-    Requirement{"targetsPerMetre", "4.3.2", requirement, targetsPerMetre},
-    Requirement{"numberOfTargets", "4.3.2", requirement, fiveTargets},
-    Requirement{"approaches",      "4.3.2", requirement, fiveApproaches},
-};
-constexpr std::array zoneOfLinear1988{
-    Requirement{"targetsPerMetre", "4.3.2", requirement, targetsPerMetre},
-    Requirement{"numberOfTargets", "4.3.2", requirement, fiveTargets},
-    Requirement{"approaches",      "4.3.2", requirement, fiveApproaches},
-    Requirement{"zone",            "4.3.3", requirement, zoneLength},
-    Requirement{"otherTest",       "4.3.3", requirement, otherTest},
-};
-constexpr std::array longLinear1988{
-    Requirement{"meanInterval",    "4.3.3", requirement, meanInterval},
-    Requirement{"wholeLength",     "4.3.3", requirement, wholeLength},
-    Requirement{"approaches",      "4.3.3", requirement, oneApproach},
-    Requirement{"otherTest",       "4.3.3", requirement, otherTest},
-};
-constexpr std::array shortRotary1988{
-    Requirement{"quarterTurns",    "4.3.4", requirement, quarterTurns},
-    Requirement{"approaches",      "4.3.4", requirement, fiveApproaches},
-};
-constexpr std::array allSchemes1988{
-    Scheme{shortLinear,  shortLinear1988},
-    Scheme{zoneOfLinear, zoneOfLinear1988},
-    Scheme{longLinear,   longLinear1988},
-    Scheme{shortRotary,  shortRotary1988},
-    Scheme{zoneOfRotary, shortRotary1988},
-    // above 360° the edition has no rule
-};
-
-constexpr std::array all1988{
-    Requirement{"travel",               "",      requirement,    axisTravel},
-    Requirement{"temperature",          "3.1",   recommendation, temperature1988},
-    Requirement{"correctionTo20",       "3.1",   requirement,    correction1988},
-    Requirement{"correctionTo20",       "3.1",   requirement,    correctionImpossible},
-    Requirement{"correctionTo20",       "",      note,           correctionOfRotary},
-    Requirement{"complete",             "3.2",   requirement,    incomplete},
-    Requirement{"levelled",             "3.2",   requirement,    notLevelled},
-    Requirement{"unloaded",             "3.2",   requirement,    loaded},
-    Requirement{"compensation",         "7",     requirement,    compensationStated},
-    Requirement{"warmUp",               "3.3",   requirement,    warmUp1988},
-    Requirement{"warmUp",               "3.3",   requirement,    warmUpProcedure},
-    Requirement{"ends",                 "",      requirement,    ends},
-    Requirement{"ends",                 "",      note,           endsUnknown},
-    Requirement{"evenSpacing",          "4.2",   recommendation, evenSpacing},
-    Requirement{"missingReadings",      "4.3.2", requirement,    fewReadings},
-    Requirement{"missingReadings",      "",      note,           missingReadings},
-    Requirement{"refusedReadings",      "",      requirement,    refusedReadings},
-    Requirement{"unequalRuns",          "",      note,           unequalRuns},
-    Requirement{"excluded",             "",      requirement,    excludedReadings},
-    Requirement{"excluded",             "",      requirement,    excludedWithoutReason},
-    Requirement{"standardDeviation",    "2.9",   requirement,    rangeMethodRuns},
-    Requirement{"drift",                "",      note,           drift},
-    Requirement{"workedExample",        "",      note,           workedExample},
-};
-
-// ---- ISO 230-2:1997, 2006, 2014 --------------------------------------------------------------------------------
-
-constexpr std::array shortLinear2006{
-    Requirement{"targetsPerMetre", "4.3.2", requirement, targetsPerMetre},
-    Requirement{"numberOfTargets", "4.3.2", requirement, fiveTargets},
-    Requirement{"approaches",      "4.3.2", requirement, fiveApproaches},
-};
-constexpr std::array zoneOfLinear2006{
-    Requirement{"targetsPerMetre", "4.3.2", requirement, targetsPerMetre},
-    Requirement{"numberOfTargets", "4.3.2", requirement, fiveTargets},
-    Requirement{"approaches",      "4.3.2", requirement, fiveApproaches},
-    Requirement{"zone",            "",      note,        zoneLengthInPractice},
-    Requirement{"otherTest",       "",      requirement, otherTest},
-};
-constexpr std::array longLinear2006{
-    Requirement{"meanInterval",    "",      note,        meanIntervalInPractice},
-    Requirement{"wholeLength",     "",      note,        wholeLengthInPractice},
-    Requirement{"approaches",      "",      note,        oneApproachInPractice},
-    Requirement{"otherTest",       "",      requirement, otherTest},
-};
-constexpr std::array shortRotary2006{
-    Requirement{"numberOfTargets", "",      note,        targetsOfTravel},
-    Requirement{"approaches",      "",      note,        fiveApproachesInPractice},
-};
-constexpr std::array zoneOfRotary2006{
-    Requirement{"numberOfTargets", "",      note,        targetsOfTravel},
-    Requirement{"approaches",      "",      note,        fiveApproachesInPractice},
-    Requirement{"zone",            "",      note,        zoneLengthInPractice},
-    Requirement{"otherTest",       "",      requirement, otherTest},
-};
-constexpr std::array longRotary2006{
-    Requirement{"targetsPerTurn",  "",      note,        targetsPerTurn},
-    Requirement{"approaches",      "",      note,        oneApproachInPractice},
-    Requirement{"otherTest",       "",      requirement, otherTest},
+constexpr std::array text1988{
+    Row{"temperature", text, "3.1", shall, conditions, common::controllable, temperature1988,
+        REPORT_TEXT("report", "temperature of the environment"), {}, {"conditions.sensors", "conditions.temperatureControlled"}},
+    Row{"soak", text, "3.1", shall, conditions, nullptr, ofConditions<common::stabilised>,
+        REPORT_TEXT("report", "thermal stability before the test"),
+        REPORT_TEXT("report", "Machine or instruments were not thermally stable."), {"conditions.stabilised", "conditions.soak"}},
+    Row{"shielded", text, "3.1", shall, conditions, nullptr, ofConditions<common::shielded>,
+        REPORT_TEXT("report", "protection from draughts and radiation"),
+        REPORT_TEXT("report", "Not protected from draughts or radiation."), {"conditions.shielded"}},
+    Row{"instrumentCompensation", text, "3.1", shall, conditions, compensatingInstrument, instrumentCompensation,
+        REPORT_TEXT("report", "compensation by the instrument"),
+        REPORT_TEXT("report", "The instrument's compensation was switched off."), {"conditions.instrumentCompensation"}},
+    Row{"gradientPerHour", text, "3.1", shall, conditions, nullptr, gradient,
+        REPORT_TEXT("report", "temperature gradient over 12 h and its agreed limit"), {}, {"conditions.gradientPerHour", "conditions.gradientHoursBefore"}},
+    Row{"complete", text, "3.2", shall, conditions, nullptr, ofConditions<common::complete>,
+        REPORT_TEXT("report", "machine complete and in working order"),
+        REPORT_TEXT("report", "The machine was not complete or not in working order."), {"conditions.complete"}},
+    Row{"levelled", text, "3.2", shall, conditions, nullptr, ofConditions<common::levelled>,
+        REPORT_TEXT("report", "levelling, alignment and functional checks"),
+        REPORT_TEXT("report", "Levelling, alignment or functional checks were not done."), {"conditions.levelled"}},
+    Row{"unloaded", text, "3.2", shall, conditions, nullptr, ofConditions<common::unloaded>,
+        REPORT_TEXT_FOR("report", "machine unloaded", "1988"),
+        REPORT_TEXT_FOR("report", "The machine was loaded.", "1988"), {"conditions.unloaded"}},
+    Row{"otherAxes", text, "3.2", shall, conditions, nullptr, ofConditions<common::otherAxes>,
+        REPORT_TEXT("report", "position of the axes not under test"), {}, {"conditions.otherAxes"}},
+    Row{"warmUp", text, "3.3", shall, conditions, nullptr, ofConditions<common::warmUpOrSetUp>,
+        REPORT_TEXT("report", "warm-up: by whom specified"),
+        REPORT_TEXT("report", "Dry run without agreed warm-up: only set-up movements are allowed."), {"conditions.warmUp"}},
+    Row{"dwell", text, "4.1", shall, conditions, nullptr, dwell,
+        REPORT_TEXT("report", "rest at each target"), REPORT_TEXT("report", "No rest at the targets."), {"conditions.dwell"}},
+    Row{"feed", text, "4.1", shall, conditions, nullptr, feedOrRapid,
+        REPORT_TEXT("report", "agreed feed"), REPORT_TEXT("report", "Neither rapid nor at an agreed feed."), {"conditions.feed", "agreedPoints.feed"}},
+    Row{"targetChoice", text, "4.2", shall, conditions, linearChosenFreely, choiceOf1988,
+        REPORT_TEXT("report", "choice of targets, cyclic pitch"), {}, {"targetChoice"}},
+    Row{"instrumentPosition", text, "4.3.1", shall, conditions, nullptr, statingConditions<common::instrumentPosition>,
+        REPORT_TEXT("report", "position of the measuring device"), {}, {"conditions.instrumentPosition", "conditions.toolOffset"}},
+    Row{"sensors", text, "4.3.1", shall, conditions, linear, sensorsOf1988,
+        REPORT_TEXT("report", "position of the temperature sensor, type of compensation"), {}, {"conditions.sensors", "conditions.correctionTo20"}},
+    Row{"travel", text, "4.3.2", shall, conditions, linear, axisTravel,
+        REPORT_TEXT("report", "axis travel"), {}, {"axis.travel"}},
+    Row{"spacing", text, "4.3.2", shall, readings, fullTest, unless<spacing>, {}, {}, {"targets"}},
+    Row{"targetsPerMetre", text, "4.3.2", shall, readings, fullTest, unless<targetsPerMetre>, {}, {}, {"targets"}},
+    Row{"numberOfTargets", text, "4.3.2", shall, readings, fullTest, unless<fiveTargets>, {}, {}, {"targets"}},
+    Row{"approaches", text, "4.3.2", shall, readings, fullTest, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Row{"missingReadings", text, "4.3.2", shall, readings, fullTest, unless<fewReadings>, {}, {}, {"runs"}},
+    Row{"meanInterval", text, "4.3.3", shall, readings, wholeOfLinear, elements,
+        REPORT_TEXT("report", "elements of the measuring device"), {}, {"axis.scaleElement"}},
+    Row{"wholeLength", text, "4.3.3", shall, readings, wholeOfLinear, unless<wholeLength>, {}, {}, {"targets"}},
+    Row{"approaches", text, "4.3.3", shall, readings, wholeOfLinear, unless<oneApproach>, {}, {}, {"runs"}},
+    Row{"otherTest", text, "4.3.3", shall, readings, longLinear, unless<otherTest>},
+    Row{"zone", text, "4.3.3", shall, conditions, longLinear, zone,
+        REPORT_TEXT("report", "agreed working zone"),
+        REPORT_TEXT("report", "No working zone was agreed."), {"zone", "agreedPoints.zone"}},
+    Row{"quarterTurns", text, "4.3.4", shall, readings, rotaryScale, unless<quarterTurns>, {}, {}, {"targets"}},
+    Row{"freeTargets", text, "4.3.4", shall, conditions, furtherTargets, freeTargets,
+        REPORT_TEXT("report", "continuous measuring device or not"),
+        REPORT_TEXT("report", "Fewer than three further targets."), {"conditions.continuousDevice"}},
+    Row{"polygonFaces", text, "4.3.4", shall, conditions, polygon, polygonFaces,
+        REPORT_TEXT("report", "number of faces"), {}, {"targetChoice.faces"}},
+    Row{"instruments", text, "4.3.4", shall, namedInstruments, rotary, namedInstrument,
+        REPORT_TEXT("report", "nature of the measuring device"), {}, {"instruments"}},
+    Row{"approaches", text, "5", shall, readings, rotary, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Row{"missingReadings", text, "5", shall, readings, rotary, unless<fewReadings>, {}, {}, {"runs"}},
 };
 
-template <std::size_t n>
-constexpr std::array<Requirement, n> withoutClauses(std::array<Requirement, n> table) {
-    for (Requirement &row : table)
-        row.clause = "";
-    return table;
+// ---- ISO 230-2:2006 ------------------------------------------------------------------------------------------
+
+constexpr std::array text2006{
+    Row{"uncertainty", text, "Foreword (7)", shall, uncertainty, nullptr, uncertaintyStated,
+        REPORT_TEXT("report", "measurement uncertainty"), {}, {"uncertainty"}, Explains::missingUncertainty},
+    Row{"cycle", text, "1", should, conditions, notShortLinear, unless<stepCycle>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
+    Row{"ends", text, "2.2", shall, conditions, bothWays, unless<ends>, {}, {}, {"axis.range"}},
+    Row{"sensors", text, "3.1", shall, conditions, nullptr, temperaturesOf2006,
+        REPORT_TEXT("report", "temperatures of machine and instrument"), {}, {"conditions.sensors"}},
+    Row{"correctionTo20", text, "3.1", shall, conditions, linear, correction,
+        REPORT_TEXT("report", "correction to 20 °C"), {}, {"conditions.correctionTo20"}},
+    Row{"expansionRange", text, "3.1", info, uncertainty, nullptr, unless<expansionUncertainty>, {}, {}, {"uncertainty.expansionRange"}},
+    Row{"soak", text, "3.1", shall, conditions, nullptr, ofConditions<common::stabilised>,
+        REPORT_TEXT("report", "thermal stability before the test"),
+        REPORT_TEXT("report", "Machine or instruments were not thermally stable."), {"conditions.stabilised", "conditions.soak"}},
+    Row{"shielded", text, "3.1", shall, conditions, nullptr, ofConditions<common::shielded>,
+        REPORT_TEXT("report", "protection from draughts and radiation"),
+        REPORT_TEXT("report", "Not protected from draughts or radiation."), {"conditions.shielded"}},
+    Row{"gradientPerHour", text, "3.1", shall, conditions, nullptr, gradient,
+        REPORT_TEXT("report", "temperature gradient over 12 h and its agreed limit"), {}, {"conditions.gradientPerHour", "conditions.gradientHoursBefore"}},
+    Row{"compensation", text, "3.2", should, conditions, nullptr, stating<stated::common<&Conditions::compensation, PositioningCase>>,
+        REPORT_TEXT("report", "use of compensation"), {}, {"conditions.compensation"}},
+    Row{"complete", text, "3.2", shall, conditions, nullptr, ofConditions<common::complete>,
+        REPORT_TEXT("report", "machine complete and in working order"),
+        REPORT_TEXT("report", "The machine was not complete or not in working order."), {"conditions.complete"}},
+    Row{"levelled", text, "3.2", shall, conditions, nullptr, ofConditions<common::levelled>,
+        REPORT_TEXT("report", "levelling and alignment"),
+        REPORT_TEXT("report", "Levelling or alignment was not done."), {"conditions.levelled"}},
+    Row{"unloaded", text, "3.2", shall, conditions, nullptr, ofConditions<common::unloaded>,
+        REPORT_TEXT("report", "machine unloaded"), REPORT_TEXT("report", "The machine was loaded."), {"conditions.unloaded"}},
+    Row{"otherAxes", text, "3.2", shall, conditions, nullptr, ofConditions<common::otherAxes>,
+        REPORT_TEXT("report", "position of the axes not under test"), {}, {"conditions.otherAxes"}},
+    Row{"warmUp", text, "3.3", shall, conditions, nullptr, ofConditions<common::warmUpStated>,
+        REPORT_TEXT("report", "warm-up"), {}, {"conditions.warmUp"}},
+    Row{"drift", text, "3.3", should, readings, nullptr, unless<drift>},
+    Row{"dwell", text, "4.1", shall, conditions, nullptr, dwell,
+        REPORT_TEXT("report", "rest at each target"), REPORT_TEXT("report", "No rest at the targets."), {"conditions.dwell"}},
+    Row{"feed", text, "4.1", shall, conditions, nullptr, feedAsAgreed,
+        REPORT_TEXT("report", "agreed feed"),
+        REPORT_TEXT("report", "The feed between targets was not agreed."), {"conditions.feed", "agreedPoints.feed"}},
+    Row{"targetChoice", text, "4.2", shall, conditions, chosenFreely, choiceOf2006,
+        REPORT_TEXT("report", "choice of targets, cyclic pitch"), {}, {"targetChoice"}},
+    Row{"evenSpacing", practice, "", info, readings, nullptr, unless<evenSpacing>, {}, {}, {"targets"}},
+    Row{"instrumentPosition", text, "4.3.1", shall, conditions, nullptr, statingConditions<common::instrumentPosition>,
+        REPORT_TEXT("report", "position of the measuring device"), {}, {"conditions.instrumentPosition", "conditions.toolOffset"}},
+    Row{"correctionStatements", text, "4.3.1", shall, conditions, corrected, correctionStatements,
+        REPORT_TEXT("report", "position of the temperature sensors, expansion coefficients"), {}, {"conditions.sensors", "conditions.expansion"}},
+    Row{"travel", text, "4.3.2", shall, conditions, linear, axisTravel,
+        REPORT_TEXT("report", "axis travel"), {}, {"axis.travel"}},
+    Row{"cycle", text, "4.3.2", shall, conditions, shortLinear, unless<stepCycle>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
+    Row{"cycle", text, "4.3.2", info, conditions, nullptr, unless<stepCycleAgreed>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
+    Row{"targetsPerMetre", text, "4.3.2", shall, readings, shortLinear, unless<targetsPerMetre>, {}, {}, {"targets"}},
+    Row{"numberOfTargets", text, "4.3.2", shall, readings, shortLinear, unless<fiveTargets>, {}, {}, {"targets"}},
+    Row{"approaches", text, "4.3.2", shall, readings, shortLinear, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Row{"missingReadings", text, "4.3.2", shall, readings, shortLinear, unless<fewReadings>, {}, {}, {"runs"}},
+    // long and rotary axes: the rest of 4.3 was not read
+    Row{"targetsPerMetre", practice, "", shall, readings, zoneOfLinear, unless<targetsPerMetre>, {}, {}, {"targets"}},
+    Row{"numberOfTargets", practice, "", shall, readings, zoneOfLinear, unless<fiveTargets>, {}, {}, {"targets"}},
+    Row{"approaches", practice, "", shall, readings, zoneOfLinear, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Row{"missingReadings", practice, "", shall, readings, zoneOfLinear, unless<fewReadings>, {}, {}, {"runs"}},
+    Row{"meanInterval", practice, "", shall, readings, wholeOfLinear, unless<meanInterval>, {}, {}, {"targets"}},
+    Row{"wholeLength", practice, "", shall, readings, wholeOfLinear, unless<wholeLength>, {}, {}, {"targets"}},
+    Row{"approaches", practice, "", shall, readings, wholeTravel, unless<oneApproach>, {}, {}, {"runs"}},
+    Row{"numberOfTargets", practice, "", shall, readings, turnOfRotary, unless<targetsOfTravel>, {}, {}, {"targets"}},
+    Row{"approaches", practice, "", shall, readings, turnOfRotary, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Row{"missingReadings", practice, "", shall, readings, turnOfRotary, unless<fewReadings>, {}, {}, {"runs"}},
+    Row{"targetsPerTurn", practice, "", shall, readings, wholeOfRotary, unless<targetsPerTurn>, {}, {}, {"targets"}},
+    Row{"zone", practice, "", shall, conditions, zoneTest, unless<zoneLength>, {}, {}, {"zone"}},
+    Row{"otherTest", practice, "", shall, readings, longAxis, unless<otherTest>},
+};
+
+// ---- Good practice of a laboratory ----------------------------------------------------------------------------
+
+constexpr Row laboratoryRow(const char *id, Subject subject, bool (*applies)(const PositioningCase &),
+                            Judgement (*judge)(const PositioningCase &), Text name, const char *key) {
+    return {id, laboratory, "", info, subject, applies, judge, name, {}, {key}};
 }
 
-constexpr auto shortLinearUnclaused = withoutClauses(shortLinear2006);
-constexpr auto zoneOfLinearUnclaused = withoutClauses(zoneOfLinear2006);
-
-constexpr std::array allSchemes2006{
-    Scheme{shortLinear,  shortLinear2006},
-    Scheme{zoneOfLinear, zoneOfLinear2006},
-    Scheme{longLinear,   longLinear2006},
-    Scheme{shortRotary,  shortRotary2006},
-    Scheme{zoneOfRotary, zoneOfRotary2006},
-    Scheme{longRotary,   longRotary2006},
+/// Of every positioning test.
+constexpr std::array laboratoryRows{
+    laboratoryRow("name", conditions, nullptr, stating<axisName>, REPORT_TEXT("report", "name of the axis"), "axis.name"),
+    laboratoryRow("positionFeedback", conditions, nullptr, stating<positionFeedback>, REPORT_TEXT("report", "measuring system of the axis"), "axis.positionFeedback"),
+    laboratoryRow("offsets", conditions, nullptr, stating<laboratory::offsets<PositioningCase>>, REPORT_TEXT("report", "offset of the measuring line to the tool and workpiece reference"), "conditions.toolOffset"),
+    laboratoryRow("sensors", conditions, nullptr, stating<airTemperature>, REPORT_TEXT("report", "temperature of the air"), "conditions.sensors"),
+    laboratoryRow("airPressure", conditions, nullptr, stating<number<&PositioningConditions::airPressure>>, REPORT_TEXT("report", "air pressure"), "conditions.airPressure"),
+    laboratoryRow("airHumidity", conditions, nullptr, stating<number<&PositioningConditions::airHumidity>>, REPORT_TEXT("report", "air humidity"), "conditions.airHumidity"),
 };
-constexpr std::array allSchemesUnclaused{
-    Scheme{shortLinear,  shortLinearUnclaused},
-    Scheme{zoneOfLinear, zoneOfLinearUnclaused},
-    Scheme{longLinear,   longLinear2006},
-    Scheme{shortRotary,  shortRotary2006},
-    Scheme{zoneOfRotary, zoneOfRotary2006},
-    Scheme{longRotary,   longRotary2006},
+/// Where the text of the edition does not ask for the temperatures.
+constexpr std::array temperatureRows{
+    laboratoryRow("sensors", conditions, linear, stating<machineAndInstrumentTemperature>, REPORT_TEXT("report", "temperatures of machine and instrument"), "conditions.sensors"),
+    laboratoryRow("expansion", conditions, linear, stating<expansionStated>, REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument"), "conditions.expansion"),
+    laboratoryRow("compensation", conditions, nullptr, stating<stated::common<&Conditions::compensation, PositioningCase>>, REPORT_TEXT("report", "compensation active during the test"), "conditions.compensation"),
+    laboratoryRow("uncertainty", uncertainty, nullptr, uncertaintyStated, REPORT_TEXT("report", "measurement uncertainty"), "uncertainty"),
 };
-
-constexpr std::array all2006{
-    Requirement{"travel",               "",      requirement,    axisTravel},
-    Requirement{"ends",                 "2.2",   requirement,    ends},
-    Requirement{"ends",                 "2.2",   note,           endsUnknown},
-    Requirement{"correctionTo20",       "3.1",   requirement,    correction},
-    Requirement{"correctionTo20",       "3.1",   requirement,    correctionImpossible},
-    Requirement{"correctionTo20",       "",      note,           correctionOfRotary},
-    Requirement{"expansionRange",       "3.1",   note,           expansionUncertainty},
-    Requirement{"complete",             "3.2",   requirement,    incomplete},
-    Requirement{"levelled",             "3.2",   requirement,    notLevelled},
-    Requirement{"unloaded",             "3.2",   requirement,    loaded},
-    Requirement{"compensation",         "3.2",   recommendation, compensationStated},
-    Requirement{"warmUp",               "3.3",   requirement,    warmUpProcedure},
-    Requirement{"cycle",                "",      requirement,    stepCycle},
-    Requirement{"evenSpacing",          "4.2",   recommendation, evenSpacing},
-    Requirement{"targetChoice",         "4.2",   recommendation, randomPart},
-    Requirement{"missingReadings",      "4.3.2", requirement,    fewReadings},
-    Requirement{"missingReadings",      "",      note,           missingReadings},
-    Requirement{"refusedReadings",      "",      requirement,    refusedReadings},
-    Requirement{"unequalRuns",          "",      note,           unequalRuns},
-    Requirement{"excluded",             "",      requirement,    excludedReadings},
-    Requirement{"excluded",             "",      requirement,    excludedWithoutReason},
-    Requirement{"standardDeviation",    "2.15",  requirement,    rangeMethodElsewhere},
-    Requirement{"drift",                "3.3",   note,           drift},
-    Requirement{"workedExample",        "",      note,           workedExample},
-    Requirement{"uncertainty",          "",      requirement,    uncertaintyStated}, // last: 1997 has all but this
+constexpr std::array choiceOfRotary{
+    laboratoryRow("targetChoice", conditions, rotary, stating<choiceStated>, REPORT_TEXT("report", "how the targets were chosen"), "targetChoice"),
+};
+/// Where no edition of ISO asks: VDI.
+constexpr std::array otherRows{
+    laboratoryRow("targetChoice", conditions, nullptr, stating<choiceStated>, REPORT_TEXT("report", "how the targets were chosen"), "targetChoice"),
+    laboratoryRow("otherAxes", conditions, nullptr, ofConditions<common::otherAxes>, REPORT_TEXT("report", "position of the axes not under test"), "conditions.otherAxes"),
+    laboratoryRow("instrumentPosition", conditions, nullptr, statingConditions<common::instrumentPosition>, REPORT_TEXT("report", "position of the measuring device"), "conditions.instrumentPosition"),
+    laboratoryRow("correctionTo20", conditions, linear, stating<correctionStated>, REPORT_TEXT("report", "correction to 20 °C"), "conditions.correctionTo20"),
+    laboratoryRow("warmUp", conditions, nullptr, stating<stated::warmUp<PositioningCase>>, REPORT_TEXT("report", "warm-up"), "conditions.warmUp"),
+    laboratoryRow("feed", conditions, nullptr, stating<feedStated>, REPORT_TEXT("report", "feed rate"), "conditions.feed"),
+    laboratoryRow("dwell", conditions, nullptr, stating<number<&PositioningConditions::dwell>>, REPORT_TEXT("report", "dwell at each target"), "conditions.dwell"),
 };
 
-constexpr auto all2014 = withoutClauses(all2006);
+// ---- What the program has to say -------------------------------------------------------------------------------
 
-/// VDI/DGQ 3441 evaluates the same data; of its text nothing was read: only what holds for any report.
-constexpr std::array allVdi3441{
-    Requirement{"correctionTo20",       "",      requirement,    correction},
-    Requirement{"correctionTo20",       "",      requirement,    correctionImpossible},
-    Requirement{"correctionTo20",       "",      note,           correctionOfRotary},
-    Requirement{"missingReadings",      "",      requirement,    fewReadings},
-    Requirement{"missingReadings",      "",      note,           missingReadings},
-    Requirement{"refusedReadings",      "",      requirement,    refusedReadings},
-    Requirement{"unequalRuns",          "",      note,           unequalRuns},
-    Requirement{"excluded",             "",      requirement,    excludedReadings},
-    Requirement{"excluded",             "",      requirement,    excludedWithoutReason},
-    Requirement{"standardDeviation",    "",      requirement,    rangeMethodElsewhere},
-    Requirement{"drift",                "",      note,           drift},
-    Requirement{"workedExample",        "",      note,           workedExample},
+constexpr Row programRow(const char *id, Subject subject, bool (*applies)(const PositioningCase &),
+                         Judgement (*judge)(const PositioningCase &), Explains explains = Explains::nothing) {
+    return {id, program, "", info, subject, applies, judge, {}, {}, {}, explains};
+}
+
+constexpr std::array programRows{
+    programRow("correctionTo20", conditions, nullptr, unless<correctionImpossible>),
+    programRow("correctionTo20", conditions, nullptr, unless<correctionOfRotary>),
+    programRow("missingReadings", readings, nullptr, unless<missingReadings>),
+    programRow("refusedReadings", readings, nullptr, unless<refusedReadings>),
+    programRow("unequalRuns", readings, nullptr, unless<unequalRuns>),
+    programRow("excluded", readings, nullptr, unless<excludedReadings>),
+    Row{"excluded", laboratory, "", info, readings, nullptr, unless<excludedWithoutReason>},
+    programRow("standardDeviation", readings, nullptr, unless<rangeMethodElsewhere>),
+    programRow("standardDeviation", readings, nullptr, unless<rangeMethodRuns>),
+    programRow("workedExample", readings, nullptr, unless<workedExample>, Explains::substituteReadings),
 };
+/// Readings that are missing where no row asks for five approaches.
+constexpr std::array longLinearRows{programRow("missingReadings", readings, wholeOfLinear, unless<fewReadings>)};
+constexpr std::array longRows{programRow("missingReadings", readings, wholeTravel, unless<fewReadings>)};
+constexpr std::array vdiRows{programRow("missingReadings", readings, nullptr, unless<fewReadings>)};
+/// Ends of the axis: 1988 does not speak of them.
+constexpr std::array endRows{programRow("ends", conditions, bothWays, unless<ends>)};
+constexpr std::array endUnknownRows{programRow("ends", conditions, bothWays, unless<endsUnknown>)};
+constexpr std::array driftRows{programRow("drift", readings, nullptr, unless<drift>)};
+constexpr std::array moreThanFive1988{
+    programRow("approaches", readings, fullTest, unless<moreThanFive>),
+    programRow("approaches", readings, rotary, unless<moreThanFive>),
+};
+constexpr std::array moreThanFive2006{programRow("approaches", readings, shortLinear, unless<moreThanFive>)};
 
 // ---- Points to be agreed between supplier/manufacturer and user --------------------------------------------------
 
+using enum PointRole;
+
+const PositioningMeasurement *positioning(const Test &test) {
+    return std::get_if<PositioningMeasurement>(&test.measurement);
+}
+PointRole always(const Test &) {
+    return inRow;
+}
+PointRole warmUpPoint(const Test &test) {
+    const auto *m = positioning(test);
+    return m && m->conditions.common.warmUp.specifiedBy == SpecifiedBy::maker ? notApplicable : listed;
+}
+PointRole feedPoint1988(const Test &test) {
+    const auto *m = positioning(test);
+    return m && m->conditions.feedMode == FeedMode::rapid ? notApplicable : inRow;
+}
+PointRole cyclePoint(const Test &test) {
+    const auto *m = positioning(test);
+    return m && m->axis.motion == Motion::linear ? listed : notApplicable;
+}
+bool isLong(const Test &test) {
+    const auto *m = positioning(test);
+    return m && isLongAxis(*m);
+}
+PointRole zonePoint1988(const Test &test) {
+    return isLong(test) && positioning(test)->axis.motion == Motion::linear ? inRow : notApplicable;
+}
+PointRole zonePoint(const Test &test) {
+    return isLong(test) ? listed : notApplicable;
+}
+PointRole stepPoint(const Test &test) {
+    const auto *m = positioning(test);
+    return m && m->cycle == Cycle::step ? inRow : notApplicable;
+}
+
 constexpr std::array agreed1988{
-    AgreementPoint{"gradient",           "a", REPORT_TEXT("report", "largest temperature gradient, 12 h before and during the test")},
-    AgreementPoint{"measuringReference", "b", REPORT_TEXT("report", "position of the measuring reference")},
-    AgreementPoint{"warmUp",             "c", REPORT_TEXT("report", "warm-up")},
-    AgreementPoint{"feed",               "d", REPORT_TEXT("report", "feed rate between targets, when not rapid")},
-    AgreementPoint{"cycle",              "e", REPORT_TEXT("report", "measuring cycle")},
-    AgreementPoint{"zone",               "f", REPORT_TEXT("report", "place of the 2 m working zone")},
+    AgreementPoint{"gradient",           "a", REPORT_TEXT("report", "largest temperature gradient, 12 h before and during the test"), always},
+    AgreementPoint{"measuringReference", "b", REPORT_TEXT("report", "position of the measuring reference"), nullptr, true},
+    AgreementPoint{"warmUp",             "c", REPORT_TEXT("report", "warm-up"), warmUpPoint},
+    AgreementPoint{"feed",               "d", REPORT_TEXT("report", "feed rate between targets, when not rapid"), feedPoint1988},
+    AgreementPoint{"cycle",              "e", REPORT_TEXT("report", "measuring cycle"), cyclePoint},
+    AgreementPoint{"zone",               "f", REPORT_TEXT("report", "location of the 2 m working zone"), zonePoint1988},
 };
 
 constexpr std::array agreed1997{
-    AgreementPoint{"gradient",           "", REPORT_TEXT("report", "temperature gradient, 12 h before and during the test")},
+    AgreementPoint{"gradient",           "", REPORT_TEXT("report", "temperature gradient, 12 h before and during the test"), always},
     AgreementPoint{"instrumentPosition", "", REPORT_TEXT("report", "position of the instrument and of the temperature sensors")},
-    AgreementPoint{"warmUp",             "", REPORT_TEXT("report", "warm-up")},
-    AgreementPoint{"feed",               "", REPORT_TEXT("report", "feed rate between targets")},
-    AgreementPoint{"zone",               "", REPORT_TEXT("report", "place of the working zone of 2 000 mm or 360°")},
+    AgreementPoint{"warmUp",             "", REPORT_TEXT("report", "warm-up"), always},
+    AgreementPoint{"feed",               "", REPORT_TEXT("report", "feed rate between targets"), always},
+    AgreementPoint{"zone",               "", REPORT_TEXT("report", "location of the working zone of 2 000 mm or 360°"), zonePoint},
     AgreementPoint{"otherAxes",          "", REPORT_TEXT("report", "position of the axes not under test")},
     AgreementPoint{"dwell",              "", REPORT_TEXT("report", "dwell at each target")},
     AgreementPoint{"firstLastTarget",    "", REPORT_TEXT("report", "first and last target")},
-    AgreementPoint{"stepCycle",          "", REPORT_TEXT("report", "step cycle")},
+    AgreementPoint{"stepCycle",          "", REPORT_TEXT("report", "step cycle"), stepPoint},
 };
 
 // clang-format on
 
+using Rows = std::span<const Row>;
+
+std::vector<Row> table(std::initializer_list<Rows> parts) {
+    std::vector<Row> result;
+    for (const Rows part : parts)
+        result.insert(result.end(), part.begin(), part.end());
+    return result;
+}
+
+std::vector<Row> practiceOf2006(std::initializer_list<std::string_view> without) {
+    const std::vector<Row> rows = asPractice(Rows(text2006), without);
+    return table({rows, laboratory::rows<PositioningCase>(), laboratoryRows,
+                  laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
+                  programRows, longRows, endUnknownRows});
+}
+
 } // namespace
 
-std::span<const Scheme> schemes1988() {
-    return allSchemes1988;
-}
-std::span<const Scheme> schemes2006() {
-    return allSchemes2006;
-}
-std::span<const Scheme> schemesWithoutClauses() {
-    return allSchemesUnclaused;
-}
-
 std::span<const Requirement> requirements1988() {
-    return all1988;
+    static const std::vector<Row> rows = [] {
+        std::vector<Row> instruments = table({laboratory::instrumentRows<PositioningCase>()});
+        for (Row &row : instruments) { // of rotary axes the text asks for the instrument
+            if (row.id == std::string_view("instruments"))
+                row.applies = linear;
+        }
+        return table({text1988, laboratory::rows<PositioningCase>(), laboratoryRows, temperatureRows,
+                      choiceOfRotary, instruments, laboratory::checks<PositioningCase>(), programRows,
+                      longLinearRows, endRows, endUnknownRows, driftRows, moreThanFive1988});
+    }();
+    return rows;
 }
 std::span<const Requirement> requirements1997() {
-    return std::span(all2014).first(all2014.size() - 1);
+    static const std::vector<Row> rows = practiceOf2006({"uncertainty"});
+    return rows;
 }
 std::span<const Requirement> requirements2006() {
-    return all2006;
+    static const std::vector<Row> rows =
+        table({text2006, laboratory::rows<PositioningCase>(), laboratoryRows,
+               laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
+               programRows, longRows, endUnknownRows, moreThanFive2006});
+    return rows;
 }
 std::span<const Requirement> requirements2014() {
-    return all2014;
+    static const std::vector<Row> rows = practiceOf2006({});
+    return rows;
 }
 std::span<const Requirement> requirementsVdi3441() {
-    return allVdi3441;
+    static const std::vector<Row> rows =
+        table({laboratory::rows<PositioningCase>(), laboratoryRows, temperatureRows, otherRows,
+               laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
+               programRows, vdiRows, driftRows});
+    return rows;
 }
 
 std::span<const AgreementPoint> points1988() {

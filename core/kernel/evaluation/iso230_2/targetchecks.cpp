@@ -1,3 +1,4 @@
+#include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
 
@@ -9,7 +10,8 @@ namespace palmer::iso230_2 {
 
 namespace {
 
-constexpr double longestElement = 250; ///< mm: interval of targets on a long axis
+constexpr double quarterTolerance = 1e-3; ///< degrees
+constexpr double longestElement = 250;    ///< mm: interval of targets on a long axis
 
 std::size_t targetCount(const PositioningCase &test) {
     return test.measurement.targets.size();
@@ -46,15 +48,68 @@ std::vector<double> steps(const PositioningCase &test) {
     return result;
 }
 
-} // namespace
+/// Whether each whole element between the ends of the axis (or the outer targets) holds a target. Elements
+/// count from the lower end: where they really begin is not known.
+bool everyElementHasTarget(const PositioningCase &test, double element) {
+    const auto &targets = test.measurement.targets;
+    if (targets.empty())
+        return false;
+    const auto &range = test.measurement.axis.range;
+    const double from = range ? range->from : targets.front();
+    const double to = range ? range->to : targets.back();
+    const double count = std::floor((to - from) / element + 1e-9);
+    if (count > static_cast<double>(targets.size()))
+        return false;
+    double next = 0; // element that has no target yet
+    for (const double target : targets) {
+        const double index = std::floor((target - from) / element + 1e-9);
+        if (index > next)
+            return next >= count;
+        if (index == next)
+            ++next;
+    }
+    return next >= count;
+}
 
-Sentence axisTravel(const PositioningCase &test) {
-    if (test.measurement.axis.travel)
+Sentence meanInterval(const PositioningCase &test, bool tooLong) {
+    if (!tooLong)
         return std::nullopt;
     return Message{
-        REPORT_TEXT("report", "Axis travel not stated: the measurement travel of %1 takes its place."),
-        {along(test, measurementTravel(test.measurement))}};
+        REPORT_TEXT("report", "%1 targets over %2: a long axis has a target in each element of its measuring "
+                              "system or every 250 mm."),
+        {count(targetCount(test)), along(test, measurementTravel(test.measurement))}};
 }
+
+/// P_i − (i − 1)·p over all targets: highest − lowest.
+double spread(std::span<const double> targets, double interval) {
+    double low = targets.front();
+    double high = low;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const double rest = targets[i] - static_cast<double>(i) * interval;
+        low = std::min(low, rest);
+        high = std::max(high, rest);
+    }
+    return high - low;
+}
+
+/// The interval whose multiples the targets follow most closely: the spread is convex in it.
+double bestInterval(std::span<const double> targets) {
+    double low = 0;
+    double high = targets.back() - targets.front();
+    for (int step = 0; step < 200; ++step) {
+        const double a = low + (high - low) / 3;
+        const double b = high - (high - low) / 3;
+        (spread(targets, a) <= spread(targets, b) ? high : low) =
+            spread(targets, a) <= spread(targets, b) ? b : a;
+    }
+    return (low + high) / 2;
+}
+
+bool evenlySpaced(const std::vector<double> &steps, double mean) {
+    return std::ranges::all_of(steps, [mean](double step) { return std::abs(step - mean) <= 0.01 * mean; });
+}
+
+} // namespace
 
 Sentence targetsPerMetre(const PositioningCase &test) {
     const double needed = 5 * test.judgedTravel() / 1000;
@@ -72,23 +127,17 @@ Sentence fiveTargets(const PositioningCase &test) {
                    {count(targetCount(test))}};
 }
 
-Sentence meanInterval(const PositioningCase &test) {
-    if (!intervalsTooLong(test))
-        return std::nullopt;
-    return Message{
-        REPORT_TEXT("report", "%1 targets over %2: a long axis has a target in each element of its measuring "
-                              "system or every 250 mm."),
-        {count(targetCount(test)), along(test, measurementTravel(test.measurement))}};
+Judgement elements(const PositioningCase &test) {
+    const auto &element = test.measurement.axis.scaleElement;
+    if (!element)
+        return Judgement::undeclared();
+    if (*element > 0 ? everyElementHasTarget(test, *element) : !intervalsTooLong(test))
+        return Judgement::met();
+    return Judgement::unmet(*meanInterval(test, true));
 }
 
-Sentence meanIntervalInPractice(const PositioningCase &test) {
-    if (!intervalsTooLong(test))
-        return std::nullopt;
-    return Message{
-        REPORT_TEXT("report",
-                    "%1 targets over %2: practice asks for a mean interval of 250 mm and a target in "
-                    "each segment of the scale (not verified against the text of the edition)."),
-        {count(targetCount(test)), along(test, measurementTravel(test.measurement))}};
+Sentence meanInterval(const PositioningCase &test) {
+    return meanInterval(test, intervalsTooLong(test));
 }
 
 Sentence wholeLength(const PositioningCase &test) {
@@ -98,16 +147,6 @@ Sentence wholeLength(const PositioningCase &test) {
                                "The targets leave out %1 of the axis travel of %2: neither the whole travel "
                                "nor a test inside the agreed zone."),
                    {along(test, leftOut(test)), along(test, test.travel())}};
-}
-
-Sentence wholeLengthInPractice(const PositioningCase &test) {
-    if (leftOut(test) <= 2 * longestElement)
-        return std::nullopt;
-    return Message{
-        REPORT_TEXT("report",
-                    "The targets leave out %1 of the axis travel of %2: practice asks for the whole travel "
-                    "(not verified against the text of the edition)."),
-        {along(test, leftOut(test)), along(test, test.travel())}};
 }
 
 Sentence quarterTurns(const PositioningCase &test) {
@@ -122,7 +161,7 @@ Sentence quarterTurns(const PositioningCase &test) {
     NameList missing;
     for (const double quarter : {0.0, 90.0, 180.0, 270.0}) {
         const auto atQuarter = [quarter](double position) {
-            return std::abs(std::remainder(position - quarter, 360.0)) < 1e-3;
+            return std::abs(std::remainder(position - quarter, 360.0)) < quarterTolerance;
         };
         // A tilting axis cannot go everywhere: only the quarters within its reach are asked for.
         const double first = quarter + 360 * std::ceil((reach.from - quarter) / 360);
@@ -142,9 +181,7 @@ Sentence targetsOfTravel(const PositioningCase &test) {
     const std::size_t needed = travel <= 90 ? 3 : travel <= 180 ? 5 : 8;
     if (targetCount(test) >= needed)
         return std::nullopt;
-    return Message{REPORT_TEXT("report",
-                               "%1 targets over %2: practice asks for at least %3 (not verified against the "
-                               "text of the edition)."),
+    return Message{REPORT_TEXT("report", "%1 targets over %2: practice asks for at least %3."),
                    {count(targetCount(test)), along(test, travel), count(needed)}};
 }
 
@@ -152,10 +189,9 @@ Sentence targetsPerTurn(const PositioningCase &test) {
     const double turns = std::min(measurementTravel(test.measurement), 1800.0) / 360;
     if (targetCount(test) >= 2 && static_cast<double>(targetCount(test)) >= 8 * turns - 1e-9)
         return std::nullopt;
-    return Message{REPORT_TEXT("report",
-                               "%1 targets over %2: practice asks for at least 8 per turn, up to 1 800° (not "
-                               "verified against the text of the edition)."),
-                   {count(targetCount(test)), along(test, measurementTravel(test.measurement))}};
+    return Message{
+        REPORT_TEXT("report", "%1 targets over %2: practice asks for at least 8 per turn, up to 1 800°."),
+        {count(targetCount(test)), along(test, measurementTravel(test.measurement))}};
 }
 
 Sentence otherTest(const PositioningCase &test) {
@@ -178,17 +214,6 @@ Sentence zoneLength(const PositioningCase &test) {
         return std::nullopt;
     return Message{REPORT_TEXT("report", "The zone is %1 long; the full test is made on an agreed %2."),
                    {along(test, *length), along(test, zoneOfStandard(test))}};
-}
-
-Sentence zoneLengthInPractice(const PositioningCase &test) {
-    const auto length = otherZoneLength(test);
-    if (!length)
-        return std::nullopt;
-    return Message{
-        REPORT_TEXT("report",
-                    "The zone is %1 long; practice asks for a full test on an agreed %2 (not verified "
-                    "against the text of the edition)."),
-        {along(test, *length), along(test, zoneOfStandard(test))}};
 }
 
 Sentence ends(const PositioningCase &test) {
@@ -223,52 +248,114 @@ Sentence endsUnknown(const PositioningCase &test) {
         {}};
 }
 
+Judgement axisTravel(const PositioningCase &test) {
+    return test.measurement.axis.travel ? Judgement::met() : Judgement::undeclared();
+}
+
+Judgement zone(const PositioningCase &test) {
+    if (auto wrong = zoneLength(test))
+        return Judgement::unmet(std::move(*wrong));
+    const AgreedPoint *agreed = agreedPoint(test.test, "zone");
+    if (!agreed)
+        return Judgement::undeclared();
+    return agreed->state == AgreementState::agreed ? Judgement::met() : Judgement::unmet();
+}
+
+Judgement freeTargets(const PositioningCase &test) {
+    if (!test.conditions().continuousDevice)
+        return Judgement::undeclared();
+    const auto further = std::ranges::count_if(test.measurement.targets, [](double position) {
+        return std::abs(std::remainder(position, 90.0)) >= quarterTolerance;
+    });
+    return further >= 3 ? Judgement::met() : Judgement::unmet();
+}
+
+Judgement polygonFaces(const PositioningCase &test) {
+    const auto &faces = test.measurement.targetChoice.faces;
+    if (!faces)
+        return Judgement::undeclared();
+    if (*faces == static_cast<int>(targetCount(test)))
+        return Judgement::met();
+    return Judgement::unmet(
+        {REPORT_TEXT("report", "%1 targets, %2 faces."),
+         {count(targetCount(test)), Number{static_cast<double>(*faces), Quantity::count, 0}}});
+}
+
+Judgement choiceOf1988(const PositioningCase &test) {
+    const TargetChoice &choice = test.measurement.targetChoice;
+    const auto &targets = test.measurement.targets;
+    if (choice.kind == TargetChoiceKind::notStated || !choice.period || !(*choice.period > 0))
+        return Judgement::undeclared();
+    constexpr double samePhase = 0.01;
+    const auto same = [&](double target) {
+        return std::abs(std::remainder((target - targets.front()) / *choice.period, 1.0)) <= samePhase + 1e-9;
+    };
+    if (targets.size() < 2 || !std::ranges::all_of(targets, same))
+        return Judgement::met();
+    return Judgement::unmet({REPORT_TEXT("report", "All targets have the same phase of the pitch %1."),
+                             {along(test, *choice.period)}});
+}
+
+Sentence spacing(const PositioningCase &test) {
+    const std::vector<double> all = steps(test);
+    if (all.empty())
+        return std::nullopt;
+    const double mean = measurementTravel(test.measurement) / static_cast<double>(all.size());
+    const auto &period = test.measurement.targetChoice.period;
+    const double most = (period && *period > 0 ? 2 * *period : 0.6 * mean) + 1e-9 * mean;
+    const auto [least, largest] = std::ranges::minmax(all);
+    if (mean - least <= most && largest - mean <= most)
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "Steps between targets from %1 to %2."),
+                   {along(test, least), along(test, largest)}};
+}
+
+Judgement choiceOf2006(const PositioningCase &test) {
+    const TargetChoice &choice = test.measurement.targetChoice;
+    const auto &targets = test.measurement.targets;
+    if (choice.kind == TargetChoiceKind::notStated)
+        return Judgement::undeclared();
+    const std::vector<double> all = steps(test);
+    const bool periodic = choice.period && *choice.period > 0;
+    if (periodic && !all.empty()) {
+        const double period = *choice.period;
+        const auto whole = [period](double step) {
+            return std::abs(std::remainder(step, period)) <= (0.01 + 1e-9) * period;
+        };
+        if (std::ranges::all_of(all, whole))
+            return Judgement::unmet(
+                {REPORT_TEXT("report",
+                             "All intervals are whole multiples of the period of %1: its periodic error "
+                             "stays hidden."),
+                 {along(test, period)}});
+    }
+    if (targets.size() < 3)
+        return Judgement::met();
+    const double interval = choice.interval ? *choice.interval : bestInterval(targets);
+    const double bound = periodic ? *choice.period : 0.3 * interval;
+    const double width = spread(targets, interval);
+    if (width <= 2 * bound + 1e-9 * std::abs(interval))
+        return Judgement::met();
+    return Judgement::unmet(
+        {REPORT_TEXT("report",
+                     "The targets leave their nominal interval of %1 by up to ± %2; the random part is "
+                     "to stay within ± %3."),
+         {along(test, interval, choice.interval ? -1 : 2), along(test, width / 2, 2),
+          along(test, bound, periodic || choice.interval ? -1 : 2)}});
+}
+
 Sentence evenSpacing(const PositioningCase &test) {
     const TargetChoice &choice = test.measurement.targetChoice;
     const std::vector<double> all = steps(test);
-    if (choice.kind != TargetChoiceKind::free || all.size() < 2)
+    if (choice.kind != TargetChoiceKind::free || all.size() < 2 || (choice.period && *choice.period > 0))
         return std::nullopt;
     const double mean = measurementTravel(test.measurement) / static_cast<double>(all.size());
-    if (std::ranges::all_of(all, [mean](double step) { return std::abs(step - mean) <= 0.01 * mean; }))
-        return Message{
-            REPORT_TEXT("report",
-                        "The targets are evenly spaced (%1): with a new random part for every target "
-                        "periodic errors do not stay hidden."),
-            {along(test, mean, 2)}};
-    if (!choice.period || *choice.period <= 0)
+    if (!evenlySpaced(all, mean))
         return std::nullopt;
-    const double period = *choice.period;
-    const auto whole = [period](double step) {
-        return std::abs(std::remainder(step, period)) <= 0.01 * period;
-    };
-    if (std::ranges::all_of(all, whole))
-        return Message{
-            REPORT_TEXT("report", "All intervals are whole multiples of the period of %1: its periodic error "
-                                  "stays hidden."),
-            {along(test, period)}};
-    return std::nullopt;
-}
-
-Sentence randomPart(const PositioningCase &test) {
-    const TargetChoice &choice = test.measurement.targetChoice;
-    const auto &targets = test.measurement.targets;
-    if (choice.kind != TargetChoiceKind::free || !choice.interval || targets.size() < 3)
-        return std::nullopt;
-    double low = targets.front();
-    double high = low;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        const double rest = targets[i] - static_cast<double>(i) * *choice.interval;
-        low = std::min(low, rest);
-        high = std::max(high, rest);
-    }
-    const double bound = choice.period ? *choice.period : 0.3 * *choice.interval;
-    if (high - low <= 2 * bound * (1 + 1e-9))
-        return std::nullopt;
-    return Message{
-        REPORT_TEXT("report",
-                    "The targets leave their nominal interval of %1 by up to ± %2; the random part is "
-                    "to stay within ± %3."),
-        {along(test, *choice.interval), along(test, (high - low) / 2, 2), along(test, bound)}};
+    return Message{REPORT_TEXT("report",
+                               "The targets are evenly spaced (%1): with a new random part for every target "
+                               "periodic errors do not stay hidden."),
+                   {along(test, mean, 2)}};
 }
 
 } // namespace palmer::iso230_2

@@ -1,11 +1,14 @@
 #include "kernel/evaluation/iso230_4/checks.h"
 
-#include "kernel/evaluation/agreedpoints.h"
+#include "kernel/evaluation/commonchecks.h"
+#include "kernel/evaluation/correctionto20.h"
+#include "kernel/evaluation/iso230_4/contouringfeed.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/stated.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace palmer::iso230_4 {
@@ -48,10 +51,6 @@ bool runsBack(const Arc &arc) {
 bool lacksLeastSquares(const CircularCase &test, CircleOf of, bool needed) {
     return needed && test.results.circle(of, ReferenceCircle::minimumZone) &&
            !test.results.circle(of, ReferenceCircle::leastSquares);
-}
-
-bool allStated(const Point3 &point) {
-    return std::ranges::all_of(point, [](const auto &x) { return x.has_value(); });
 }
 
 Message plain(Text text) {
@@ -178,25 +177,26 @@ Sentence leftHandedPlane(const CircularCase &test) {
         {plane.first + plane.second}};
 }
 
-Sentence referenceNotCalibrated(const CircularCase &test) {
-    if (!test.needsLength() || !test.notCalibrated())
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "No value for F and D: the reference length is not calibrated."));
+Judgement referenceLength(const CircularCase &test) {
+    if (test.notCalibrated())
+        return Judgement::unmet(
+            {REPORT_TEXT("report", "No value for F and D: the reference length is not calibrated.")});
+    return test.measurement.referenceLength.calibrated ? Judgement::met() : Judgement::undeclared();
 }
 
-Sentence referenceNotStated(const CircularCase &test) {
-    if (!test.needsLength() || test.measurement.referenceLength.calibrated)
-        return std::nullopt;
-    return plain(REPORT_TEXT(
-        "report", "F and D need a calibrated reference length: whether it is calibrated is not stated."));
+Judgement temperature(const CircularCase &test) {
+    return common::temperature(
+        test.common(),
+        REPORT_TEXT("report", "The air was at %1; 20 °C is asked for where it can be controlled."));
 }
 
-Sentence notCorrected(const CircularCase &test) {
-    if (!test.needsLength() || !test.results.notCorrected ||
-        test.common().correctionTo20 == CorrectionTo20::appliedHere)
-        return std::nullopt;
-    return plain(REPORT_TEXT(
-        "report", "F and D are not corrected to 20 °C, and the test was made at another temperature."));
+Judgement correction(const CircularCase &test) {
+    if (!awayFrom20(test.common()) || !test.results.notCorrected)
+        return Judgement::met();
+    if (test.common().correctionTo20 == CorrectionTo20::notStated)
+        return Judgement::undeclared();
+    return Judgement::unmet({REPORT_TEXT(
+        "report", "F and D are not corrected to 20 °C, and the test was made at another temperature.")});
 }
 
 Sentence correctionImpossible(const CircularCase &test) {
@@ -211,37 +211,15 @@ Sentence correctionImpossible(const CircularCase &test) {
 Sentence recentred(const CircularCase &test) {
     if (!test.conditions().recentredBetweenRuns.value_or(false))
         return std::nullopt;
-    return plain(REPORT_TEXT("report", "The instrument was centred anew between the runs."));
-}
-
-Sentence dryRunWithoutAgreement(const CircularCase &test) {
-    if (test.common().warmUp.kind != WarmUpKind::dryRun || isAgreed(test.test, "warmUp"))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report",
-                             "A dry run without an agreed warm-up: only the movements needed to set up the "
-                             "instrument are allowed."));
-}
-
-Sentence incomplete(const CircularCase &test) {
-    if (test.common().complete.value_or(true))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "The machine was not complete."));
-}
-
-Sentence notLevelled(const CircularCase &test) {
-    if (test.common().levelled.value_or(true))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "The machine was not levelled and aligned."));
-}
-
-Sentence loaded(const CircularCase &test) {
-    if (test.common().unloaded.value_or(true))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "The machine was not unloaded."));
+    return plain(REPORT_TEXT("report", "The instrument was re-centred between the runs."));
 }
 
 Sentence feedbackSignal(const CircularCase &test) {
-    if (!test.feedback())
+    const std::string &scale = test.measurement.positionFeedback;
+    constexpr std::array<std::string_view, 4> linear{"linear", "Linear", "linéaire", "Linéaire"};
+    const bool linearScale =
+        std::ranges::any_of(linear, [&](std::string_view word) { return scale.find(word) != scale.npos; });
+    if (!test.feedback() || linearScale)
         return std::nullopt;
     return plain(REPORT_TEXT("report",
                              "Feedback signal: the annex speaks of machines with linear scales; what lies "
@@ -258,10 +236,70 @@ Sentence lengthOfFeedback(const CircularCase &test) {
     return plain(REPORT_TEXT("report", "F and D cannot be had from a feedback signal."));
 }
 
-Sentence uncertaintyNotStated(const CircularCase &test) {
-    if (test.uncertaintyStated)
+bool uncertaintyStated(const CircularCase &test) {
+    return test.uncertaintyStated;
+}
+
+Sentence rotaryAxis(const CircularCase &test) {
+    const auto rotary = [](const std::string &name) {
+        return !name.empty() && name[0] >= 'A' && name[0] <= 'C';
+    };
+    if (!rotary(test.measurement.plane.first) && !rotary(test.measurement.plane.second))
         return std::nullopt;
-    return plain(REPORT_TEXT("report", "The measurement uncertainty is not stated beside every result."));
+    return plain(REPORT_TEXT("report", "Paths of rotary axes are outside the scope."));
+}
+
+Sentence notConsecutive(const CircularCase &test) {
+    if (!test.bothSenses() || (!asked(test, "G(b)") && !asked(test, "D") && !asked(test, "H")))
+        return std::nullopt;
+    if (test.results.paths[0].arc + 1 == test.results.paths[1].arc)
+        return std::nullopt;
+    return plain(REPORT_TEXT("report", "Other paths were measured between the two."));
+}
+
+Judgement allPoints(const CircularCase &test) {
+    constexpr double margin = 1; ///< degrees
+    for (const EvaluatedPath &path : test.results.paths) {
+        const Arc &arc = test.measurement.arcs[path.arc];
+        if (!arc.evaluated || arc.angles.empty() || !arc.cutOff.empty())
+            continue;
+        const auto [low, high] = std::ranges::minmax(arc.angles);
+        if (arc.evaluated->to - arc.evaluated->from < std::min(high - low, 360.0) - margin - 1e-9)
+            return Judgement::undeclared();
+    }
+    return Judgement::met();
+}
+
+Sentence otherContouringFeed(const CircularCase &test) {
+    constexpr double margin = 0.01;
+    const SpecifiedCircle &specified = test.measurement.specified;
+    if (!specified.diameter || !specified.feed || !test.measurement.feed)
+        return std::nullopt;
+    const auto feed =
+        contouringFeed({*specified.diameter, *specified.feed, 2 * test.measurement.nominalRadius});
+    if (!feed || std::abs(*test.measurement.feed - *feed) <= (margin + 1e-12) * *feed)
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "Feed %1; %2 keeps the acceleration."),
+                   {Number{*test.measurement.feed, Quantity::feed, -1}, Number{*feed, Quantity::feed, 0}}};
+}
+
+bool external(const CircularCase &test) {
+    return !test.feedback();
+}
+bool needsLength(const CircularCase &test) {
+    return test.needsLength();
+}
+bool needsF(const CircularCase &test) {
+    return !test.feedback() && asked(test, "F");
+}
+bool needsOnlyD(const CircularCase &test) {
+    return !test.feedback() && asked(test, "D") && !asked(test, "F");
+}
+bool partialF(const CircularCase &test) {
+    return needsF(test) && partialArc(test);
+}
+bool centringUncertaintyStated(const CircularCase &test) {
+    return test.measurement.uncertainty.centring.has_value();
 }
 
 bool planeStated(const CircularCase &test) {
@@ -270,24 +308,19 @@ bool planeStated(const CircularCase &test) {
 bool feedStated(const CircularCase &test) {
     return test.measurement.feed.has_value();
 }
-bool instrumentStated(const CircularCase &test) {
-    return test.feedback() || stated::instruments(test);
+bool locationStated(const CircularCase &test) {
+    return common::allStated(test.conditions().centre) || !test.common().instrumentPosition.empty();
 }
-bool centreStated(const CircularCase &test) {
-    return test.feedback() || allStated(test.conditions().centre);
-}
-bool toolOffsetStated(const CircularCase &test) {
-    return test.feedback() || allStated(test.common().toolOffset);
-}
-bool workpieceOffsetStated(const CircularCase &test) {
-    return test.feedback() || allStated(test.common().workpieceOffset);
+bool temperaturesStated(const CircularCase &test) {
+    return std::ranges::all_of(
+        std::array{SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air},
+        [&](SensorMeasures what) { return common::anyTemperature(test.common(), what); });
 }
 bool expansionStated(const CircularCase &test) {
-    const Expansion &alpha = test.common().expansion;
-    return !test.needsLength() || (alpha.machine && alpha.instrument);
+    return test.common().expansion.machine && test.common().expansion.instrument;
 }
 bool correctionStated(const CircularCase &test) {
-    return !test.needsLength() || test.common().correctionTo20 != CorrectionTo20::notStated;
+    return test.common().correctionTo20 != CorrectionTo20::notStated;
 }
 bool startPointStated(const CircularCase &test) {
     return !test.conditions().startPoint.empty();
@@ -298,8 +331,4 @@ bool stopPointStated(const CircularCase &test) {
 bool smoothingStated(const CircularCase &test) {
     return !test.conditions().smoothing.empty();
 }
-bool recentringStated(const CircularCase &test) {
-    return test.feedback() || !test.bothSenses() || test.conditions().recentredBetweenRuns.has_value();
-}
-
 } // namespace palmer::iso230_4

@@ -22,36 +22,36 @@ Sentence noCircle(const CircularCase &test);             ///< enough points, not
 Sentence noLeastSquaresCircle(const CircularCase &test); ///< where G, F or D need one
 Sentence notCertified(const CircularCase &test);         ///< minimum zone proven
 Sentence leftHandedPlane(const CircularCase &test);      ///< XY, YZ or ZX
-Sentence referenceNotCalibrated(const CircularCase &test); ///< calibrated reference length for F and D
-Sentence referenceNotStated(const CircularCase &test);     ///< whether it is calibrated
-Sentence notCorrected(const CircularCase &test);           ///< F and D at 20 °C
-Sentence correctionImpossible(const CircularCase &test);   ///< "applied here" without θ or α
-Sentence recentred(const CircularCase &test);              ///< both paths without re-centring
-Sentence dryRunWithoutAgreement(const CircularCase &test); ///< only set-up movements unless agreed
-Sentence incomplete(const CircularCase &test);
-Sentence notLevelled(const CircularCase &test);
-Sentence loaded(const CircularCase &test);
-Sentence feedbackSignal(const CircularCase &test);   ///< Annex D speaks of machines with linear scales
-Sentence lengthOfFeedback(const CircularCase &test); ///< F and D of a feedback signal
-Sentence uncertaintyNotStated(const CircularCase &test);
+Judgement referenceLength(const CircularCase &test);     ///< calibrated, for F and D
+Judgement temperature(const CircularCase &test);         ///< 20 °C where it can be controlled
+Judgement correction(const CircularCase &test);          ///< F and D at 20 °C
+Sentence correctionImpossible(const CircularCase &test); ///< "applied here" without θ or α
+Sentence recentred(const CircularCase &test);            ///< both paths without re-centring
+Sentence feedbackSignal(const CircularCase &test);       ///< Annex D speaks of machines with linear scales
+Sentence lengthOfFeedback(const CircularCase &test);     ///< F and D of a feedback signal
+Sentence rotaryAxis(const CircularCase &test);           ///< the plane has an axis A, B or C
+Sentence notConsecutive(const CircularCase &test);       ///< the two paths one after the other
+Judgement allPoints(const CircularCase &test);           ///< what is not evaluated is accounted for
+Sentence otherContouringFeed(const CircularCase &test);  ///< the specified acceleration, within 1 %
 
-// Statements; what a feedback signal or a test without F and D does not need counts as stated.
+// When a row applies
+bool external(const CircularCase &test);    ///< an instrument measured, not the feedback signal
+bool needsLength(const CircularCase &test); ///< F or D is asked for and can be
+bool needsF(const CircularCase &test);
+bool needsOnlyD(const CircularCase &test);
+bool partialF(const CircularCase &test); ///< F of a partial arc
+
+// What is stated
+bool uncertaintyStated(const CircularCase &test);
+bool centringUncertaintyStated(const CircularCase &test);
 bool planeStated(const CircularCase &test);
 bool feedStated(const CircularCase &test);
-bool instrumentStated(const CircularCase &test);
-bool centreStated(const CircularCase &test);
-bool toolOffsetStated(const CircularCase &test);
-bool workpieceOffsetStated(const CircularCase &test);
+bool locationStated(const CircularCase &test);     ///< centre, or the position of the instrument
+bool temperaturesStated(const CircularCase &test); ///< of machine, instrument and air
 bool expansionStated(const CircularCase &test);
 bool correctionStated(const CircularCase &test);
 bool startPointStated(const CircularCase &test);
 bool stopPointStated(const CircularCase &test);
 bool smoothingStated(const CircularCase &test);
-bool recentringStated(const CircularCase &test);
-
-template <SensorMeasures what>
-bool temperatureStated(const CircularCase &test) {
-    return !test.needsLength() || meanTemperature(test.common(), what).has_value();
-}
 
 } // namespace palmer::iso230_4

@@ -48,13 +48,11 @@ struct CircularRow {
 };
 
 using CircularRequirement = RequirementOf<CircularCase>;
-using CircularStatement = StatementOf<CircularCase>;
 
 /// What an edition of ISO 230-4 computes and asks for.
 struct CircularRules {
     std::span<const CircularRow> rows;
     std::span<const CircularRequirement> requirements;
-    std::span<const CircularStatement> statements;
 };
 
 } // namespace palmer

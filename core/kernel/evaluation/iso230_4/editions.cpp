@@ -17,31 +17,49 @@ constexpr Text title =
 constexpr std::array<std::string_view, 9> quantities{"G", "G(b)", "F",  "Fmax", "Fmin",
                                                      "D", "H",    "Gf", "G(b)f"};
 
-constexpr std::array points{
-    AgreementPoint{"warmUp", "a", REPORT_TEXT("report", "warm-up")},
+PointRole warmUpPoint(const Test &test) {
+    const auto *m = std::get_if<CircularMeasurement>(&test.measurement);
+    return m && m->conditions.common.warmUp.specifiedBy == SpecifiedBy::maker ? PointRole::notApplicable
+                                                                              : PointRole::listed;
+}
+
+constexpr std::array points2005{
+    AgreementPoint{"warmUp", "a", REPORT_TEXT("report", "warm-up"), warmUpPoint},
     AgreementPoint{"testParameters", "b", REPORT_TEXT("report", "test parameters")},
     AgreementPoint{"results", "c", REPORT_TEXT("report", "which of the results are required")},
 };
 
-Edition edition(const char *word, const char *statementsClause, const char *pointsClause,
-                const CircularRules &rules) {
-    return {.word = word,
-            .family = word,
+/// The same where the text was not read: no letters.
+constexpr auto points = [] {
+    auto result = points2005;
+    for (AgreementPoint &point : result)
+        point.letter = "";
+    return result;
+}();
+
+Edition unread(const char *word, const CircularRules &rules) {
+    return {.word = word, .family = word, .kind = Kind::circular, .points = points, .circles = &rules};
+}
+
+Edition iso2005() {
+    return {.word = "ISO 230-4:2005",
+            .family = "ISO 230-4:2005",
             .kind = Kind::circular,
             .title = title,
-            .statementsClause = statementsClause,
-            .points = points,
-            .pointsClause = pointsClause,
-            .circles = &rules};
+            .textRead = TextRead::all,
+            .points = points2005,
+            .pointsClause = "7",
+            .parametersClause = "4.4",
+            .circles = &rules2005()};
 }
 
 } // namespace
 
 std::span<const Edition> editions() {
     static const std::vector<Edition> table{
-        edition("ISO 230-4:1996", "", "", rules1996()),
-        edition("ISO 230-4:2005", "4.4", "7", rules2005()),
-        edition("ISO 230-4:2022", "", "", rules2022()),
+        unread("ISO 230-4:1996", rules1996()),
+        iso2005(),
+        unread("ISO 230-4:2022", rules2022()),
     };
     return table;
 }

@@ -56,9 +56,8 @@ void Editions::clausesAreThoseOfTheTable_data() {
     QTest::newRow("2006") << QStringLiteral("ISO 230-2:2006")
                           << QStringLiteral(
                                  "A 2.24;A+ 2.23;E 2.21;E+ 2.20;M 2.22;R 2.19;R+ 2.18;B 2.13;Bmean 2.14");
-    QTest::newRow("2014")
-        << QStringLiteral("ISO 230-2:2014")
-        << QStringLiteral("A 3.27;A+ 3.26;E 3.24;E+ 3.23;M 3.25;R 3.22;R+ 3.21;UPR ;B 3.16;Bmean 3.17");
+    QTest::newRow("2014") << QStringLiteral("ISO 230-2:2014")
+                          << QStringLiteral("A 3.27;A+ 3.26;E ;E+ ;M ;R 3.22;R+ 3.21;UPR ;B ;Bmean ");
     for (const char *without :
          {"ISO 230-2:1997", "VDI/DGQ 3441:1977", "GB/T 17421.2-2016", "GOST ISO 230-2-2016"})
         QTest::newRow(without) << QString::fromUtf8(without) << QString();
@@ -78,7 +77,8 @@ void Editions::clausesAreThoseOfTheTable() {
             rows << id + u' ' + QString::fromUtf8(row.term.clause);
     }
     QCOMPARE(rows.join(u';'), clauses);
-    const QRegularExpression known(QStringLiteral("^(|2\\.\\d+|3\\.\\d+|4\\.[12]|4\\.3\\.[1-4]|7|8)$"));
+    const QRegularExpression known(
+        QStringLiteral("^(|1|2\\.\\d+|3\\.\\d+|4\\.[12]|4\\.3\\.[1-4]|5|Foreword \\(7\\))$"));
     for (const Requirement &row : found->requirements)
         QVERIFY2(known.match(QString::fromUtf8(row.clause)).hasMatch(), row.clause);
 }

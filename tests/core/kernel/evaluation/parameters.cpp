@@ -359,7 +359,7 @@ void Parameters::correctionTo20() {
     conditions.sensors.clear();
     const auto impossible = evaluated(test);
     QVERIFY(std::get<PositioningResults>(impossible.results).corrections.empty());
-    QCOMPARE(finding(impossible, "correctionTo20")->grade, Grade::requirement);
+    QVERIFY(finding(impossible, "correctionTo20"));
 
     measurement(test).axis.motion = Motion::rotary;
     QVERIFY(std::get<PositioningResults>(evaluated(test).results).corrections.empty());

@@ -139,6 +139,20 @@ private slots:
         }
     }
 
+    /// 1988 has no bound for an unknown pitch: that of 2006 is taken, and said.
+    void thePlanSaysWhoseBoundItTakes() {
+        TargetRequest request = linear(1000);
+        QVERIFY(!planTargets(request).boundOf2006);
+        request.rule = TargetRule::pitches1988;
+        QVERIFY(planTargets(request).boundOf2006);
+        request.period = 10;
+        QVERIFY(!planTargets(request).boundOf2006);
+        request.period = 80; // above 30 % of the interval of 250 mm
+        QVERIFY(planTargets(request).boundOf2006);
+        request.period = 75;
+        QVERIFY(!planTargets(request).boundOf2006);
+    }
+
     void quarterTurnsOf1988() {
         TargetRequest request = rotary(360);
         request.rule = TargetRule::pitches1988;

@@ -1,7 +1,9 @@
-#include "report/instrumentresult.h"
+#include "kernel/evaluation/instrumentresult.h"
 
-#include "import/units.h"
+#include "kernel/words/unit.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace palmer {
@@ -44,6 +46,35 @@ std::vector<InstrumentResult> instrumentResults(const Test &test, const TestEval
         }
     }
     return results;
+}
+
+void findOtherResults(TestEvaluation &evaluation, const Test &test, const Surroundings &surroundings) {
+    constexpr double share = 0.05;
+    constexpr double resolutions = 2;
+    constexpr double micrometre = 1e-3;
+    constexpr double arcSecond = 1.0 / 3600;
+    double resolution = 0;
+    for (const Instrument *instrument : surroundings.instruments)
+        resolution = std::max(resolution, instrument->resolution.value_or(0));
+    for (const InstrumentResult &result : instrumentResults(test, evaluation)) {
+        if (!result.ours)
+            continue;
+        const Quantity quantity = result.ours->term.quantity;
+        const double least = 0.2 * (quantity == Quantity::angularDeviation ? arcSecond : micrometre);
+        const double most = std::max({share * std::abs(result.value), resolutions * resolution, least});
+        const double ours = *result.ours->value;
+        if (std::abs(ours - result.value) <= most * (1 + 1e-9)) // of conversions of units
+            continue;
+        constexpr int decimals = 2;
+        Finding finding;
+        finding.id = "instrumentResult";
+        finding.keys = {"imports"};
+        finding.message = {REPORT_TEXT("report", "%1: the instrument's program states %2, here %3: edition, "
+                                                 "correction or readings differ."),
+                           {plainSymbol(*result.ours), Number{result.value, quantity, decimals},
+                            Number{ours, quantity, decimals}}};
+        evaluation.findings.push_back(std::move(finding));
+    }
 }
 
 } // namespace palmer

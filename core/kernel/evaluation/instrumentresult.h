@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernel/evaluation/surroundings.h"
 #include "kernel/evaluation/testevaluation.h"
 #include "kernel/measurement/test.h"
 
@@ -18,5 +19,9 @@ struct InstrumentResult {
 /// The results the imported files of a test state, in their order. Points into the arguments.
 [[nodiscard]] std::vector<InstrumentResult> instrumentResults(const Test &test,
                                                               const TestEvaluation &evaluation);
+
+/// A note for each result of an instrument's program that ours differs from by more than 5 % of it, twice the
+/// resolution of the instruments and 0.2 µm (0.2″): bounds of ours.
+void findOtherResults(TestEvaluation &evaluation, const Test &test, const Surroundings &surroundings);
 
 } // namespace palmer

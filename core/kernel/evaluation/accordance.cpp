@@ -1,0 +1,38 @@
+#include "kernel/evaluation/accordance.h"
+
+#include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/requirement.h"
+
+namespace palmer {
+
+RequirementCounts countRequirements(std::span<const Finding> findings) {
+    RequirementCounts counts;
+    for (const Finding &finding : findings) {
+        const bool unmet = finding.state == State::unmet;
+        if (finding.source == Source::practice)
+            counts.departures += unmet ? 1 : 0;
+        else if (finding.source == Source::text && finding.grade == Grade::requirement)
+            ++(unmet ? counts.unmet : counts.undeclared);
+    }
+    return counts;
+}
+
+Accordance accordanceOf(std::span<const Finding> findings, const Edition *edition) {
+    if (!edition || edition->textRead == TextRead::none)
+        return Accordance::notChecked;
+    const RequirementCounts counts = countRequirements(findings);
+    if (counts.unmet > 0)
+        return Accordance::no;
+    if (counts.undeclared > 0)
+        return Accordance::notShown;
+    return edition->textRead == TextRead::part ? Accordance::partly : Accordance::yes;
+}
+
+Text missingText(Source source, std::optional<State> state) {
+    if (source == Source::laboratory)
+        return REPORT_TEXT("report", "Laboratory practice, not stated: %1.");
+    return state == State::undeclared ? REPORT_TEXT("report", "Not declared: %1.")
+                                      : REPORT_TEXT("report", "Not stated in the report: %1.");
+}
+
+} // namespace palmer

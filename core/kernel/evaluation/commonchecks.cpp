@@ -1,0 +1,135 @@
+#include "kernel/evaluation/commonchecks.h"
+
+#include "kernel/evaluation/agreedpoints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer::common {
+
+namespace {
+
+constexpr double reference = 20; ///< °C
+constexpr double margin = 0.5;
+constexpr double rounding = 1e-9; ///< of differences of temperatures
+
+/// Every value of a sensor, of a series all of them.
+template <class Take>
+void eachTemperature(const Sensor &sensor, Take take) {
+    for (const auto value : {sensor.start, sensor.end}) {
+        if (value)
+            take(*value);
+    }
+    if (sensor.series)
+        std::ranges::for_each(sensor.series->temperatures, take);
+}
+
+bool specified(const Conditions &conditions, const Test &test) {
+    return conditions.warmUp.specifiedBy != SpecifiedBy::notStated || isAgreed(test, "warmUp");
+}
+
+} // namespace
+
+bool mayBeControlled(const Conditions &conditions) {
+    return conditions.temperatureControlled.value_or(true);
+}
+
+Judgement temperature(const Conditions &conditions, Text outside) {
+    std::optional<double> worst;
+    for (const Sensor &sensor : conditions.sensors) {
+        if (sensor.measures != SensorMeasures::air)
+            continue;
+        eachTemperature(sensor, [&](double value) {
+            if (!worst || !(std::abs(value - reference) <= std::abs(*worst - reference)))
+                worst = value;
+        });
+    }
+    if (!worst)
+        return Judgement::undeclared();
+    if (std::abs(*worst - reference) <= margin + rounding)
+        return Judgement::met();
+    if (!conditions.temperatureControlled)
+        return Judgement::undeclared();
+    return Judgement::unmet({outside, {Number{*worst, Quantity::temperature, -1}}});
+}
+
+Judgement stabilised(const Conditions &conditions) {
+    if (!conditions.stabilised && !conditions.soak.empty())
+        return Judgement::met();
+    return Judgement::of(conditions.stabilised);
+}
+
+Judgement shielded(const Conditions &conditions) {
+    return Judgement::of(conditions.shielded);
+}
+Judgement complete(const Conditions &conditions) {
+    return Judgement::of(conditions.complete);
+}
+Judgement levelled(const Conditions &conditions) {
+    return Judgement::of(conditions.levelled);
+}
+Judgement unloaded(const Conditions &conditions) {
+    return Judgement::of(conditions.unloaded);
+}
+Judgement otherAxes(const Conditions &conditions) {
+    return conditions.otherAxes.empty() ? Judgement::unmet() : Judgement::met();
+}
+
+Judgement warmUpOrSetUp(const Conditions &conditions, const Test &test) {
+    switch (conditions.warmUp.kind) {
+    case WarmUpKind::setUpOnly:
+        return Judgement::met();
+    case WarmUpKind::dryRun:
+        return specified(conditions, test) ? Judgement::met() : Judgement::unmet();
+    case WarmUpKind::procedure:
+        return specified(conditions, test) ? Judgement::met() : Judgement::undeclared();
+    case WarmUpKind::notStated:
+        break;
+    }
+    return Judgement::undeclared();
+}
+
+Judgement warmUpStated(const Conditions &conditions, const Test &test) {
+    switch (conditions.warmUp.kind) {
+    case WarmUpKind::setUpOnly:
+    case WarmUpKind::dryRun:
+        return Judgement::met();
+    case WarmUpKind::procedure:
+        return specified(conditions, test) ? Judgement::met() : Judgement::undeclared();
+    case WarmUpKind::notStated:
+        break;
+    }
+    return Judgement::unmet();
+}
+
+bool allStated(const Point3 &point) {
+    return std::ranges::all_of(point, [](const auto &x) { return x.has_value(); });
+}
+
+bool instrumentPosition(const Conditions &conditions) {
+    return !conditions.instrumentPosition.empty() ||
+           (allStated(conditions.toolOffset) && allStated(conditions.workpieceOffset));
+}
+
+bool machineSensorsPlaced(const Conditions &conditions) {
+    return std::ranges::none_of(conditions.sensors, [](const Sensor &sensor) {
+        return sensor.measures == SensorMeasures::machine && sensor.position.empty();
+    });
+}
+
+bool anyTemperature(const Conditions &conditions, SensorMeasures what) {
+    return std::ranges::any_of(conditions.sensors, [&](const Sensor &sensor) {
+        bool any = false;
+        if (sensor.measures == what)
+            eachTemperature(sensor, [&](double) { any = true; });
+        return any;
+    });
+}
+
+bool temperaturesAtStartAndEnd(const Conditions &conditions) {
+    return std::ranges::all_of(conditions.sensors, [](const Sensor &sensor) {
+        return startTemperature(sensor).has_value() == endTemperature(sensor).has_value();
+    });
+}
+
+} // namespace palmer::common

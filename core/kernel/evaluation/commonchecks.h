@@ -1,0 +1,57 @@
+#pragma once
+
+#include "kernel/evaluation/requirement.h"
+#include "kernel/measurement/test.h"
+
+/// What editions ask of positioning and circular tests alike: of their conditions, and of what was agreed.
+namespace palmer::common {
+
+/// The air within 20 ± 0.5 °C where the room can be controlled: every value of its sensors. The tolerance is
+/// that of ISO 230-2:1988, 3.1; ISO 230-4 has none in its text.
+[[nodiscard]] Judgement temperature(const Conditions &conditions, Text outside);
+[[nodiscard]] bool mayBeControlled(const Conditions &conditions);
+
+[[nodiscard]] Judgement
+stabilised(const Conditions &conditions); ///< declared, or a time of soaking is stated
+[[nodiscard]] Judgement shielded(const Conditions &conditions);
+[[nodiscard]] Judgement complete(const Conditions &conditions);
+[[nodiscard]] Judgement levelled(const Conditions &conditions);
+[[nodiscard]] Judgement unloaded(const Conditions &conditions);
+[[nodiscard]] Judgement otherAxes(const Conditions &conditions);
+
+/// As the maker specifies or as agreed; nothing specified: only the movements that set up the instruments.
+[[nodiscard]] Judgement warmUpOrSetUp(const Conditions &conditions, const Test &test);
+/// As the maker specifies or as agreed; nothing specified: a dry run or set-up movements. Stated in any case.
+[[nodiscard]] Judgement warmUpStated(const Conditions &conditions, const Test &test);
+
+/// A text, or the offsets of the measuring line to tool and workpiece.
+[[nodiscard]] bool instrumentPosition(const Conditions &conditions);
+/// Every sensor of the machine says where it is.
+[[nodiscard]] bool machineSensorsPlaced(const Conditions &conditions);
+/// A start, an end or a series of any sensor of that kind.
+[[nodiscard]] bool anyTemperature(const Conditions &conditions, SensorMeasures what);
+/// Start and end of all sensors of machine and instrument.
+[[nodiscard]] bool temperaturesAtStartAndEnd(const Conditions &conditions);
+[[nodiscard]] bool allStated(const Point3 &point);
+
+/// A row on the conditions of a test.
+template <auto check, class Case>
+Judgement ofConditions(const Case &test) {
+    if constexpr (requires { check(test.common(), test.test); })
+        return Judgement(check(test.common(), test.test));
+    else
+        return Judgement(check(test.common()));
+}
+
+/// The same for what is stated or not.
+template <auto stated, class Case>
+Judgement statingConditions(const Case &test) {
+    return stated(test.common()) ? Judgement::met() : Judgement::unmet();
+}
+
+template <class Case>
+bool controllable(const Case &test) {
+    return mayBeControlled(test.common());
+}
+
+} // namespace palmer::common

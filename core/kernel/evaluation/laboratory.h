@@ -1,0 +1,135 @@
+#pragma once
+
+#include "kernel/evaluation/commonchecks.h"
+#include "kernel/evaluation/requirement.h"
+#include "kernel/evaluation/stated.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+/// Good practice of a laboratory, asked of tests of all kinds: notes that never count.
+namespace palmer::laboratory {
+
+template <class Case>
+bool offsets(const Case &test) {
+    return common::allStated(test.common().toolOffset) && common::allStated(test.common().workpieceOffset);
+}
+
+/// The machine and the date. `named`: the name of the machine, or its type.
+template <class Case>
+bool named(const Case &test) {
+    return stated::ofMachine<&Machine::name>(test) || stated::ofMachine<&Machine::model>(test);
+}
+
+template <class Case>
+bool startAndEnd(const Case &test) {
+    return common::temperaturesAtStartAndEnd(test.common());
+}
+
+// ---- Further checks
+// ------------------------------------------------------------------------------------------
+
+template <class Case>
+std::optional<Message> purposeNotStated(const Case &test) {
+    if (test.test.purpose != Purpose::notStated)
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "Purpose of the test not stated.")};
+}
+
+/// One of two tests of the same axis or plane: which is the one before?
+template <class Case>
+std::optional<Message> roleNotStated(const Case &test) {
+    if (!test.surroundings.repeated || test.test.role != TestRole::notStated)
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "As found or as left: not stated.")};
+}
+
+template <class Case>
+std::optional<Message> adjustmentsNotStated(const Case &test) {
+    if (test.test.role != TestRole::asLeft || test.surroundings.adjustmentsStated)
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "Adjustments not stated.")};
+}
+
+/// Instruments whose calibration had ended, or was made after the test. Days as they are written compare.
+template <class Case>
+std::optional<Message> calibrationNotValid(const Case &test) {
+    std::string names;
+    for (const Instrument *instrument : test.surroundings.instruments) {
+        const auto &day = test.test.date;
+        if (!day || ((!instrument->calibrationDue || *day <= *instrument->calibrationDue) &&
+                     (!instrument->calibrationDate || *day >= *instrument->calibrationDate)))
+            continue;
+        names += (names.empty() ? "" : ", ") +
+                 (instrument->description.empty() ? instrument->id : instrument->description);
+    }
+    if (names.empty())
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "Calibration of %1 not valid on the date of the test."), {names}};
+}
+
+/// The report before the test, or the test outside the days in which the tests were made.
+template <class Case>
+std::optional<Message> datesContradict(const Case &test) {
+    const auto &day = test.test.date;
+    const Surroundings &around = test.surroundings;
+    const auto contradict = [](const std::string &a, const std::string &b) {
+        return Message{REPORT_TEXT("report", "Dates contradict each other: %1, %2."), {Date{a}, Date{b}}};
+    };
+    if (day && around.reportDate && *around.reportDate < *day)
+        return contradict(*day, *around.reportDate);
+    if (day && around.performedFrom && *day < *around.performedFrom)
+        return contradict(*day, *around.performedFrom);
+    if (day && around.performedTo && *day > *around.performedTo)
+        return contradict(*day, *around.performedTo);
+    return std::nullopt;
+}
+
+// clang-format off
+template <class Case>
+inline constexpr std::array checkTable{
+    RequirementOf<Case>{"purpose", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, unless<purposeNotStated<Case>>, {}, {}, {"purpose"}},
+    RequirementOf<Case>{"role", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, unless<roleNotStated<Case>>, {}, {}, {"role"}},
+    RequirementOf<Case>{"role", Source::laboratory, "", Grade::note, Subject::report, nullptr, unless<adjustmentsNotStated<Case>>, {}, {}, {"report.adjustments"}},
+    RequirementOf<Case>{"calibrationDue", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, unless<calibrationNotValid<Case>>, {}, {}, {"instruments.calibrationDue"}},
+    RequirementOf<Case>{"dates", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, unless<datesContradict<Case>>, {}, {}, {"date"}},
+};
+
+template <class Case>
+inline constexpr std::array machineTable{
+    RequirementOf<Case>{"date", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, stating<stated::date<Case>>, REPORT_TEXT("report", "date of the test"), {}, {"date"}},
+    RequirementOf<Case>{"machineName", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<named<Case>>, REPORT_TEXT("report", "name of the machine"), {}, {"machine.name"}},
+    RequirementOf<Case>{"manufacturer", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::manufacturer, Case>>, REPORT_TEXT("report", "manufacturer of the machine"), {}, {"machine.manufacturer"}},
+    RequirementOf<Case>{"model", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::model, Case>>, REPORT_TEXT("report", "type of the machine"), {}, {"machine.model"}},
+    RequirementOf<Case>{"machineSerialNumber", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::serialNumber, Case>>, REPORT_TEXT("report", "serial number of the machine"), {}, {"machine.serialNumber"}},
+    RequirementOf<Case>{"load", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, stating<stated::common<&Conditions::load, Case>>, REPORT_TEXT("report", "load of the machine"), {}, {"conditions.load"}},
+    RequirementOf<Case>{"startAndEnd", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, stating<startAndEnd<Case>>, REPORT_TEXT("report", "temperatures at start and end"), {}, {"conditions.sensors"}},
+};
+
+template <class Case>
+inline constexpr std::array instrumentTable{
+    RequirementOf<Case>{"instruments", Source::laboratory, "", Grade::note, Subject::namedInstruments, nullptr, stating<stated::instruments<Case>>, REPORT_TEXT("report", "instrument"), {}, {"instruments"}},
+    RequirementOf<Case>{"instrumentSerialNumber", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::instrumentSerial<Case>>, REPORT_TEXT("report", "serial number of each instrument"), {}, {"instruments.serialNumber"}},
+    RequirementOf<Case>{"certificate", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::certificate<Case>>, REPORT_TEXT("report", "calibration certificate of each instrument"), {}, {"instruments.certificate"}},
+    RequirementOf<Case>{"calibrationDate", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::calibrationDate<Case>>, REPORT_TEXT("report", "calibration date of each instrument"), {}, {"instruments.calibrationDate"}},
+    RequirementOf<Case>{"calibrationDue", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::calibrationDue<Case>>, REPORT_TEXT("report", "end of validity of each calibration"), {}, {"instruments.calibrationDue"}},
+};
+// clang-format on
+
+template <class Case>
+std::span<const RequirementOf<Case>> rows() {
+    return machineTable<Case>;
+}
+
+template <class Case>
+std::span<const RequirementOf<Case>> checks() {
+    return checkTable<Case>;
+}
+
+template <class Case>
+std::span<const RequirementOf<Case>> instrumentRows() {
+    return instrumentTable<Case>;
+}
+
+} // namespace palmer::laboratory

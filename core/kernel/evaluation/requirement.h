@@ -1,0 +1,125 @@
+#pragma once
+
+#include "kernel/evaluation/finding.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace palmer {
+
+/// How a requirement stands. `sentence`: of an unmet one what is wrong; null: the subject of its row says it.
+struct Judgement {
+    std::optional<State> state = {}; ///< null: met
+    std::optional<Message> sentence = {};
+
+    [[nodiscard]] static Judgement met() { return {}; }
+    [[nodiscard]] static Judgement unmet() { return {State::unmet}; }
+    [[nodiscard]] static Judgement unmet(Message message) { return {State::unmet, std::move(message)}; }
+    [[nodiscard]] static Judgement undeclared() { return {State::undeclared}; }
+    /// Of a condition that is declared or not.
+    [[nodiscard]] static Judgement of(std::optional<bool> condition) {
+        return !condition ? undeclared() : *condition ? met() : unmet();
+    }
+    /// Met unless there is a sentence that says what is wrong.
+    [[nodiscard]] static Judgement of(std::optional<Message> wrong) {
+        return wrong ? unmet(std::move(*wrong)) : met();
+    }
+};
+
+/// One row of what an edition asks of a test; `Case` is a test and all that is known of it.
+template <class Case>
+struct RequirementOf {
+    const char *id;
+    Source source;
+    const char *clause; ///< of the text; else empty
+    Grade modality;     ///< what the clause says: shall, should, or worth knowing
+    Subject subject;
+    bool (*applies)(const Case &); ///< null: always
+    Judgement (*judge)(const Case &);
+    Text name = {};     ///< what it asks for: "Not declared: …", "Not stated in the report: …"
+    Text sentence = {}; ///< when it is unmet and the judgement says nothing of its own
+    std::array<const char *, 2> keys = {};
+    Explains explains = Explains::nothing;
+};
+
+/// The sentence of a finding that names what is missing, by its source and state.
+[[nodiscard]] Text missingText(Source source, std::optional<State> state);
+
+/// The finding of a row that is not met.
+template <class Case>
+[[nodiscard]] Finding findingOf(const RequirementOf<Case> &row, Judgement judgement) {
+    const bool counted =
+        row.modality == Grade::requirement && (row.source == Source::text || row.source == Source::practice);
+    Finding finding;
+    finding.grade = row.source == Source::text ? row.modality : Grade::note;
+    finding.source = row.source;
+    if (counted)
+        finding.state = judgement.state;
+    finding.subject = row.subject;
+    finding.clause = row.clause;
+    finding.id = row.id;
+    finding.explains = row.explains;
+    for (const char *key : row.keys) {
+        if (key)
+            finding.keys.emplace_back(key);
+    }
+    if (judgement.sentence) {
+        finding.message = std::move(*judgement.sentence);
+    } else if (judgement.state == State::unmet && !row.sentence.empty()) {
+        finding.message = {row.sentence};
+    } else {
+        finding.name = row.name;
+        finding.missing = true;
+        finding.message = {missingText(row.source, judgement.state), {row.name}};
+    }
+    return finding;
+}
+
+/// Judges a test by the rows, in their order.
+template <class Case>
+void judge(std::span<const RequirementOf<Case>> rows, const Case &test, std::vector<Finding> &findings) {
+    for (const RequirementOf<Case> &row : rows) {
+        if (row.applies && !row.applies(test))
+            continue;
+        Judgement judgement = row.judge(test);
+        if (judgement.state)
+            findings.push_back(findingOf(row, std::move(judgement)));
+    }
+}
+
+/// The same rows where the text of the edition was not read: practice, without clauses.
+template <class Case>
+[[nodiscard]] std::vector<RequirementOf<Case>>
+asPractice(std::span<const RequirementOf<Case>> rows, std::initializer_list<std::string_view> without = {}) {
+    std::vector<RequirementOf<Case>> result;
+    for (RequirementOf<Case> row : rows) {
+        if (std::find(without.begin(), without.end(), row.id) != without.end())
+            continue;
+        if (row.source == Source::text)
+            row.source = Source::practice;
+        row.clause = "";
+        result.push_back(row);
+    }
+    return result;
+}
+
+// ---- Words for tables ------------------------------------------------------------------------------------
+
+/// Turns a question whose answer is the sentence of what is wrong into a judgement.
+template <auto wrong, class Case>
+Judgement unless(const Case &test) {
+    return Judgement::of(std::optional<Message>(wrong(test)));
+}
+
+/// Turns a question into a judgement: unmet where the answer is no.
+template <auto stated, class Case>
+Judgement stating(const Case &test) {
+    return stated(test) ? Judgement::met() : Judgement::unmet();
+}
+
+} // namespace palmer

@@ -1,0 +1,70 @@
+#include "kernel/words/unit.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::array units{
+    Unit{"mm", "mm", UnitKind::length, 1, 1},
+    Unit{"um", "µm", UnitKind::length, 1, 1000},
+    Unit{"nm", "nm", UnitKind::length, 1, 1e6},
+    Unit{"m", "m", UnitKind::length, 1000, 1},
+    Unit{"in", "in", UnitKind::length, 25.4, 1},
+    Unit{"uin", "µin", UnitKind::length, 25.4, 1e6},
+    Unit{"deg", "°", UnitKind::angle, 1, 1},
+    Unit{"arcmin", "′", UnitKind::angle, 1, 60},
+    Unit{"arcsec", "″", UnitKind::angle, 1, 3600},
+    Unit{"rad", "rad", UnitKind::angle, 180, std::numbers::pi},
+    Unit{"mrad", "mrad", UnitKind::angle, 180, 1000 * std::numbers::pi},
+    Unit{"urad", "µrad", UnitKind::angle, 180, 1e6 * std::numbers::pi},
+    Unit{"s", "s", UnitKind::time, 1, 1},
+    Unit{"min", "min", UnitKind::time, 60, 1},
+    Unit{"h", "h", UnitKind::time, 3600, 1},
+    Unit{"ms", "ms", UnitKind::time, 1, 1000},
+    Unit{"C", "°C", UnitKind::temperature, 1, 1},
+};
+
+/// The number with its decimal mark moved to the left, rounded once: the shortest decimal that is read as
+/// `value` has at most nine decimals in tables; what has more is divided.
+double shifted(double value, double powerOfTen) {
+    constexpr double largestWhole = 9007199254740992.0; // 2^53: exact below
+    double scale = 1;
+    for (int decimals = 0; decimals < 10; ++decimals, scale *= 10) {
+        const double whole = std::round(value * scale);
+        if (std::abs(whole) >= largestWhole)
+            break;
+        if (whole / scale == value)
+            return whole / (scale * powerOfTen); // both exact
+    }
+    return value / powerOfTen;
+}
+
+} // namespace
+
+double Unit::toBase(double value) const {
+    if (multiplier == 1 && divisor >= 10 && std::fmod(divisor, 10) == 0)
+        return shifted(value, divisor);
+    return value * multiplier / divisor;
+}
+
+const Unit *unitOf(std::string_view word) {
+    for (const Unit &unit : units) {
+        if (unit.word == word)
+            return &unit;
+    }
+    return nullptr;
+}
+
+const Unit *unitOfSign(std::string_view sign) {
+    for (const Unit &unit : units) {
+        if (unit.sign == sign)
+            return &unit;
+    }
+    return nullptr;
+}
+
+} // namespace palmer

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "kernel/evaluation/testevaluation.h"
+#include "language/language.h"
+#include "report/report.h"
+
+namespace palmer {
+
+/// The findings as they are printed: by source, what the text asks for first; one line per clause and state.
+[[nodiscard]] FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &language);
+
+} // namespace palmer
