@@ -6245,7 +6245,7 @@
     </message>
     <message>
         <source>location of the working zone of 2 000 mm or 360°</source>
-        <translation>emplacement de la zone de travail de 2&#x202f;000 mm ou 360°</translation>
+        <translation>emplacement de la zone de travail de 2&#x202f;000&#xa0;mm ou 360°</translation>
     </message>
     <message>
         <source>%1 targets over %2: practice asks for at least %3.</source>

@@ -70,7 +70,9 @@ FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &lan
         if (source != first.source)
             printed.heading = headingOf(first.source, evaluation.edition, language);
         source = first.source;
-        printed.grade = first.grade;
+        // What was not declared is no fault: it has the mark of what is open.
+        printed.grade =
+            first.state == State::undeclared ? std::max(first.grade, Grade::recommendation) : first.grade;
         printed.gradeName = language.text(gradeText(first.grade));
         printed.clause = clauseOf(line, language);
         printed.sentence = findingsText(line, language);

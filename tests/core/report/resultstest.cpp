@@ -67,13 +67,15 @@ void ResultsTest::fitsATerminal() {
 void ResultsTest::saysWhatIsStandInIn1988() {
     QString text = resultsText(example("iso230-2-1988-example"));
     QVERIFY(text.contains(" 18.0 ") && text.contains("2↓ – 9↑"));
-    QVERIFY(text.simplified().contains("ten readings are stand-ins"));
+    QVERIFY(text.simplified().contains("ten readings are substitutes"));
 }
 
 void ResultsTest::titlesAStepCycleNotAgreed() {
     const QString words = "step cycle – not an ISO 230-2 acceptance result";
     const auto step = [](Test &, PositioningMeasurement &m) { m.cycle = Cycle::step; };
-    QVERIFY(resultsText(changed(example("rotary-axis"), step)).contains(words));
+    QVERIFY(resultsText(changed(example("one-direction"), step)).contains(words));
+    // What the text of 2014 asks for is not known.
+    QVERIFY(!resultsText(changed(example("rotary-axis"), step)).contains(words));
     // 1988 knows both cycles: they are to be stated, not agreed.
     const QString text = resultsText(changed(example("iso230-2-1988-example"), step));
     QVERIFY(!text.contains(words) && text.contains("pilgrim step cycle"));
