@@ -9,6 +9,31 @@
 
 namespace palmer {
 
+namespace {
+
+/// The digits of a number with at most seven decimals, as those of readings, or null: a whole number of such
+/// parts below 10¹⁵ is the shortest decimal that says the double nearest to it.
+char *printParts(double size, char *text) {
+    constexpr double parts = 1e7;
+    constexpr std::ptrdiff_t decimals = 7;
+    const double whole = std::nearbyint(size * parts);
+    if (!(whole < 1e15) || whole / parts != size)
+        return nullptr;
+    std::array<char, 24> digits{};
+    const char *const end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<std::uint64_t>(whole)).ptr;
+    const std::ptrdiff_t zeros = std::max<std::ptrdiff_t>(decimals + 1 - (end - digits.data()), 0);
+    char *at = std::fill_n(text, zeros, '0');
+    at = std::copy(static_cast<const char *>(digits.data()), end, at);
+    std::copy_backward(at - decimals, at, at + 1);
+    at[-decimals] = '.';
+    while (*at == '0')
+        --at;
+    return *at == '.' ? at : at + 1;
+}
+
+} // namespace
+
 void JsonPrinter::number(double value, const Place &place) {
     if (!std::isfinite(value))
         throw Error(Error::Kind::unwritable,
@@ -16,9 +41,15 @@ void JsonPrinter::number(double value, const Place &place) {
                     place.text());
     std::array<char, 64> digits{};
     const double size = std::abs(value);
+    if (char *const end = printParts(size, digits.data() + 1)) {
+        digits[0] = '-';
+        const std::ptrdiff_t first = value < 0 ? 0 : 1;
+        m_text.append(digits.data() + first, end);
+        return;
+    }
     // Positions and deviations as people write them; an exponent only beyond.
-    const bool plain = size == 0 || (size >= 1e-7 && size < 1e15);
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), size == 0 ? 0.0 : value,
+    const bool plain = size >= 1e-7 && size < 1e15;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                    plain ? std::chars_format::fixed : std::chars_format::scientific);
     m_text.append(digits.data(), end.ptr);
 }
