@@ -3046,6 +3046,10 @@
         <translation>Unité des écarts radiaux&#xa0;: rien ne le dit dans le fichier&#x202f;; lus en %1.</translation>
     </message>
     <message>
+        <source>Nominal radius: nothing in the file says it, and deviations do not show it; state it in mm.</source>
+        <translation>Rayon nominal&#xa0;: rien ne le dit dans le fichier et les écarts ne le montrent pas&#x202f;; indiquez-le en mm.</translation>
+    </message>
+    <message>
         <source>The nominal radius is not in the file: %1 is put in its place; set it.</source>
         <translation>Le rayon nominal n’est pas dans le fichier&#xa0;: %1 en tient lieu&#x202f;; le donner.</translation>
     </message>
@@ -5465,6 +5469,10 @@
         <translation>Relevés tous égaux</translation>
     </message>
     <message>
+        <source>Unequal numbers of runs</source>
+        <translation>Nombres de passes inégaux</translation>
+    </message>
+    <message>
         <source>Columns: the headings do not say which hold readings; column %1 and those like it are read.</source>
         <translation>Colonnes&#xa0;: les en-têtes ne disent pas lesquelles contiennent des relevés&#x202f;; la colonne %1 et ses semblables sont lues.</translation>
     </message>
@@ -5529,6 +5537,10 @@
         <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» ne nomme pas de sens comme les autres&#x202f;; elle n’est pas lue.</translation>
     </message>
     <message>
+        <source>Columns: “%1” may be a run like the others; it is not read.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» est peut-être une passe comme les autres&#x202f;; elle n’est pas lue.</translation>
+    </message>
+    <message>
         <source>Columns: some readings name no run as the others do; they are not read.</source>
         <translation>Colonnes&#xa0;: certains relevés ne nomment pas de passe comme les autres&#x202f;; ils ne sont pas lus.</translation>
     </message>
@@ -5537,8 +5549,8 @@
         <translation>Colonnes&#xa0;: les écarts ne sont pas les différences entre positions réelles et positions visées&#x202f;; les écarts sont lus.</translation>
     </message>
     <message>
-        <source>the columns of the targets and of the readings are not known; name them with the choice “columns”</source>
-        <translation>les colonnes des points visés et des relevés ne sont pas connues&#x202f;; nommez-les par le choix «&#xa0;columns&#xa0;»</translation>
+        <source>the columns of the targets and of the readings are not known; give the columns their roles</source>
+        <translation>les colonnes des points visés et des relevés ne sont pas connues&#x202f;; donnez leur rôle aux colonnes</translation>
     </message>
     <message>
         <source>%1 names %2 columns, the table has %3</source>
@@ -5623,6 +5635,14 @@
     <message>
         <source>Answers for --set %1=…: %2.</source>
         <translation>Réponses pour --set %1=…&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Roles of the columns as read: --set columns=%1; known: %2.</source>
+        <translation>Rôles des colonnes tels que lus&#xa0;: --set columns=%1&#x202f;; connus&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Answer with --set %1=….</source>
+        <translation>Répondez par --set %1=….</translation>
     </message>
     <message>
         <source>%1 questions are open: nothing was imported; answer them with --set, or take what is proposed with --accept</source>

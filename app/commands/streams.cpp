@@ -102,6 +102,8 @@ void printQuestion(const QString &file, const Question &question, const Language
     if (!answers.empty())
         text += u' ' + language.sentence(
                            {REPORT_TEXT("report", "Answers for --set %1=…: %2."), {question.id, answers}});
+    else if (question.proposal.empty())
+        text += u' ' + language.sentence({REPORT_TEXT("report", "Answer with --set %1=…."), {question.id}});
     printError(text);
 }
 
@@ -146,7 +148,15 @@ ImportOptions chosenOptions(const Invocation &invocation) {
 
 std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, const ImportOptions &options,
                                      const Invocation &invocation) {
-    Imported imported = importMeasurement(bytes, file, options);
+    Imported imported = showMeasurement(bytes, file, options);
+    if (imported.refusal) {
+        if (!imported.columns.empty())
+            printError(file + QStringLiteral(": ") +
+                       invocation.language.sentence({REPORT_TEXT("report", "Roles of the columns as read: "
+                                                                           "--set columns=%1; known: %2."),
+                                                     {wordOf(imported.columns), roleWords()}}));
+        throw *imported.refusal;
+    }
     printRemarks(file, imported.remarks, invocation.language);
     const bool accepts = invocation.has(QLatin1StringView("accept"));
     std::size_t open = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "document/jsonprinter.h"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
@@ -23,5 +25,8 @@ namespace palmer {
 /// Error(unwritable) for a number that is not finite.
 [[nodiscard]] std::string printJson(const nlohmann::json &value);
 [[nodiscard]] std::string printJson(const nlohmann::ordered_json &value);
+
+/// A member with a value of its own, to be printed among others.
+[[nodiscard]] JsonMember jsonMember(std::string_view key, nlohmann::json value);
 
 } // namespace palmer

@@ -8,103 +8,204 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <concepts>
+#include <vector>
+
 namespace palmer {
 
 namespace {
 
 using nlohmann::json;
 
-// Puts the fields of a struct into an object; the functions for values are members, for they call each other.
+template <class T>
+concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T> || std::same_as<T, std::string>;
+
+template <class T>
+constexpr bool isScalar = Scalar<T>;
+template <class T>
+constexpr bool isScalar<std::optional<T>> = Scalar<T>;
+
+/// Collects the members of an object, which refer to the struct; the functions for values are members, for
+/// they call each other.
 class ObjectWriter {
 public:
-    /// `newFields` becomes true once a field of version 2 is written.
-    ObjectWriter(json &object, bool &newFields)
-        : m_object(object)
-        , m_newFields(newFields) {}
-
     template <class T>
-    void operator()(const char *key, const T &member, unsigned demands = nothing) {
-        if ((demands & added) != 0) {
-            if (member == T{})
-                return;
-            m_newFields = true;
-        }
-        m_object[key] = toJson(member);
+    void operator()(std::string_view key, const T &member, unsigned demands = nothing) {
+        if ((demands & added) != 0 && member == T{})
+            return; // older programs read what they can
+        m_members.push_back({key, isSmall(member), [&member](JsonPrinter &printer, const Place &place) {
+                                 print(printer, member, place);
+                             }});
     }
 
     void object(const char *key, const auto &members) {
-        json &inner = m_object[key] = json::object();
-        ObjectWriter writer(inner, m_newFields);
-        members(writer);
+        ObjectWriter inner;
+        members(inner);
+        m_members.push_back({key, false, [inner = inner.sorted()](JsonPrinter &printer, const Place &place) {
+                                 printer.object(inner, place);
+                             }});
     }
 
-    void extensions(const char *key, const std::string &text) { m_object[key] = parseJson(text); }
+    void extensions(const char *key, const std::string &text) {
+        json value = parseJson(text);
+        if (m_test)
+            addRefusedReadings(*m_test, value);
+        m_members.push_back(jsonMember(key, std::move(value)));
+    }
 
-    template <class Struct>
-    requires std::is_class_v<Struct> json toJson(const Struct &value) {
-        json object = json::object();
-        ObjectWriter writer(object, m_newFields);
-        fields(writer, value);
-        return object;
+    void word(std::string_view key, const char *value) {
+        m_members.push_back(
+            {key, true, [value](JsonPrinter &printer, const Place &) { printer.text(value); }});
+    }
+
+    [[nodiscard]] std::vector<JsonMember> sorted() {
+        std::ranges::sort(m_members, {}, &JsonMember::key);
+        return std::move(m_members);
     }
 
 private:
-    template <class Scalar>
-    requires std::is_arithmetic_v<Scalar> json toJson(Scalar value) { return value; }
+    template <Scalar T>
+    static bool isSmall(const T &) {
+        return true;
+    }
+    template <class T>
+    static bool isSmall(const std::optional<T> &value) {
+        return !value || isSmall(*value);
+    }
+    template <class T>
+    static bool isSmall(const std::vector<T> &values) {
+        return values.empty() || (isScalar<T> && JsonPrinter::isSmallList(values.size()));
+    }
+    static bool isSmall(const Point3 &) { return true; }
+    template <class T>
+    static bool isSmall(const std::map<std::string, T> &values) {
+        return values.empty();
+    }
+    template <class Struct>
+    static bool isSmall(const Struct &) {
+        return false;
+    }
 
+    static void print(JsonPrinter &printer, const std::string &value, const Place &) { printer.text(value); }
+    static void print(JsonPrinter &printer, bool value, const Place &) {
+        printer.word(value ? "true" : "false");
+    }
+    static void print(JsonPrinter &printer, double value, const Place &place) {
+        printer.number(value, place);
+    }
+    static void print(JsonPrinter &printer, std::integral auto value, const Place &) { printer.whole(value); }
     template <class Enumeration>
-    requires std::is_enum_v<Enumeration> json toJson(Enumeration value) { return fileWord(value); }
-
-    json toJson(const std::string &value) { return value; }
-
-    json toJson(const TestPointer &test) {
-        json object = toJson(*test);
-        object["kind"] = fileWord(kindOf(*test));
-        addRefusedReadings(*test, object["extensions"]);
-        return object;
+    requires std::is_enum_v<Enumeration>
+    static void print(JsonPrinter &printer, Enumeration value, const Place &) {
+        printer.text(fileWord(value));
     }
-
     template <class T>
-    json toJson(const std::optional<T> &value) {
-        return value ? toJson(*value) : json();
+    static void print(JsonPrinter &printer, const std::optional<T> &value, const Place &place) {
+        if (value)
+            print(printer, *value, place);
+        else
+            printer.word("null");
     }
-
     template <class T>
-    json toJson(const std::vector<T> &values) {
-        return list(values);
+    static void print(JsonPrinter &printer, const std::vector<T> &values, const Place &place) {
+        printList<T>(printer, values, place);
     }
-
-    json toJson(const Point3 &values) { return list(values); }
-
+    static void print(JsonPrinter &printer, const Point3 &values, const Place &place) {
+        printList<Point3::value_type>(printer, values, place);
+    }
     template <class T>
-    json toJson(const std::map<std::string, T> &values) {
-        json object = json::object();
+    static void print(JsonPrinter &printer, const std::map<std::string, T> &values, const Place &place) {
+        ObjectWriter writer;
         for (const auto &[key, value] : values)
-            object[key] = toJson(value);
-        return object;
+            writer(key.c_str(), value);
+        printer.object(writer.sorted(), place);
+    }
+    static void print(JsonPrinter &printer, const TestPointer &test, const Place &place) {
+        ObjectWriter writer;
+        writer.m_test = test.get();
+        fields(writer, *test);
+        writer.word("kind", fileWord(kindOf(*test)));
+        printer.object(writer.sorted(), place);
+    }
+    template <class Struct>
+    requires std::is_class_v<Struct>
+    static void print(JsonPrinter &printer, const Struct &value, const Place &place) {
+        ObjectWriter writer;
+        fields(writer, value);
+        printer.object(writer.sorted(), place);
     }
 
-    json list(const auto &values) {
-        json::array_t array;
-        array.reserve(values.size());
-        for (const auto &value : values)
-            array.push_back(toJson(value));
-        return array;
+    template <class T>
+    static void printList(JsonPrinter &printer, const auto &values, const Place &place) {
+        const auto element = [&](std::size_t i) { print(printer, values[i], Place(place, i)); };
+        if constexpr (isScalar<T>)
+            printer.listOfScalars(values.size(), element);
+        else
+            printer.list(values.size(), element);
     }
 
-    json &m_object;
-    bool &m_newFields;
+    std::vector<JsonMember> m_members;
+    const Test *m_test = nullptr; ///< whose members these are, if they are those of a test
+};
+
+/// Whether a field of version 2 has a value anywhere.
+class NewFields {
+public:
+    template <class T>
+    void operator()(std::string_view, const T &member, unsigned demands = nothing) {
+        if ((demands & added) != 0)
+            m_found = m_found || !(member == T{});
+        else
+            look(member);
+    }
+    void object(const char *, const auto &members) { members(*this); }
+    void extensions(const char *, const std::string &) {}
+    [[nodiscard]] bool found() const { return m_found; }
+
+private:
+    template <class T>
+    void look(const T &value) {
+        if constexpr (std::same_as<T, TestPointer>)
+            fields(*this, *value);
+        else if constexpr (std::is_class_v<T> && !isScalar<T>)
+            fields(*this, value);
+    }
+    template <class T>
+    void look(const std::optional<T> &value) {
+        if (value)
+            look(*value);
+    }
+    template <class T>
+    void look(const std::vector<T> &values) {
+        if constexpr (!isScalar<T>) {
+            for (const T &value : values)
+                look(value);
+        }
+    }
+    template <class T>
+    void look(const std::map<std::string, T> &values) {
+        for (const auto &[key, value] : values)
+            look(value);
+    }
+    void look(const Point3 &) {}
+
+    bool m_found = false;
 };
 
 } // namespace
 
 QByteArray writeDocument(const Document &document) {
-    bool newFields = false;
-    json none;
-    json file = ObjectWriter(none, newFields).toJson(document);
-    file["format"] = fileFormat;
-    file["version"] = newFields ? fileVersion : firstVersion; // older programs read what they can
-    return QByteArray::fromStdString(printJson(file));
+    ObjectWriter file;
+    fields(file, document);
+    file.word("format", fileFormat);
+    NewFields added;
+    fields(added, document);
+    const auto version = added.found() ? fileVersion : firstVersion;
+    file("version", version);
+    JsonPrinter printer(JsonPrinter::Form::lines);
+    printer.object(file.sorted(), {});
+    return QByteArray::fromStdString(printer.take() + '\n');
 }
 
 } // namespace palmer

@@ -147,6 +147,7 @@ constexpr std::array keys{
     ImportKey{"equalsTargets", REPORT_TEXT("report", "Deviations equal to targets"), ImportValue::word,
               keepWords},
     ImportKey{"zeros", REPORT_TEXT("report", "Readings that are all equal"), ImportValue::word, keepWords},
+    ImportKey{"unequalRuns", REPORT_TEXT("report", "Unequal numbers of runs"), ImportValue::word, keepWords},
 };
 
 std::string listOf(std::span<const ImportWord> words) {

@@ -114,7 +114,10 @@ private:
         const auto y = of(Meaning::y);
         const auto angle = of(Meaning::angle);
         m_named = (!x.empty() && !y.empty()) || !angle.empty();
-        if (angle.empty() && m_named) {
+        // "angle, x, y": the points, and where on their way they were taken.
+        const bool isXy = !x.empty() && !y.empty() &&
+                          (angle.empty() || (of(Meaning::radius).empty() && of(Meaning::deviation).empty()));
+        if (isXy) {
             m_first = x.front();
             m_seconds = {y.front()};
         } else {
@@ -125,7 +128,6 @@ private:
             if (m_seconds.empty())
                 m_seconds = unnamed();
         }
-        const bool isXy = m_named && angle.empty();
         setRole(m_first, isXy ? ColumnRole::x : ColumnRole::angle);
         for (const std::size_t c : m_seconds)
             setRole(c, isXy ? ColumnRole::y : roleOf(c));
@@ -414,16 +416,15 @@ private:
             "unit", second.unit ? second.unit : m.notes.unit, UnitKind::length,
             form.radii || size < 0.5 ? "mm" : "um",
             REPORT_TEXT("report", "Unit of the radial deviations: nothing in the file says it; read as %1."));
-        constexpr double anyRadius = 150; // the deviations hold for any
+        constexpr double anyRadius = 150; // to go on reading: the deviations hold for any
         form.radius =
             settleRadius(form.radii ? nominalOf(form.reading->toBase(mean)) : anyRadius, Origin::guessed);
         if (form.radii)
             remarkRadius(form.radius);
         else if (!m.choices.isChosen("nominalRadius") && !m.notes.radius)
             m.remark(RemarkGrade::problem,
-                     {REPORT_TEXT("report",
-                                  "The nominal radius is not in the file: %1 is put in its place; set it."),
-                      {Number{form.radius, Quantity::position}}},
+                     {REPORT_TEXT("report", "Nominal radius: nothing in the file says it, and deviations do "
+                                            "not show it; state it in mm.")},
                      0, "nominalRadius");
     }
 

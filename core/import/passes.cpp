@@ -46,7 +46,10 @@ void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &
         remarks.push_back(
             {RemarkGrade::problem,
              {REPORT_TEXT("report", "The directions have unequal numbers of runs: %1 ↑ and %2 ↓."),
-              {count(upward), count(downward)}}});
+              {count(upward), count(downward)}},
+             0,
+             0,
+             "unequalRuns"});
     remarks.push_back({RemarkGrade::note,
                        {REPORT_TEXT("report", "Understood: targets: %1; runs ↑: %2; runs ↓: %3."),
                         {count(measurement.targets.size()), count(upward), count(downward)}}});

@@ -116,7 +116,9 @@ std::vector<Pass> inOrder(std::vector<PlacedPass> placed) {
         }
         passes.push_back(std::move(each.pass));
     }
-    return both && !ordered ? inCycles(std::move(passes)) : passes;
+    if (both && !ordered)
+        return inCycles(std::move(passes));
+    return passes;
 }
 
 BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &block) {

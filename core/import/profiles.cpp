@@ -1,6 +1,7 @@
 #include "import/profiles.h"
 
 #include "document/savedocument.h"
+#include "import/asked.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -13,6 +14,9 @@ namespace palmer {
 namespace {
 
 constexpr qint64 sizeLimit = 1 << 20;
+constexpr auto profilesKey = QLatin1StringView("profiles");
+constexpr auto versionKey = QLatin1StringView("version");
+constexpr int version = 1;
 
 [[noreturn]] void refuse() {
     throw Error(
@@ -34,7 +38,13 @@ ImportProfiles readImportProfiles(const QString &path) {
     if (!json.isObject())
         refuse();
     ImportProfiles profiles;
-    const QJsonObject all = json.object();
+    QJsonObject all = json.object();
+    // Without a version: by a program that kept its guesses, too, which were answers of nobody.
+    const bool hasGuesses = !all.value(versionKey).isDouble();
+    if (!hasGuesses && !all.value(profilesKey).isObject())
+        refuse();
+    if (!hasGuesses)
+        all = all.value(profilesKey).toObject();
     for (auto profile = all.begin(); profile != all.end(); ++profile) {
         if (!profile.value().isObject())
             refuse();
@@ -46,6 +56,8 @@ ImportProfiles readImportProfiles(const QString &path) {
             options[word.key().toStdString()] = word.value().toString().toStdString();
         }
         demandKnown(options);
+        if (hasGuesses)
+            std::erase_if(options, [](const auto &option) { return isAsked(option.first); });
     }
     return profiles;
 }
@@ -59,7 +71,7 @@ void saveImportProfiles(const ImportProfiles &profiles, const QString &path) {
         all[QString::fromStdString(name)] = words;
     }
     QDir().mkpath(QFileInfo(path).path());
-    saveBytes(QJsonDocument(all).toJson(), path);
+    saveBytes(QJsonDocument(QJsonObject{{versionKey, version}, {profilesKey, all}}).toJson(), path);
 }
 
 } // namespace palmer

@@ -14,7 +14,8 @@ using ImportProfiles = std::map<std::string, ImportOptions>;
 [[nodiscard]] QString importProfilesPath();
 
 /// The profiles of the file at that path; none if there is no file. Throws Error for what is no such file,
-/// and for choices that are unknown.
+/// and for choices that are unknown. Files of earlier programs held guesses beside answers: what would be
+/// asked is left out of them, and asked again.
 [[nodiscard]] ImportProfiles readImportProfiles(const QString &path);
 
 /// Writes them in one step; the folder is made. Throws Error(unwritable).

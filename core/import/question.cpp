@@ -1,5 +1,7 @@
 #include "import/question.h"
 
+#include "import/asked.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -10,14 +12,14 @@ namespace palmer {
 namespace {
 
 /// The choices a wrong guess of which would be a wrong number or direction.
-constexpr std::array<std::string_view, 22> asked{
-    "kind",         "layout",         "columns",       "directions",  "content", "unit",
-    "positionUnit", "timeUnit",       "sign",          "decimalMark", "axis",    "series",
-    "sheet",        "correctionTo20", "startAngle",    "arc",         "motion",  "unread",
-    "large",        "spread",         "equalsTargets", "zeros"};
+constexpr std::array<std::string_view, 24> asked{
+    "kind",          "layout",         "columns",    "directions",  "content",       "unit",
+    "positionUnit",  "timeUnit",       "sign",       "decimalMark", "axis",          "series",
+    "nominalRadius", "sheet",          "startAngle", "arc",         "motion",        "unread",
+    "large",         "correctionTo20", "spread",     "zeros",       "equalsTargets", "unequalRuns"};
 
 /// Doubts about the numbers: their answer is that they are right.
-constexpr std::array<std::string_view, 4> doubts{"large", "spread", "equalsTargets", "zeros"};
+constexpr std::array<std::string_view, 5> doubts{"large", "spread", "equalsTargets", "zeros", "unequalRuns"};
 
 template <std::size_t size>
 bool isOneOf(const std::array<std::string_view, size> &words, std::string_view word) {
@@ -27,11 +29,17 @@ bool isOneOf(const std::array<std::string_view, size> &words, std::string_view w
 std::string proposalFor(const Remark &remark, std::span<const ImportChoice> choices) {
     if (isOneOf(doubts, remark.choice))
         return "keep";
+    if (remark.choice == "nominalRadius" && remark.grade == RemarkGrade::problem)
+        return {}; // what stands in its place, to go on reading, is no answer
     const auto choice = std::ranges::find(choices, remark.choice, &ImportChoice::key);
     return choice == choices.end() ? std::string() : choice->value;
 }
 
 } // namespace
+
+bool isAsked(std::string_view choice) {
+    return isOneOf(asked, choice);
+}
 
 void joinRemarks(std::vector<Remark> &remarks) {
     constexpr std::size_t mostLines = 1000;

@@ -2,6 +2,7 @@
 
 #include "document/documenterror.h"
 #include "import/dates.h"
+#include "import/decodetext.h"
 
 #include <algorithm>
 #include <array>
@@ -393,14 +394,15 @@ namespace {
 /// Before anything is read: a line of that length is no row of a table.
 void demandLines(std::string_view text) {
     constexpr std::size_t longestLine = std::size_t(1) << 20U;
-    std::size_t line = 1;
-    for (std::size_t begin = 0; begin < text.size(); ++line) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
-        if (end - begin > longestLine)
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= text.size(); ++i) {
+        if (i < text.size() && !isLineEnd(text[i]))
+            continue;
+        if (i - begin > longestLine)
             throw Error(Error::Kind::tooLarge,
                         {REPORT_TEXT("report", "a line is longer than 1 MiB; expected a table of readings")},
-                        std::to_string(line) + ":1");
-        begin = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+                        lineAndColumn(text, begin));
+        begin = i + 1;
     }
 }
 

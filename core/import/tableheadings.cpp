@@ -8,6 +8,12 @@ namespace {
 
 constexpr std::size_t headingRows = 3;
 
+/// "Forward", "Rev", "Run 2": what stands above several columns.
+bool namesRuns(const HeadingWords &heading) {
+    return heading.direction || (heading.unknownWords == 0 &&
+                                 (heading.hint || (heading.meaning == Meaning::run && heading.number)));
+}
+
 /// Whether a row above the body says something about its columns.
 bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     if (row.comment)
@@ -20,7 +26,7 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
         filled += cell.kind != CellKind::empty ? 1 : 0;
         words += cell.kind == CellKind::text ? 1 : 0;
         const std::string_view text = table.text(cell);
-        directions += !text.empty() && (readHeading(text).direction || senseIn(text)) ? 1 : 0;
+        directions += !text.empty() && (namesRuns(readHeading(text)) || senseIn(text)) ? 1 : 0;
     }
     if (filled == 0 || cells.size() > width + 1)
         return false;
@@ -64,6 +70,17 @@ void takeFromComment(const CellTable &table, const TableRow &row, std::vector<Ta
         columns[c + first].heading = line.text(cells[c]);
 }
 
+/// Whether a row of the heading says units: a dash in it stands for none.
+bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
+    const auto isUnit = [&](const TableCell &cell) {
+        const std::string_view text = table.text(cell);
+        const HeadingWords heading = readHeading(text);
+        return unitIn(text) && heading.meaning == Meaning::unknown && !heading.direction && !heading.number &&
+               heading.unknownWords == 0 && heading.words <= 1;
+    };
+    return std::ranges::any_of(cells, isUnit);
+}
+
 /// The rows directly above a block that are the headings of its columns, from above.
 std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBlock &block,
                                          const std::vector<TableColumn> &columns) {
@@ -80,6 +97,7 @@ std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBloc
             break;
         const auto cells = table.cells(row);
         complete |= *at != block.numericHead && cells.size() >= columns.size() &&
+                    !isRowOfUnits(table, cells) &&
                     std::ranges::all_of(cells.first(columns.size()),
                                         [](const TableCell &cell) { return cell.kind != CellKind::empty; });
         rows.push_back(*at);
@@ -92,13 +110,17 @@ std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBloc
 void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &rows,
                      std::vector<TableColumn> &columns) {
     for (const std::uint32_t index : rows) {
-        const auto cells = table.cells(table.rows()[index]);
-        // "Forward;;;Reverse;;": a heading over several columns.
-        const bool spans =
-            std::ranges::count(cells, CellKind::empty, &TableCell::kind) > 1 && index != rows.back();
+        const auto cells = trimmed(table.cells(table.rows()[index]));
+        // "Forward;;;Reverse": a heading over several columns; workbooks leave the last cells away.
+        const auto filled = cells.size() - static_cast<std::size_t>(
+                                               std::ranges::count(cells, CellKind::empty, &TableCell::kind));
+        const bool spans = filled + 1 < columns.size() && index != rows.back();
+        const bool hasUnits = isRowOfUnits(table, cells);
         std::string_view last;
-        for (std::size_t c = 0; c < std::min(columns.size(), cells.size()); ++c) {
-            std::string_view text = table.text(cells[c]);
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            std::string_view text = c < cells.size() ? table.text(cells[c]) : std::string_view();
+            if (hasUnits && folded(text) == "-")
+                continue;
             if (!text.empty())
                 last = text;
             else if (spans && c > 0)

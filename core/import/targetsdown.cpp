@@ -247,6 +247,8 @@ private:
             for (const Piece &piece : m_pieces) {
                 const ImportColumn what = columnIn(piece.section, column);
                 PlacedPass placed{what.direction ? what.direction : piece.direction, what.number, {}, {}};
+                placed.pass.readings.reserve(piece.rows.size());
+                placed.places.reserve(piece.rows.size());
                 for (const std::uint32_t row : piece.rows)
                     add(placed, row, m.cell(row, m_target)->value, column);
                 // A column that is not continued in a second block is no run there.
@@ -282,7 +284,7 @@ private:
     }
 
     /// Titles that say a direction among other words count where two say the opposite. Where some pieces say
-    /// a direction the others have the other one: blocks come in pairs.
+    /// a direction the others have the other one: blocks come in pairs, and where they do not it is asked.
     void completeDirections(bool shuffled) {
         bool up = anyPiece(&Piece::direction, Direction::positive);
         bool down = anyPiece(&Piece::direction, Direction::negative);
@@ -295,13 +297,19 @@ private:
         }
         if (m_pieces.size() < 2 || !(up || down))
             return;
+        const bool completed =
+            std::ranges::any_of(m_pieces, [](const Piece &piece) { return !piece.direction; });
         for (Piece &piece : m_pieces) {
             if (piece.direction)
                 continue;
             const bool rises = !shuffled && piece.rows.size() > 1;
-            piece.direction = down && !up ? Direction::positive : Direction::negative;
-            m_found.hasHints |= !(rises && down && !up);
+            const Direction other = down && !up ? Direction::positive : Direction::negative;
+            m_found.hasHints |= piece.hint || !(rises && down && !up);
+            piece.direction = piece.hint.value_or(other);
         }
+        const auto upward = std::ranges::count(m_pieces, Direction::positive,
+                                               [](const Piece &piece) { return *piece.direction; });
+        m_found.hasHints |= completed && 2 * static_cast<std::size_t>(upward) != m_pieces.size();
     }
 
     std::vector<std::vector<std::uint32_t>> piecesOf(const TableBlock &block, bool &shuffled) {

@@ -102,7 +102,7 @@ void ImportExportTest::takesChoicesAndProfiles() {
     QCOMPARE(test["runs"][0]["deviations"][1].toDouble(), 2e-6);
     const QString configuration = m_folder.path();
     QVERIFY(QDir(configuration).mkpath("palmer"));
-    write(configuration + "/palmer/import-profiles.json", R"({"laser 2": {"unit": "um", "axis": "Y"}})");
+    write(configuration + "/palmer/import-profiles.json", R"({"version": 1, "profiles": {"laser 2": {"unit": "um", "axis": "Y"}}})");
     const Result profile =
         run({"import", "-", "-o", at("c.palmer"), "--profile", "laser 2", "--set", "axis=W", "--accept"},
             table, configuration);

@@ -1,9 +1,13 @@
 #include "document/writedocument.h"
 
 #include "core/document/completefile.h"
+#include "document/fields.h"
+#include "document/filewords.h"
+#include "document/json.h"
 #include "document/readdocument.h"
 
 #include <QTest>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>
@@ -22,6 +26,95 @@ Document documentWithTargets(std::vector<double> targets) {
     return document;
 }
 
+/// Fills every field of a document with something, sensible or not.
+class RandomFields {
+public:
+    explicit RandomFields(std::mt19937_64 &random)
+        : m_random(random) {}
+
+    template <class T>
+    void operator()(const char *, T &member, unsigned = nothing) {
+        fill(member);
+    }
+    void object(const char *, const auto &members) { members(*this); }
+    void extensions(const char *, std::string &text) {
+        text = std::array{"{}", R"({"a":[1,2.5,"é",null,true,-7],"z":{"k":{},"l":[]}})",
+                          R"({"list":[[1,2],{"a":1e-9}],"large":18446744073709551615})"}[below(3)];
+    }
+    void fill(Document &document) { fields(*this, document); }
+
+private:
+    std::size_t below(std::size_t n) { return m_random() % n; }
+    std::size_t size() { return std::array<std::size_t, 9>{0, 0, 1, 2, 3, 49, 50, 51, 200}[below(9)]; }
+
+    void fill(bool &value) { value = below(2) == 0; }
+    void fill(std::integral auto &value) {
+        value = static_cast<std::remove_reference_t<decltype(value)>>(m_random());
+    }
+    void fill(double &value) {
+        const auto whole = static_cast<double>(below(2'000'001)) - 1'000'000;
+        const int power = static_cast<int>(below(40)) - 20;
+        value = below(3) == 0   ? whole / 1000
+                : below(3) == 0 ? whole
+                                : std::nextafter(whole * std::pow(10, power), 0);
+    }
+    void fill(std::string &value) {
+        value = std::array{"",
+                           "X",
+                           "two words",
+                           "\"quoted\"\n",
+                           "é↑😀",
+                           "\x7f",
+                           "\xff",
+                           "a text that is so long that nothing else has room on its line, and then some "
+                           "more of it"}[below(8)];
+    }
+    template <class Enumeration>
+    requires std::is_enum_v<Enumeration>
+    void fill(Enumeration &value) {
+        value = fileWords<Enumeration>[below(fileWords<Enumeration>.size())].value;
+    }
+    template <class T>
+    void fill(std::optional<T> &value) {
+        value.reset();
+        if (below(3) > 0)
+            fill(value.emplace());
+    }
+    template <class T>
+    void fill(std::vector<T> &values) {
+        constexpr bool isStruct = std::is_class_v<T> && !std::is_same_v<T, std::string> &&
+                                  !std::is_same_v<T, std::optional<double>>;
+        values.resize(isStruct ? below(3) : size());
+        for (T &value : values)
+            fill(value);
+    }
+    void fill(Point3 &values) {
+        for (auto &value : values)
+            fill(value);
+    }
+    template <class T>
+    void fill(std::map<std::string, T> &values) {
+        for (const char *key : {"E", "G(b)", "a\"b", "é"}) {
+            if (below(2) == 0)
+                fill(values[key]);
+        }
+    }
+    void fill(TestPointer &pointer) {
+        Test test;
+        if (below(3) == 0)
+            test.measurement = CircularMeasurement();
+        else if (below(3) == 0)
+            test.measurement = DriftMeasurement();
+        fields(*this, test);
+        pointer = std::make_shared<const Test>(std::move(test));
+    }
+    template <class Struct>
+    requires std::is_class_v<Struct>
+    void fill(Struct &value) { fields(*this, value); }
+
+    std::mt19937_64 &m_random;
+};
+
 } // namespace
 
 class WriteDocumentTest : public QObject {
@@ -37,6 +130,43 @@ private slots:
     void writingIsAFixedPoint() {
         const QByteArray once = writeDocument(readDocument(completeFile()));
         QCOMPARE(writeDocument(readDocument(once)), once);
+    }
+
+    /// Two spaces a level; small objects and lists of scalars on their line, longer ones filled below 100.
+    void theFormIsThis() {
+        const nlohmann::json value = nlohmann::json::parse(
+            R"({"a": {}, "b": [], "c": {"x": [1, 2.5], "y": null}, "d": [{"x": {"y": true}}, "é"],
+                "e": [1111111111, 2222222222, 3333333333, 4444444444, 5555555555, 6666666666, 7777777777,
+                      8888888888, 9999999999, -0.0]})");
+        QCOMPARE(QByteArray::fromStdString(printJson(value)), QByteArray(R"({
+  "a": {},
+  "b": [],
+  "c": {"x": [1, 2.5], "y": null},
+  "d": [
+    {
+      "x": {"y": true}
+    },
+    "é"
+  ],
+  "e": [
+    1111111111, 2222222222, 3333333333, 4444444444, 5555555555, 6666666666, 7777777777, 8888888888,
+    9999999999, 0
+  ]
+}
+)"));
+    }
+
+    /// Printed from the structs as the values of the JSON library are printed, which know nothing of them.
+    void anyDocumentIsPrintedAsItsJson() {
+        std::mt19937_64 random(3);
+        for (int i = 0; i < 200; ++i) {
+            Document document;
+            RandomFields(random).fill(document);
+            const QByteArray written = writeDocument(document);
+            const nlohmann::json read = nlohmann::json::parse(written.toStdString());
+            QCOMPARE(written, QByteArray::fromStdString(printJson(read)));
+            QVERIFY(read.at("tests").size() == document.tests.size());
+        }
     }
 
     void numbersAreWrittenInTheirShortestForm_data() {

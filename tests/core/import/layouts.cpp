@@ -168,6 +168,30 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "ignored,run,run,run / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / ");
     row("across with another line", "Run (mm);0;100;200\n1 ↑ (µm);1;2;3\n1 ↓ (µm);4;5;6\nWxyz;9;9;9\n",
         "ignored,run,run,run / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / unread");
+    // Runs that headings do not call by one name.
+    row("a run of another name", "P (mm);Error 1 (µm);Wxyz 2 (µm);Error 3 (µm)\n0;1;2;3\n100;4;5;6\n",
+        "target,deviation1,ignored,deviation3 / 0 100 / ↑ 1 4 / ↓ 3 6 / columns directions");
+    row("all runs of two names", "P (mm);+;Dev 1 (µm);Foo 2 (µm)\n0;+;1;2\n100;+;3;4\n0;-;5;6\n100;-;7;8\n",
+        "target,direction,deviation1,ignored / 0 100 / ↑ 1 3 / ↓ 5 7 / columns");
+    row("a title over two columns without the last cell",
+        ";Aller;;Retour\nP (mm);1 (µm);2 (µm);1 (µm);2 (µm)\n0;1;2;5;6\n100;3;4;7;8\n",
+        "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ");
+    row("abbreviated group headings",
+        ";Fwd;;Rev;\nP;1;2;1;2\n(mm);(µm);(µm);(µm);(µm)\n0;1;2;5;6\n100;3;4;7;8\n",
+        "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / directions");
+    row("runs over directions",
+        ";Run 1;;Run 2;\nP (mm);Fwd (µm);Rev (µm);Fwd (µm);Rev (µm)\n0;1;5;2;6\n100;3;7;4;8\n",
+        "target,run+1,run-1,run+2,run-2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / directions");
+    row("dashes beneath what has no unit", "Pt;P;1 ↑;1 ↓;Foo\n-;mm;µm;µm;-\n1;0;1;5;9\n2;100;3;7;8\n",
+        "ignored,target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 5 7 / ");
+    row("a hyphen in a counter", "Lfd.-Nr.;P (mm);1 + (µm);1 - (µm)\n1;0;1;5\n2;100;3;7\n",
+        "ignored,target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / ");
+    row("titles of runs, half of them understood",
+        "Wxyz 1 out\nP (mm);Dev (µm)\n0;1\n100;2\n\nback 1\nP (mm);Dev (µm)\n0;5\n100;6\n\nout "
+        "2\nP (mm);Dev (µm)\n0;3\n100;4\n\nWxyz 2 - back\nP (mm);Dev (µm)\n0;7\n100;8\n",
+        "target,deviation / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ 3 4 / ↓ 7 8 / directions");
+    row("more runs there than back", "P (mm);1 ↑ (µm);2 ↑ (µm);1 ↓ (µm)\n0;1;2;5\n100;3;4;7\n",
+        "target,run+1,run+2,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / unequalRuns");
     // Markdown and other tables beside.
     row("Markdown", "| P (mm) | 1↑ (µm) | 1↓ (µm) |\n| --- | ---: | ---: |\n| 0 | 1 | 2 |\n| 100 | 3 | 4 |\n",
         "ignored,target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
@@ -201,7 +225,14 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "angle,nominal,radius,ignored / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / "
         "positionUnit unit");
     row("phase and radius", "Phase (deg), Radius\n0, 100.001\n90, 100.002\n180, 100.001\n270, 100\n",
-        "angle,radius / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / unit");
+        "angle,radius / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius "
+        "unit");
+    row("angle and deviation, no radius", "Angle (°);Deviation (µm)\n0;1\n90;2\n180;1\n270;0\n",
+        "angle,deviation / ISO 230-4:2005 XY R 150 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / "
+        "nominalRadius");
+    row("angle beside x and y",
+        "angle;x (mm);y (mm)\n0;100.001;0\n90;0;100.002\n180;-100.001;0\n270;0;-100\n",
+        "ignored,x,y / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius");
     // Series over time.
     row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
         "time,deviation,temperature / drift  0:0 60:1 120:2 / ");

@@ -1,0 +1,122 @@
+#pragma once
+
+#include "document/place.h"
+
+#include <array>
+#include <charconv>
+#include <concepts>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace palmer {
+
+class JsonPrinter;
+
+/// A member of an object, printed when its turn comes. What `print` refers to has to live as long.
+struct JsonMember {
+    std::string_view key;
+    bool isSmall; ///< a scalar, nothing, or a short list of scalars: may share a line with others
+    std::function<void(JsonPrinter &, const Place &)> print;
+};
+
+/// Puts values into the text of JSON as they come, without a tree of them: two spaces a level, lists of
+/// scalars broken at about 100 columns, small objects on one line; or all on one line. Places are those of
+/// the values in the file, for errors.
+class JsonPrinter {
+public:
+    enum class Form { lines, oneLine };
+
+    explicit JsonPrinter(Form form)
+        : m_oneLine(form == Form::oneLine) {}
+
+    /// In the shortest form that says the same. Throws Error(unwritable) for one that is not finite.
+    void number(double value, const Place &place);
+    void whole(std::integral auto value) {
+        std::array<char, 24> digits{};
+        m_text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+    }
+    void text(std::string_view utf8);                      ///< what is no UTF-8 in it as U+FFFD
+    void word(std::string_view value) { m_text += value; } ///< true, false, null
+    void object(std::span<const JsonMember> members, const Place &place);
+    /// `print(i)` prints the element of an index.
+    template <class Print>
+    void list(std::size_t size, const Print &print);
+    template <class Print>
+    void listOfScalars(std::size_t size, const Print &print);
+
+    [[nodiscard]] static bool isSmallList(std::size_t size) { return size < lineLength / 2; }
+    [[nodiscard]] std::string take() { return std::move(m_text); }
+
+private:
+    static constexpr std::size_t lineLength = 100;
+    static constexpr std::size_t indentation = 2;
+
+    void newLine() { breakAt(m_text.size()); }
+    void breakAt(std::size_t place); ///< begins a line with what stands there
+    void open(char bracket);
+    void close(char bracket);
+    [[nodiscard]] std::size_t column() const { return m_text.size() - m_lineBegin; }
+    /// False, and nothing printed, if it is too long for the rest of the line.
+    bool printOnThisLine(std::span<const JsonMember> members, const Place &place);
+    template <class Print>
+    bool printOnThisLine(std::size_t size, const Print &print);
+
+    std::string m_text;
+    std::size_t m_lineBegin = 0;
+    std::size_t m_indent = 0;
+    bool m_oneLine;
+};
+
+template <class Print>
+void JsonPrinter::list(std::size_t size, const Print &print) {
+    if (m_oneLine || size == 0) {
+        printOnThisLine(size, print);
+        return;
+    }
+    open('[');
+    for (std::size_t i = 0; i < size; ++i) {
+        if (i > 0) {
+            m_text += ',';
+            newLine();
+        }
+        print(i);
+    }
+    close(']');
+}
+
+template <class Print>
+void JsonPrinter::listOfScalars(std::size_t size, const Print &print) {
+    if (printOnThisLine(size, print))
+        return;
+    open('[');
+    for (std::size_t i = 0; i < size; ++i) {
+        const std::size_t end = m_text.size();
+        m_text += i > 0 ? ", " : "";
+        print(i);
+        if (i > 0 && column() >= lineLength) {
+            m_text.erase(end + 1, 1); // the blank
+            breakAt(end + 1);
+        }
+    }
+    close(']');
+}
+
+template <class Print>
+bool JsonPrinter::printOnThisLine(std::size_t size, const Print &print) {
+    const std::size_t begin = m_text.size();
+    m_text += '[';
+    for (std::size_t i = 0; i < size; ++i) {
+        m_text += i > 0 ? ", " : "";
+        print(i);
+        if (!m_oneLine && column() >= lineLength) {
+            m_text.resize(begin);
+            return false;
+        }
+    }
+    m_text += ']';
+    return true;
+}
+
+} // namespace palmer
