@@ -396,10 +396,8 @@ private slots:
                         continue;
                     rows = int(table->rows.size());
                     if (const auto *next = std::get_if<Paragraph>(&made.blocks.at(k + 1)))
-                        counted = next->text.section("Left out: ", 1)
-                                      .section(u' ', 0, 0)
-                                      .remove(u'\u202f')
-                                      .toInt();
+                        counted =
+                            next->text.section("Left out: ", 1).section(u' ', 0, 0).remove(u'\u202f').toInt();
                 }
                 QCOMPARE(rows, all ? count : std::min(count, 2000));
                 QCOMPARE(counted, count - rows);
@@ -410,7 +408,8 @@ private slots:
     /// In the block that is never split names are bounded; whole they stand elsewhere.
     void namesOfSignersAreBounded() {
         for (const int size : {159, 160, 161, 4096}) {
-            for (const QString &letter : {QString("W"), QString("é "), QString::fromUtf8("\xF0\x9D\x94\x9C")}) {
+            for (const QString &letter :
+                 {QString("W"), QString("é "), QString::fromUtf8("\xF0\x9D\x94\x9C")}) {
                 const QString name = letter.repeated(size / letter.size()).trimmed();
                 Document named = *document("limits-2006");
                 named.report.operatorName = name.toStdString();
