@@ -63,7 +63,8 @@ private:
         case Meaning::run:
             return roleOfRun(c);
         case Meaning::direction:
-            return head.words.direction || head.words.number ? ColumnRole::run : ColumnRole::direction;
+            return head.words.direction || head.words.number || head.words.hint ? ColumnRole::run
+                                                                                : ColumnRole::direction;
         case Meaning::place:
             return head.words.direction ? ColumnRole::run : ColumnRole::ignored;
         case Meaning::unknown:

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int roleHeight = 28;
 constexpr int roleWidth = 104;
+constexpr int widestRole = 208;
+constexpr int mostFitted = 200; ///< columns whose widths follow their words
 
 constexpr std::array roles{ColumnRole::target,  ColumnRole::run,       ColumnRole::deviation,
                            ColumnRole::actual,  ColumnRole::direction, ColumnRole::number,
@@ -83,6 +85,8 @@ ColumnRoles::ColumnRoles(QWidget *parent)
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(roleHeight);
     horizontalHeader()->setDefaultSectionSize(roleWidth);
+    horizontalHeader()->setMinimumSectionSize(roleWidth);
+    horizontalHeader()->setMaximumSectionSize(widestRole);
     horizontalHeader()->setSectionsClickable(true);
     horizontalHeader()->setTextElideMode(Qt::ElideRight);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -115,6 +119,8 @@ void ColumnRoles::showColumns(const std::vector<ImportColumn> &columns) {
             item->setForeground(token(Token::secondaryText, palette()));
         m_model->setItem(0, c, item);
     }
+    if (count <= mostFitted)
+        resizeColumnsToContents();
     if (current >= 0 && current < count)
         setCurrentIndex(m_model->index(0, current));
     constexpr int scrollBar = 12;

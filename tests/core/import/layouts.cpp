@@ -190,6 +190,8 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Wxyz 1 out\nP (mm);Dev (µm)\n0;1\n100;2\n\nback 1\nP (mm);Dev (µm)\n0;5\n100;6\n\nout "
         "2\nP (mm);Dev (µm)\n0;3\n100;4\n\nWxyz 2 - back\nP (mm);Dev (µm)\n0;7\n100;8\n",
         "target,deviation / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ 3 4 / ↓ 7 8 / directions");
+    row("a dash before the unit", "Consigne / mm;approche + / µm;approche - / µm\n0;1;5\n100;3;7\n",
+        "target,run+,run- / 0 100 / ↑ 1 3 / ↓ 5 7 / ");
     row("more runs there than back", "P (mm);1 ↑ (µm);2 ↑ (µm);1 ↓ (µm)\n0;1;2;5\n100;3;4;7\n",
         "target,run+1,run+2,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / unequalRuns");
     // Markdown and other tables beside.
