@@ -6681,6 +6681,126 @@
         <translation>limites respectées</translation>
     </message>
     <message>
+        <source>Calibration due</source>
+        <translation>Fin de validité de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>The day the calibration ends. A test made after it is noted.</source>
+        <translation>Le jour où l’étalonnage cesse d’être valide. Un essai fait après ce jour est signalé.</translation>
+    </message>
+    <message>
+        <source>Length of one element of the axis&apos;s measuring device; 0: continuous. A long axis has a target in each element, of a continuous one every 250 mm.</source>
+        <translation>Longueur d’un élément du dispositif de mesure de l’axe ; 0 : continu. Un axe long a un point visé dans chaque élément, un dispositif continu en a un tous les 250 mm.</translation>
+    </message>
+    <message>
+        <source>Faces of the polygon</source>
+        <translation>Faces du polygone</translation>
+    </message>
+    <message>
+        <source>How many faces the polygon has: as many targets are asked for.</source>
+        <translation>Nombre de faces du polygone : il faut autant de points visés.</translation>
+    </message>
+    <message>
+        <source>Continuous measuring device</source>
+        <translation>Dispositif à échelle continue</translation>
+    </message>
+    <message>
+        <source>Whether a rotary device with a continuous scale of suitable accuracy was at hand: then three further targets are chosen freely.</source>
+        <translation>Si un dispositif rotatif à échelle continue d’exactitude suffisante était disponible : trois points visés de plus sont alors choisis librement.</translation>
+    </message>
+    <message>
+        <source>Acceptance, periodic check, comparison, … The step cycle is no reference for acceptance.</source>
+        <translation>Réception, vérification périodique, comparaison, … Le cycle en pas n’est pas une référence pour la réception.</translation>
+    </message>
+    <message>
+        <source>As found or as left</source>
+        <translation>Avant ou après réglage</translation>
+    </message>
+    <message>
+        <source>Before or after an adjustment. The verdict of the report rests on all tests except those as found.</source>
+        <translation>Avant ou après un réglage. Le verdict du rapport repose sur tous les essais sauf ceux faits avant réglage.</translation>
+    </message>
+    <message>
+        <source>What was on the machine during the test; none is a statement.</source>
+        <translation>Ce qui se trouvait sur la machine pendant l’essai ; « aucune » est une indication.</translation>
+    </message>
+    <message>
+        <source>Position of the instrument</source>
+        <translation>Position de l’instrument</translation>
+    </message>
+    <message>
+        <source>Where the measuring device stood, in words; both offsets complete say it as well.</source>
+        <translation>Où se trouvait le dispositif de mesure, en toutes lettres ; les deux décalages complets le disent aussi.</translation>
+    </message>
+    <message>
+        <source>Room temperature can be controlled</source>
+        <translation>Température de la salle réglable</translation>
+    </message>
+    <message>
+        <source>Where it can, 20 °C are asked for (1988: ± 0.5 °C; the same bound is taken for circles, whose text has none).</source>
+        <translation>Si elle l’est, 20 °C sont exigés (1988 : ± 0,5 °C ; la même borne est prise pour les cercles, dont le texte n’en a pas).</translation>
+    </message>
+    <message>
+        <source>Thermally stable before the test</source>
+        <translation>Stabilité thermique avant l’essai</translation>
+    </message>
+    <message>
+        <source>Machine and instruments were long enough in their environment to be thermally stable.</source>
+        <translation>La machine et les instruments étaient dans leur environnement depuis assez longtemps pour être stabilisés thermiquement.</translation>
+    </message>
+    <message>
+        <source>Soaking time</source>
+        <translation>Durée de stabilisation</translation>
+    </message>
+    <message>
+        <source>How long machine and instruments stood in their environment before the test: 12 h. Stated, it declares that they were stable.</source>
+        <translation>Depuis combien de temps la machine et les instruments se trouvaient dans leur environnement avant l’essai : 12 h. Indiquée, elle déclare qu’ils étaient stabilisés.</translation>
+    </message>
+    <message>
+        <source>Shielded from draughts and radiation</source>
+        <translation>À l’abri des courants d’air et du rayonnement</translation>
+    </message>
+    <message>
+        <source>Machine and instruments were protected from draughts and from radiation, of the sun or of heaters.</source>
+        <translation>La machine et les instruments étaient protégés des courants d’air et du rayonnement, du soleil ou de chauffages.</translation>
+    </message>
+    <message>
+        <source>Whether the instrument&apos;s compensation for the air and the machine&apos;s temperature was switched on; nothing is asked of one that has none.</source>
+        <translation>Si la compensation de l’instrument pour l’air et la température de la machine était en service ; rien n’est demandé à un instrument qui n’en a pas.</translation>
+    </message>
+    <message>
+        <source>Gradient: hours before the test</source>
+        <translation>Gradient : heures avant l’essai</translation>
+    </message>
+    <message>
+        <source>How many hours before the test the gradient covers: 12 are asked for.</source>
+        <translation>Combien d’heures avant l’essai le gradient couvre : 12 sont exigées.</translation>
+    </message>
+    <message>
+        <source>What the evaluated range leaves out</source>
+        <translation>Ce que la plage évaluée laisse de côté</translation>
+    </message>
+    <message>
+        <source>Feed-in, feed-out, overshoot: all other points of the path are to be used.</source>
+        <translation>Entrée, sortie, dépassement : tous les autres points de la trajectoire sont à utiliser.</translation>
+    </message>
+    <message>
+        <source>Whether the reference length of the instrument is calibrated: F and D need it.</source>
+        <translation>Si la longueur de référence de l’instrument est étalonnée : F et D en ont besoin.</translation>
+    </message>
+    <message>
+        <source>Set-up error</source>
+        <translation>Erreur de réglage</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the centring; of an arc F contains the set-up error.</source>
+        <translation>Incertitude-type du centrage ; le F d’un arc contient l’erreur de réglage.</translation>
+    </message>
+    <message>
+        <source>U beside every result: by a budget, a simulation, or as the laboratory states it.</source>
+        <translation>U à côté de chaque résultat : par un budget, une simulation, ou indiquée par le laboratoire.</translation>
+    </message>
+    <message>
         <source>the results (results.json) that the report carried are missing</source>
         <translation>les résultats (results.json) que portait le rapport manquent</translation>
     </message>
