@@ -23,22 +23,23 @@ Difference at(const QRectF &area, Difference difference) {
 
 } // namespace
 
-Difference differenceOf(const Addition &addition) {
+Difference differenceOf(const PdfAddition &addition) {
     switch (addition.kind) {
-    case Addition::Kind::attachment:
+    case PdfAddition::Kind::attachment:
         return said(0, REPORT_TEXT("report", "a file was attached that the report did not carry"),
-                    addition.name);
-    case Addition::Kind::annotation:
-        return said(addition.page, REPORT_TEXT("report", "an annotation was put on the page"), addition.name);
-    case Addition::Kind::form:
+                    QString::fromStdString(addition.name));
+    case PdfAddition::Kind::annotation:
+        return said(addition.page, REPORT_TEXT("report", "an annotation was put on the page"),
+                    QString::fromStdString(addition.name));
+    case PdfAddition::Kind::form:
         return said(addition.page, REPORT_TEXT("report", "a form field was put on the page"));
-    case Addition::Kind::action:
+    case PdfAddition::Kind::action:
         break;
     }
     return said(
         addition.page,
         REPORT_TEXT("report", "the PDF does something that a report does not (action, layer, script)"),
-        addition.name);
+        QString::fromStdString(addition.name));
 }
 
 Difference otherPageCount(int printed, int follows) {

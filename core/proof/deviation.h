@@ -8,7 +8,7 @@ namespace palmer {
 
 // What may be wrong with a report beside its words and results, each as one difference.
 
-[[nodiscard]] Difference differenceOf(const Addition &addition);
+[[nodiscard]] Difference differenceOf(const PdfAddition &addition);
 [[nodiscard]] Difference otherPageCount(int printed, int follows);
 [[nodiscard]] Difference otherPageSize(int page);
 /// The words of the page are the same, and it looks otherwise: in `area`, where these words stand.

@@ -4,7 +4,7 @@
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFStreamFilter.hh>
 
-#include <array>
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <memory>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/documenterror.h"
+#include "proof/pdfparts.h"
 #include "proof/reportmetadata.h"
 
 #include <QByteArray>
@@ -10,15 +11,6 @@
 #include <vector>
 
 namespace palmer {
-
-/// Something that a report does not have when it is made, and that may show its reader other than what it
-/// says.
-struct Addition {
-    enum class Kind { action, form, attachment, annotation };
-    Kind kind = Kind::action;
-    int page = 0; ///< from 1; 0: of the whole file
-    QString name; ///< of the attachment, the key of the PDF
-};
 
 /// The place of a signature on a page, points from its top left corner.
 struct SignatureField {
@@ -32,7 +24,7 @@ struct ReportPdf {
     QByteArray testFile;
     QString testFileName;
     QByteArray results; ///< results.json; empty: none
-    std::vector<Addition> additions;
+    std::vector<PdfAddition> additions;
     std::vector<SignatureField> signatureFields; ///< those that are seen
 };
 

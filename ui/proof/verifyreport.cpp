@@ -181,7 +181,7 @@ Verification verifyReport(const OpenedReport &report) {
         return result;
     result.appended = report.pdf.startsWith(buffer.data());
     const bool sameProgram = metadata.making.program == QLatin1StringView("Palmer " PALMER_VERSION);
-    for (const Addition &addition : report.parts.additions)
+    for (const PdfAddition &addition : report.parts.additions)
         result.differences.push_back(differenceOf(addition));
     if (report.parts.testFileName != composed.testFileName)
         result.differences.push_back(otherFileName(report.parts.testFileName));

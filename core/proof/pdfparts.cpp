@@ -1,0 +1,211 @@
+#include "proof/pdfparts.h"
+
+#include "proof/pdffilters.h"
+
+#include <qpdf/Pl_Discard.hh>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
+#include <qpdf/QPDFObjectHandle.hh>
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+namespace palmer {
+
+namespace {
+
+using Handle = QPDFObjectHandle;
+
+constexpr std::size_t mostPages = 20'000;
+
+std::string bytesOf(Handle stream) {
+    const auto buffer = stream.getStreamData(qpdf_dl_specialized);
+    return {reinterpret_cast<const char *>(buffer->getBuffer()), buffer->getSize()};
+}
+
+/// A file inside the PDF, by whichever way a reader finds it.
+struct FoundFile {
+    std::string name;
+    std::string relationship;
+    Handle stream;
+    QPDFObjGen id;
+};
+
+/// Throws for a specification whose names lead to different files: readers would show one or the other.
+std::optional<FoundFile> embeddedFile(Handle specification) {
+    if (!specification.isDictionary())
+        return {};
+    Handle files = specification.getKey("/EF");
+    if (!files.isDictionary())
+        return {};
+    FoundFile result;
+    for (const std::string &key : files.getKeys()) {
+        Handle stream = files.getKey(key);
+        if (!stream.isStream())
+            continue;
+        if (result.stream.isInitialized() && !(result.id == stream.getObjGen()))
+            throw std::runtime_error("names of one file lead to two");
+        result.stream = stream;
+        result.id = stream.getObjGen();
+    }
+    if (!result.stream.isInitialized())
+        return {};
+    for (const char *key : {"/UF", "/F"}) {
+        if (result.name.empty() && specification.getKey(key).isString())
+            result.name = specification.getKey(key).getUTF8Value();
+    }
+    if (specification.getKey("/AFRelationship").isName())
+        result.relationship = specification.getKey("/AFRelationship").getName();
+    return result;
+}
+
+std::vector<FoundFile> embeddedFiles(QPDF &document) {
+    std::vector<FoundFile> files;
+    const auto add = [&files](const Handle &specification) {
+        const auto file = embeddedFile(specification);
+        const bool isNew = file && std::none_of(files.begin(), files.end(), [&](const FoundFile &other) {
+                               return other.id == file->id && other.name == file->name &&
+                                      other.relationship == file->relationship;
+                           });
+        if (isNew)
+            files.push_back(*file);
+    };
+    QPDFEmbeddedFileDocumentHelper helper(document);
+    for (const auto &[key, file] : helper.getEmbeddedFiles())
+        add(file->getObjectHandle());
+    Handle associated = document.getRoot().getKey("/AF");
+    if (associated.isArray()) {
+        for (int i = 0; i < associated.getArrayNItems(); ++i)
+            add(associated.getArrayItem(i));
+    }
+    return files;
+}
+
+void addUnknownKeys(std::vector<PdfAddition> &additions, Handle dictionary,
+                    std::initializer_list<std::string_view> known, int page = 0) {
+    if (!dictionary.isDictionary())
+        return;
+    for (const std::string &key : dictionary.getKeys()) {
+        if (std::find(known.begin(), known.end(), std::string_view(key)) == known.end())
+            additions.push_back({PdfAddition::Kind::action, page, key.substr(1)});
+    }
+}
+
+/// What the file may do beyond showing its pages.
+void addActions(std::vector<PdfAddition> &additions, QPDF &document) {
+    Handle root = document.getRoot();
+    addUnknownKeys(additions, root,
+                   {"/Type", "/Version", "/Extensions", "/Pages", "/PageLabels", "/Names",
+                    "/ViewerPreferences", "/PageLayout", "/PageMode", "/Outlines", "/AcroForm", "/Metadata",
+                    "/MarkInfo", "/Lang", "/OutputIntents", "/Perms", "/DSS", "/AF"});
+    addUnknownKeys(additions, root.getKey("/Names"), {"/EmbeddedFiles"});
+    Handle form = root.getKey("/AcroForm");
+    addUnknownKeys(additions, form, {"/Fields", "/SigFlags", "/DR", "/DA", "/Q", "/NeedAppearances"});
+}
+
+PdfField fieldOf(int page, Handle annotation, double height) {
+    const Handle::Rectangle box = annotation.getKey("/Rect").getArrayAsRectangle();
+    PdfField field;
+    field.page = page;
+    field.left = box.llx;
+    field.top = height - box.ury;
+    field.right = box.urx;
+    field.bottom = height - box.lly;
+    return field;
+}
+
+bool isSignature(Handle widget) {
+    constexpr int deepest = 8;
+    Handle field = widget;
+    for (int i = 0; i < deepest && field.isDictionary(); ++i) {
+        if (field.getKey("/FT").isName())
+            return field.getKey("/FT").getName() == "/Sig";
+        field = field.getKey("/Parent");
+    }
+    return false;
+}
+
+/// A link of ours leads to another page of the report and nowhere else.
+bool isOwnLink(Handle annotation) {
+    return annotation.getKey("/Subtype").getName() == "/Link" && !annotation.hasKey("/A") &&
+           !annotation.hasKey("/AA") && !annotation.hasKey("/AP");
+}
+
+void addAnnotations(PdfParts &result, Handle page, int number) {
+    if (page.hasKey("/AA"))
+        result.additions.push_back({PdfAddition::Kind::action, number, "AA"});
+    Handle annotations = page.getKey("/Annots");
+    const double height = page.getKey("/MediaBox").getArrayAsRectangle().ury;
+    for (int i = 0; annotations.isArray() && i < annotations.getArrayNItems(); ++i) {
+        Handle annotation = annotations.getArrayItem(i);
+        if (!annotation.isDictionary() || !annotation.getKey("/Subtype").isName())
+            continue;
+        const std::string kind = annotation.getKey("/Subtype").getName();
+        if (kind == "/Widget" && isSignature(annotation) && !annotation.hasKey("/AA")) {
+            const PdfField field = fieldOf(number, annotation, height);
+            if (field.left < field.right && field.top < field.bottom)
+                result.signatureFields.push_back(field);
+        } else if (kind == "/Widget") {
+            result.additions.push_back({PdfAddition::Kind::form, number, {}});
+        } else if (!isOwnLink(annotation)) {
+            result.additions.push_back({PdfAddition::Kind::annotation, number, kind.substr(1)});
+        }
+    }
+}
+
+/// Unpacks all there is once, so that what comes after may rely on its size.
+void demandTame(QPDF &document) {
+    for (Handle object : document.getAllObjects()) {
+        if (!object.isStream())
+            continue;
+        Pl_Discard nowhere;
+        object.pipeStreamData(&nowhere, 0, qpdf_dl_specialized, true);
+        if (UnpackingBound::isExceeded())
+            return;
+    }
+}
+
+PdfParts takeApart(QPDF &document) {
+    PdfParts result;
+    result.encrypted = document.isEncrypted();
+    if (result.encrypted)
+        return result;
+    Handle packet = document.getRoot().getKey("/Metadata");
+    if (packet.isStream())
+        result.xmp = bytesOf(packet);
+    for (const FoundFile &file : embeddedFiles(document))
+        result.files.push_back({file.name, bytesOf(file.stream)});
+    addActions(result.additions, document);
+    const std::vector<Handle> &pages = document.getAllPages();
+    if (pages.size() > mostPages)
+        throw std::runtime_error("too many pages");
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        addAnnotations(result, pages[i], static_cast<int>(i) + 1);
+    demandTame(document);
+    return result;
+}
+
+} // namespace
+
+PdfParts pdfParts(const char *bytes, std::size_t size, std::int64_t most, bool &exceeded) {
+    const UnpackingBound bound(most);
+    exceeded = false;
+    try {
+        QPDF document;
+        document.setSuppressWarnings(true);
+        document.setAttemptRecovery(false);
+        document.processMemoryFile("report", bytes, size);
+        PdfParts result = takeApart(document);
+        if (UnpackingBound::isExceeded())
+            throw std::runtime_error("unpacks to more than is read");
+        return result;
+    } catch (const std::exception &) { // whatever the library throws
+        exceeded = UnpackingBound::isExceeded();
+        throw;
+    }
+}
+
+} // namespace palmer
