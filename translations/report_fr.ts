@@ -111,16 +111,8 @@
         <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; 5 par sens sont exigées.</translation>
     </message>
     <message>
-        <source>Approaches in the positive direction: %1, in the negative: %2; practice asks for 5 each way (not verified against the text of the edition).</source>
-        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; l’usage en demande 5 par sens (non vérifié sur le texte de l’édition).</translation>
-    </message>
-    <message>
         <source>Approaches in the positive direction: %1, in the negative: %2; at least 1 each way is required.</source>
         <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; au moins 1 par sens est exigée.</translation>
-    </message>
-    <message>
-        <source>Approaches in the positive direction: %1, in the negative: %2; practice asks for at least 1 each way (not verified against the text of the edition).</source>
-        <translation>Approches dans le sens positif&#xa0;: %1, dans le sens négatif&#xa0;: %2&#x202f;; l’usage en demande au moins 1 par sens (non vérifié sur le texte de l’édition).</translation>
     </message>
     <message>
         <source>Runs in the positive direction: %1, in the negative: %2; each direction is evaluated with its own.</source>
@@ -180,10 +172,6 @@
     <message>
         <source>feed rate between targets</source>
         <translation>vitesse d’avance entre les points visés</translation>
-    </message>
-    <message>
-        <source>place of the working zone of 2 000 mm or 360°</source>
-        <translation>emplacement de la zone de travail de 2&#x202f;000&#xa0;mm ou 360°</translation>
     </message>
     <message>
         <source>position of the axes not under test</source>
@@ -489,10 +477,6 @@
         <translation>Un axe rotatif est contrôlé à 0°, 90°, 180° et 270° ou aux faces du polygone&#x202f;; manquent&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>%1 targets over %2: practice asks for at least 8 per turn, up to 1 800° (not verified against the text of the edition).</source>
-        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins 8 par tour, jusqu’à 1&#x202f;800° (non vérifié sur le texte de l’édition).</translation>
-    </message>
-    <message>
         <source>Only the zone of this long axis (%1) is tested: the test over the whole travel is missing in this file.</source>
         <translation>Seule la zone de cet axe long (%1) est contrôlée&#xa0;: l’essai sur la longueur entière manque dans ce fichier.</translation>
     </message>
@@ -503,10 +487,6 @@
     <message>
         <source>The zone is %1 long; the full test is made on an agreed %2.</source>
         <translation>La zone a une longueur de %1&#x202f;; le contrôle complet se fait sur une longueur convenue de %2.</translation>
-    </message>
-    <message>
-        <source>The zone is %1 long; practice asks for a full test on an agreed %2 (not verified against the text of the edition).</source>
-        <translation>La zone a une longueur de %1&#x202f;; l’usage demande un contrôle complet sur une longueur convenue de %2 (non vérifié sur le texte de l’édition).</translation>
     </message>
     <message>
         <source>The first and the last target have to be approached from both sides; beyond them the axis has %1 and %2, the approach distance is %3.</source>
@@ -3050,10 +3030,6 @@
         <translation>Rayon nominal&#xa0;: rien ne le dit dans le fichier et les écarts ne le montrent pas&#x202f;; indiquez-le en mm.</translation>
     </message>
     <message>
-        <source>The nominal radius is not in the file: %1 is put in its place; set it.</source>
-        <translation>Le rayon nominal n’est pas dans le fichier&#xa0;: %1 en tient lieu&#x202f;; le donner.</translation>
-    </message>
-    <message>
         <source>Sign: radial deviations are read as positive outwards.</source>
         <translation>Signe&#xa0;: les écarts radiaux sont lus comme positifs vers l’extérieur.</translation>
     </message>
@@ -4651,10 +4627,6 @@
     <message>
         <source>palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2), circular tests (ISO 230-4).</source>
         <translation>palmer-cli évalue des essais de machines-outils&#xa0;: positionnement d’axes (ISO 230-2), essais de circularité (ISO 230-4).</translation>
-    </message>
-    <message>
-        <source>FILE is a test file (.palmer) or a measurement file that can be imported; - is standard input.</source>
-        <translation>FILE est un fichier d’essai (.palmer) ou un fichier de mesure importable&#x202f;; - est l’entrée standard.</translation>
     </message>
     <message>
         <source>what to write: readings and results, or a compensation table</source>
@@ -6690,7 +6662,7 @@
     </message>
     <message>
         <source>Length of one element of the axis&apos;s measuring device; 0: continuous. A long axis has a target in each element, of a continuous one every 250 mm.</source>
-        <translation>Longueur d’un élément du dispositif de mesure de l’axe ; 0 : continu. Un axe long a un point visé dans chaque élément, un dispositif continu en a un tous les 250 mm.</translation>
+        <translation>Longueur d’un élément du dispositif de mesure de l’axe&#x202f;; 0&#xa0;: continu. Un axe long a un point visé dans chaque élément, un dispositif continu en a un tous les 250&#xa0;mm.</translation>
     </message>
     <message>
         <source>Faces of the polygon</source>
@@ -6698,7 +6670,7 @@
     </message>
     <message>
         <source>How many faces the polygon has: as many targets are asked for.</source>
-        <translation>Nombre de faces du polygone : il faut autant de points visés.</translation>
+        <translation>Nombre de faces du polygone&#xa0;: il faut autant de points visés.</translation>
     </message>
     <message>
         <source>Continuous measuring device</source>
@@ -6706,7 +6678,7 @@
     </message>
     <message>
         <source>Whether a rotary device with a continuous scale of suitable accuracy was at hand: then three further targets are chosen freely.</source>
-        <translation>Si un dispositif rotatif à échelle continue d’exactitude suffisante était disponible : trois points visés de plus sont alors choisis librement.</translation>
+        <translation>Si un dispositif rotatif à échelle continue d’exactitude suffisante était disponible&#xa0;: trois points visés de plus sont alors choisis librement.</translation>
     </message>
     <message>
         <source>Acceptance, periodic check, comparison, … The step cycle is no reference for acceptance.</source>
@@ -6722,7 +6694,7 @@
     </message>
     <message>
         <source>What was on the machine during the test; none is a statement.</source>
-        <translation>Ce qui se trouvait sur la machine pendant l’essai ; « aucune » est une indication.</translation>
+        <translation>Ce qui se trouvait sur la machine pendant l’essai&#x202f;; «&#xa0;aucune&#xa0;» est une indication.</translation>
     </message>
     <message>
         <source>Position of the instrument</source>
@@ -6730,7 +6702,7 @@
     </message>
     <message>
         <source>Where the measuring device stood, in words; both offsets complete say it as well.</source>
-        <translation>Où se trouvait le dispositif de mesure, en toutes lettres ; les deux décalages complets le disent aussi.</translation>
+        <translation>Où se trouvait le dispositif de mesure, en toutes lettres&#x202f;; les deux décalages complets le disent aussi.</translation>
     </message>
     <message>
         <source>Room temperature can be controlled</source>
@@ -6738,7 +6710,7 @@
     </message>
     <message>
         <source>Where it can, 20 °C are asked for (1988: ± 0.5 °C; the same bound is taken for circles, whose text has none).</source>
-        <translation>Si elle l’est, 20 °C sont exigés (1988 : ± 0,5 °C ; la même borne est prise pour les cercles, dont le texte n’en a pas).</translation>
+        <translation>Si elle l’est, 20&#xa0;°C sont exigés (1988&#xa0;: ±&#xa0;0,5&#xa0;°C&#x202f;; la même borne est prise pour les cercles, dont le texte n’en a pas).</translation>
     </message>
     <message>
         <source>Thermally stable before the test</source>
@@ -6754,7 +6726,7 @@
     </message>
     <message>
         <source>How long machine and instruments stood in their environment before the test: 12 h. Stated, it declares that they were stable.</source>
-        <translation>Depuis combien de temps la machine et les instruments se trouvaient dans leur environnement avant l’essai : 12 h. Indiquée, elle déclare qu’ils étaient stabilisés.</translation>
+        <translation>Depuis combien de temps la machine et les instruments se trouvaient dans leur environnement avant l’essai&#xa0;: 12&#xa0;h. Indiquée, elle déclare qu’ils étaient stabilisés.</translation>
     </message>
     <message>
         <source>Shielded from draughts and radiation</source>
@@ -6766,15 +6738,15 @@
     </message>
     <message>
         <source>Whether the instrument&apos;s compensation for the air and the machine&apos;s temperature was switched on; nothing is asked of one that has none.</source>
-        <translation>Si la compensation de l’instrument pour l’air et la température de la machine était en service ; rien n’est demandé à un instrument qui n’en a pas.</translation>
+        <translation>Si la compensation de l’instrument pour l’air et la température de la machine était en service&#x202f;; rien n’est demandé à un instrument qui n’en a pas.</translation>
     </message>
     <message>
         <source>Gradient: hours before the test</source>
-        <translation>Gradient : heures avant l’essai</translation>
+        <translation>Gradient&#xa0;: heures avant l’essai</translation>
     </message>
     <message>
         <source>How many hours before the test the gradient covers: 12 are asked for.</source>
-        <translation>Combien d’heures avant l’essai le gradient couvre : 12 sont exigées.</translation>
+        <translation>Combien d’heures avant l’essai le gradient couvre&#xa0;: 12 sont exigées.</translation>
     </message>
     <message>
         <source>What the evaluated range leaves out</source>
@@ -6782,11 +6754,11 @@
     </message>
     <message>
         <source>Feed-in, feed-out, overshoot: all other points of the path are to be used.</source>
-        <translation>Entrée, sortie, dépassement : tous les autres points de la trajectoire sont à utiliser.</translation>
+        <translation>Entrée, sortie, dépassement&#xa0;: tous les autres points de la trajectoire sont à utiliser.</translation>
     </message>
     <message>
         <source>Whether the reference length of the instrument is calibrated: F and D need it.</source>
-        <translation>Si la longueur de référence de l’instrument est étalonnée : F et D en ont besoin.</translation>
+        <translation>Si la longueur de référence de l’instrument est étalonnée&#xa0;: F et D en ont besoin.</translation>
     </message>
     <message>
         <source>Set-up error</source>
@@ -6794,11 +6766,11 @@
     </message>
     <message>
         <source>Standard uncertainty of the centring; of an arc F contains the set-up error.</source>
-        <translation>Incertitude-type du centrage ; le F d’un arc contient l’erreur de réglage.</translation>
+        <translation>Incertitude-type du centrage&#x202f;; le F d’un arc contient l’erreur de réglage.</translation>
     </message>
     <message>
         <source>U beside every result: by a budget, a simulation, or as the laboratory states it.</source>
-        <translation>U à côté de chaque résultat : par un budget, une simulation, ou indiquée par le laboratoire.</translation>
+        <translation>U à côté de chaque résultat&#xa0;: par un budget, une simulation, ou indiquée par le laboratoire.</translation>
     </message>
     <message>
         <source>the results (results.json) that the report carried are missing</source>
@@ -6814,15 +6786,15 @@
     </message>
     <message>
         <source>this PDF is damaged and cannot be read; ask for it again where it came from</source>
-        <translation>ce PDF est endommagé et illisible ; redemandez-le à son expéditeur</translation>
+        <translation>ce PDF est endommagé et illisible&#x202f;; redemandez-le à son expéditeur</translation>
     </message>
     <message>
         <source>this PDF is no report of Palmer with its test file inside: there is nothing to open or to verify</source>
-        <translation>ce PDF n’est pas un rapport de Palmer avec son fichier d’essai : il n’y a rien à ouvrir ni à vérifier</translation>
+        <translation>ce PDF n’est pas un rapport de Palmer avec son fichier d’essai&#xa0;: il n’y a rien à ouvrir ni à vérifier</translation>
     </message>
     <message>
         <source>this PDF is encrypted; save it without password and open that</source>
-        <translation>ce PDF est chiffré ; enregistrez-le sans mot de passe et ouvrez cette copie</translation>
+        <translation>ce PDF est chiffré&#x202f;; enregistrez-le sans mot de passe et ouvrez cette copie</translation>
     </message>
     <message>
         <source>this PDF carries more than one test file, and which of them the report was made from is not known</source>
@@ -6830,7 +6802,7 @@
     </message>
     <message>
         <source>this PDF unpacks to more than %1 MB and is not read</source>
-        <translation>ce PDF dépasse %1 Mo une fois décompressé et n’est pas lu</translation>
+        <translation>ce PDF dépasse %1&#xa0;Mo une fois décompressé et n’est pas lu</translation>
     </message>
     <message>
         <source>valid</source>
@@ -6838,7 +6810,7 @@
     </message>
     <message>
         <source>NOT valid: changed after it was signed</source>
-        <translation>NON valable : modifié après la signature</translation>
+        <translation>NON valable&#xa0;: modifié après la signature</translation>
     </message>
     <message>
         <source>could not be checked</source>
@@ -6850,16 +6822,16 @@
     </message>
     <message>
         <source>page %1: %2</source>
-        <translation>page %1 : %2</translation>
+        <translation>page %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>what is said, and of what</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>printed “%1”, follows “%2”</source>
-        <translation>imprimé « %1 », découle « %2 »</translation>
+        <translation>imprimé «&#xa0;%1&#xa0;», découle «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>covers the whole file</source>
@@ -6867,7 +6839,7 @@
     </message>
     <message>
         <source>does not cover the whole file: something was appended after it</source>
-        <translation>ne couvre pas tout le fichier : quelque chose a été ajouté ensuite</translation>
+        <translation>ne couvre pas tout le fichier&#xa0;: quelque chose a été ajouté ensuite</translation>
     </message>
     <message>
         <source>certificate of an authority known here</source>
@@ -6887,11 +6859,11 @@
     </message>
     <message>
         <source>… and %1 more; --json has them all</source>
-        <translation>… et %1 de plus ; --json les donne toutes</translation>
+        <translation>… et %1 de plus&#x202f;; --json les donne toutes</translation>
     </message>
     <message>
         <source>made by %1; fingerprint of the attached file %2</source>
-        <translation>établi par %1 ; empreinte du fichier joint %2</translation>
+        <translation>établi par %1&#x202f;; empreinte du fichier joint %2</translation>
     </message>
     <message>
         <source>The whole PDF is the same, byte for byte.</source>
@@ -6899,19 +6871,19 @@
     </message>
     <message>
         <source>The PDF as it was made is unchanged; something was appended to it.</source>
-        <translation>Le PDF tel qu’il a été établi est inchangé ; quelque chose y a été ajouté.</translation>
+        <translation>Le PDF tel qu’il a été établi est inchangé&#x202f;; quelque chose y a été ajouté.</translation>
     </message>
     <message>
         <source>FILE is a test file (.palmer), a report of Palmer (PDF) or a measurement file that can be imported; - is standard input.</source>
-        <translation>FILE est un fichier d’essai (.palmer), un rapport de Palmer (PDF) ou un fichier de mesure importable ; - est l’entrée standard.</translation>
+        <translation>FILE est un fichier d’essai (.palmer), un rapport de Palmer (PDF) ou un fichier de mesure importable&#x202f;; - est l’entrée standard.</translation>
     </message>
     <message>
         <source>the test file inside the PDF keeps the bytes of the instrument files that it was imported from; without it only their names and fingerprints</source>
-        <translation>le fichier d’essai joint au PDF garde le contenu des fichiers de l’instrument importés ; sinon leurs noms et empreintes seulement</translation>
+        <translation>le fichier d’essai joint au PDF garde le contenu des fichiers de l’instrument importés&#x202f;; sinon leurs noms et empreintes seulement</translation>
     </message>
     <message>
         <source>the outcome as JSON; of several files one object a line</source>
-        <translation>le résultat en JSON ; pour plusieurs fichiers, un objet par ligne</translation>
+        <translation>le résultat en JSON&#x202f;; pour plusieurs fichiers, un objet par ligne</translation>
     </message>
     <message>
         <source>take the test file out of the report, byte for byte, and no more</source>
@@ -6919,7 +6891,7 @@
     </message>
     <message>
         <source>this is no PDF; a report of Palmer is verified</source>
-        <translation>ce n’est pas un PDF ; on vérifie un rapport de Palmer</translation>
+        <translation>ce n’est pas un PDF&#x202f;; on vérifie un rapport de Palmer</translation>
     </message>
     <message>
         <source>the option --%1 takes one report</source>
@@ -6947,7 +6919,7 @@
     </message>
     <message>
         <source>pages of the PDF: %1; pages that follow from the data: %2</source>
-        <translation>pages du PDF : %1 ; pages qui découlent des données : %2</translation>
+        <translation>pages du PDF&#xa0;: %1&#x202f;; pages qui découlent des données&#xa0;: %2</translation>
     </message>
     <message>
         <source>the page has another size, or not all of it is shown</source>
@@ -6963,7 +6935,7 @@
     </message>
     <message>
         <source>a signature is not valid: the file was changed after it</source>
-        <translation>une signature n’est pas valable : le fichier a été modifié ensuite</translation>
+        <translation>une signature n’est pas valable&#xa0;: le fichier a été modifié ensuite</translation>
     </message>
     <message>
         <source>the attached test file has another name</source>
@@ -6971,20 +6943,20 @@
     </message>
     <message>
         <source>the pages of this PDF cannot be read; ask for it again where it came from</source>
-        <translation>les pages de ce PDF sont illisibles ; redemandez-le à son expéditeur</translation>
+        <translation>les pages de ce PDF sont illisibles&#x202f;; redemandez-le à son expéditeur</translation>
     </message>
     <message numerus="yes">
         <source>%n difference(s): the report does not follow from the attached data.</source>
         <translation>
-            <numerusform>%n écart : le rapport ne découle pas des données jointes.</numerusform>
-            <numerusform>%n écarts : le rapport ne découle pas des données jointes.</numerusform>
+            <numerusform>%n écart&#xa0;: le rapport ne découle pas des données jointes.</numerusform>
+            <numerusform>%n écarts&#xa0;: le rapport ne découle pas des données jointes.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n text(s) without numbers in the words of that version: not compared</source>
         <translation>
-            <numerusform>%n texte sans nombre dans les mots de cette version : non comparé</numerusform>
-            <numerusform>%n textes sans nombre dans les mots de cette version : non comparés</numerusform>
+            <numerusform>%n texte sans nombre dans les mots de cette version&#xa0;: non comparé</numerusform>
+            <numerusform>%n textes sans nombre dans les mots de cette version&#xa0;: non comparés</numerusform>
         </translation>
     </message>
     <message>

@@ -15,11 +15,16 @@ QString bare(const QString &word) {
 
 /// Whether the part stands in the designation as words and numbers of their own: "2006" does, "006" not.
 bool isPartOf(const QString &part, const QString &designation) {
-    const auto ends = [&designation](qsizetype at) {
-        return at < 0 || at >= designation.size() || !designation[at].isLetterOrNumber();
+    // Between the characters before and at `at`: blanks are gone, "ISO230" is a word and a number.
+    const auto isBorder = [&designation](qsizetype at) {
+        if (at <= 0 || at >= designation.size())
+            return true;
+        const QChar before = designation[at - 1];
+        const QChar after = designation[at];
+        return !(before.isLetter() && after.isLetter()) && !(before.isDigit() && after.isDigit());
     };
     for (qsizetype at = designation.indexOf(part); at >= 0; at = designation.indexOf(part, at + 1)) {
-        if (ends(at - 1) && ends(at + part.size()))
+        if (isBorder(at) && isBorder(at + part.size()))
             return true;
     }
     return false;
