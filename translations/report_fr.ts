@@ -6532,7 +6532,7 @@
     <message>
         <source>compensation</source>
         <comment>purpose</comment>
-        <translation>compensation</translation>
+        <translation>mesures pour la compensation</translation>
     </message>
     <message>
         <source>after repair</source>
