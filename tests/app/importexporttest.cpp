@@ -102,7 +102,8 @@ void ImportExportTest::takesChoicesAndProfiles() {
     QCOMPARE(test["runs"][0]["deviations"][1].toDouble(), 2e-6);
     const QString configuration = m_folder.path();
     QVERIFY(QDir(configuration).mkpath("palmer"));
-    write(configuration + "/palmer/import-profiles.json", R"({"version": 1, "profiles": {"laser 2": {"unit": "um", "axis": "Y"}}})");
+    write(configuration + "/palmer/import-profiles.json",
+          R"({"version": 1, "profiles": {"laser 2": {"unit": "um", "axis": "Y"}}})");
     const Result profile =
         run({"import", "-", "-o", at("c.palmer"), "--profile", "laser 2", "--set", "axis=W", "--accept"},
             table, configuration);
@@ -171,7 +172,8 @@ void ImportExportTest::readsMeasurementFilesWhereverFilesStand() {
     QCOMPARE(a, QJsonDocument::fromJson(piped.out.toUtf8())["tests"]);
     QVERIFY(a[0]["parameters"].toArray().size() > 5);
     QVERIFY(file.err.contains("typical.csv: 7:7: “-4,,7” is not a number."));
-    QCOMPARE(run({"check", DATA "workbooks/typical.xlsx", "--accept", "--set", "unread=leave"}).code, 1);
+    QCOMPARE(run({"check", DATA "workbooks/typical.xlsx", "--accept", "--set", "unread=leave"}).code,
+             0); // of an edition whose text was not read nothing is unmet
     QCOMPARE(run({"evaluate", DATA "b5r/typical-absolute.b5r", "--accept"}).code, 0);
 }
 

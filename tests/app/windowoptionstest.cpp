@@ -64,7 +64,8 @@ private slots:
         const QString said = QString::fromUtf8(process.readAllStandardError());
         QCOMPARE(process.exitCode(), code);
         QVERIFY2(out.isEmpty() ? printed.isEmpty() : printed.startsWith(out), qPrintable(printed));
-        QVERIFY2(err.isEmpty() ? said.isEmpty() : said.startsWith(err) && said.count('\n') == 1, qPrintable(said));
+        QVERIFY2(err.isEmpty() ? said.isEmpty() : said.startsWith(err) && said.count('\n') == 1,
+                 qPrintable(said));
     }
 };
 

@@ -24,6 +24,7 @@ constexpr double belowTable = 1.8 * mm; ///< to the small text that belongs to i
 constexpr double paragraphGap = 1.6 * mm;
 constexpr double beforeVerdict = 3.8 * mm;
 constexpr double beforeEnd = 8 * mm;
+constexpr double leastFigure = 65 * mm; ///< height at which its curves can still be read
 
 // The head of a test.
 constexpr double logoHeight = 10 * mm;
@@ -542,10 +543,16 @@ public:
     Strips operator()(const TestHead &head) const { return testHeadStrips(head, m_width, m_tallest); }
     Strips operator()(const FigureBlock &figure) const {
         const auto content = std::make_shared<Figure>(figure.figure);
-        const QSizeF size = QSizeF(figure.width, figure.height) * mm;
-        return {strip(size.height(), [content, size](QPainter &painter, QPointF at) {
-            drawFigure(painter, QRectF(at, size), *content, Medium::paper);
-        })};
+        const auto drawOf = [content, width = figure.width * mm](double height) {
+            return [content, size = QSizeF(width, height)](QPainter &painter, QPointF at) {
+                drawFigure(painter, QRectF(at, size), *content, Medium::paper);
+            };
+        };
+        const double height = figure.height * mm;
+        Strip result = strip(height, drawOf(height));
+        result.least = std::min(height, leastFigure);
+        result.drawOf = drawOf;
+        return {result};
     }
     Strips operator()(const ResultsLegend &legend) const { return legendStrips(legend, m_width); }
     Strips operator()(const VerdictLine &line) const {

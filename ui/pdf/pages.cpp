@@ -127,7 +127,8 @@ private:
         }
     }
 
-    /// On the first page of a test the larger gaps give way before the results do, all in the same ratio.
+    /// On the first page of a test the larger gaps give way before the results do, all in the same ratio, and
+    /// then the figure.
     bool narrowGaps(const Strips &strips, std::size_t from, std::size_t end, double missing) {
         if (m_narrowing < 1 || m_page.running || !strips[end - 1].verdict)
             return false;
@@ -138,11 +139,23 @@ private:
         std::for_each(m_page.strips.begin(), m_page.strips.end(), add);
         for (std::size_t i = from; i < end; ++i)
             add(strips[i]);
-        if (missing > (1 - narrowest) * gaps)
+        double figures = 0;
+        for (const Strip &strip : m_page.strips)
+            figures += strip.drawOf ? strip.height - strip.least : 0;
+        const double ofGaps = std::min(missing + roundingRoom, (1 - narrowest) * gaps);
+        double ofFigures = missing + roundingRoom - ofGaps;
+        if (gaps <= 0 || ofFigures > figures)
             return false;
-        m_narrowing = 1 - (missing + roundingRoom) / gaps;
-        for (Strip &strip : m_page.strips)
+        m_narrowing = 1 - ofGaps / gaps;
+        for (Strip &strip : m_page.strips) {
             strip.gap = narrowed(strip.gap);
+            const double less = strip.drawOf ? std::min(ofFigures, strip.height - strip.least) : 0;
+            if (less > 0) {
+                strip.height -= less;
+                strip.draw = strip.drawOf(strip.height);
+                ofFigures -= less;
+            }
+        }
         return true;
     }
 

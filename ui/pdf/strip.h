@@ -18,9 +18,12 @@ namespace palmer::ui {
 struct Strip {
     double height = 0;
     std::function<void(QPainter &, QPointF topLeft)> draw;
-    double gap = 0;                     ///< above it, unless it begins a page
-    bool section = false;               ///< begins a section: its gap may grow, and it needs room below it
-    bool verdict = false;               ///< ends the results of a test, for which gaps give way
+    double gap = 0;       ///< above it, unless it begins a page
+    bool section = false; ///< begins a section: its gap may grow, and it needs room below it
+    bool verdict = false; ///< ends the results of a test, for which gaps give way
+    double least = 0;     ///< of a figure: the height down to which it gives way, too
+    std::function<std::function<void(QPainter &, QPointF)>(double height)>
+        drawOf;                         ///< of a figure: at a height
     bool withNext = false;              ///< never the last of a page
     double closingRule = 0;             ///< length of the rule below it where its table is split
     std::shared_ptr<Strip> head;        ///< of the table it continues: repeated where it begins a page

@@ -95,7 +95,7 @@ void ReportDialogTest::savesAFileForEachLanguage() {
     QCOMPARE(shown.dialog.saveTo(folder.filePath(QStringLiteral("report.pdf"))),
              QStringList({folder.filePath(QStringLiteral("report.fr.pdf")),
                           folder.filePath(QStringLiteral("report.en.pdf"))}));
-    QVERIFY(textOf(folder.filePath(QStringLiteral("report.fr.pdf"))).contains(QStringLiteral("exactitude")));
+    QVERIFY(textOf(folder.filePath(QStringLiteral("report.fr.pdf"))).contains(QStringLiteral("Exactitude")));
     QVERIFY(textOf(folder.filePath(QStringLiteral("report.en.pdf"))).contains(QStringLiteral("accuracy")));
 }
 

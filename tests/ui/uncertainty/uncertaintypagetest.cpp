@@ -192,7 +192,8 @@ private slots:
         measurement(test).uncertainty.expansionRange.machine.reset();
         document.tests[0] = std::make_shared<const palmer::Test>(test);
         Edited edited(std::move(document));
-        QCOMPARE(countMissing(edited.evaluator.current(), 0, Page::uncertainty), 1);
+        QCOMPARE(countMissing(edited.evaluator.current(), 0, Page::uncertainty),
+                 2); // the input, and the uncertainty that the text asks for
         QVERIFY(!edited.part<QPushButton>("simulate")->isEnabled());
         QCOMPARE(edited.cell("contributions", 0, 1), u"not stated"_s);
         QCOMPARE(edited.cell("contributions", 0, 3), u"–"_s);
@@ -244,7 +245,8 @@ private slots:
         document.tests[0] = std::make_shared<const palmer::Test>(test);
         Edited edited(document);
         QVERIFY(!edited.evaluation().uncertainty.complete);
-        QCOMPARE(countMissing(edited.evaluator.current(), 0, Page::uncertainty), 1);
+        QCOMPARE(countMissing(edited.evaluator.current(), 0, Page::uncertainty),
+                 2); // the input, and the uncertainty that the text asks for
         QCOMPARE(edited.choice(u"driftTest"_s)->currentIndex(), 1); // what the file says is shown
     }
 
