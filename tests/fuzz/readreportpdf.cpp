@@ -1,5 +1,5 @@
-#include "document/documenterror.h"
 #include "proof/readreportpdf.h"
+#include "document/documenterror.h"
 
 #include <cstddef>
 #include <cstdint>
