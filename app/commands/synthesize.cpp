@@ -1,11 +1,11 @@
 #include "commands/synthesize.h"
 
+#include "commands/optionvalues.h"
 #include "commands/outputfile.h"
 #include "commands/streams.h"
 #include "document/writedocument.h"
 #include "export/diagnosisjson.h"
 #include "kernel/diagnosis/synthesize.h"
-#include "language/entry.h"
 
 #include <QStringList>
 #include <algorithm>
@@ -44,24 +44,12 @@ constexpr std::array options{
     Option{"o", "OUT.palmer", REPORT_TEXT("report", "the test file to write")},
 };
 
-[[noreturn]] void refuse(const char *option, const QString &given) {
-    throw UsageError(
-        {REPORT_TEXT("report", "--%1 cannot be %2"), {std::string(option), given.toStdString()}});
-}
-
-double parsed(const char *option, const QString &given) {
-    const NumberEntry entry = enteredNumber(given, Quantity::number);
-    if (!entry.value || !std::isfinite(*entry.value))
-        refuse(option, given);
-    return *entry.value;
-}
-
 /// The number of an option, between the bounds.
 double number(const Invocation &invocation, const char *option, double otherwise, double least, double most) {
     const auto given = invocation.value(QLatin1StringView(option));
     if (!given)
         return otherwise;
-    const double value = parsed(option, *given);
+    const double value = numberGiven(option, *given);
     if (value < least || value > most)
         refuse(option, *given);
     return value;
@@ -84,12 +72,7 @@ SynthesizedNoise noise(const Invocation &invocation) {
     result.deviation = number(invocation, "noise", 0, 0, most) / micrometres;
     result.correlation = number(invocation, "correlation", 0, 0, 0.9999);
     result.resolution = number(invocation, "resolution", 0, 0, most) / micrometres;
-    if (const auto seed = invocation.value(QLatin1StringView("seed"))) {
-        bool isNumber = false;
-        result.seed = seed->toLongLong(&isNumber);
-        if (!isNumber || result.seed < 0)
-            refuse("seed", *seed);
-    }
+    result.seed = seedOf(invocation).value_or(result.seed);
     return result;
 }
 
@@ -117,9 +100,9 @@ std::vector<GivenSource> givenSources(const Invocation &invocation) {
             refuse("source", whole);
         source.id = name[0];
         source.axis = name.value(1);
-        source.value = parsed("source", value[0]);
+        source.value = numberGiven("source", value[0]);
         if (value.size() > 1) {
-            source.shape = parsed("source", value[1]);
+            source.shape = numberGiven("source", value[1]);
             if (!(*source.shape > 0))
                 refuse("source", whole);
         }
@@ -132,7 +115,7 @@ std::vector<double> feeds(const Invocation &invocation) {
     std::vector<double> result;
     const QString all = invocation.value(QLatin1StringView("feed")).value_or(QStringLiteral("1000"));
     for (const QString &given : all.split(u'\n')) {
-        result.push_back(parsed("feed", given));
+        result.push_back(numberGiven("feed", given));
         if (result.back() < smallest || result.back() > largest)
             refuse("feed", given);
     }
@@ -188,7 +171,7 @@ CircularSynthesis circular(const Invocation &invocation) {
         const QStringList ends = arc->split(u':');
         if (ends.size() != 2)
             refuse("arc", *arc);
-        asked.arc = {parsed("arc", ends[0]), parsed("arc", ends[1])};
+        asked.arc = {numberGiven("arc", ends[0]), numberGiven("arc", ends[1])};
         const double extent = asked.arc.to - asked.arc.from;
         if (!(extent > 0 && extent <= 360) || std::abs(asked.arc.from) > largest)
             refuse("arc", *arc);

@@ -1,13 +1,13 @@
 #include "commands/targets.h"
 
 #include "commands/editionoption.h"
+#include "commands/optionvalues.h"
 #include "commands/outputfile.h"
 #include "commands/streams.h"
 #include "document/plannedtest.h"
 #include "document/writedocument.h"
 #include "export/partprogram.h"
 #include "kernel/evaluation/edition.h"
-#include "language/entry.h"
 #include "report/plaintext.h"
 #include "report/planreport.h"
 #include "ui/pdf/writepdf.h"
@@ -48,20 +48,12 @@ constexpr std::array options{
     forceOption,
 };
 
-[[noreturn]] void refuse(const char *option, const QString &given) {
-    throw UsageError(
-        {REPORT_TEXT("report", "--%1 cannot be %2"), {std::string(option), given.toStdString()}});
-}
-
-/// The number of an option; `least`: it has to be greater.
+/// The number of an option, which has to be greater.
 std::optional<double> number(const Invocation &invocation, const char *option, double greaterThan) {
-    const auto given = invocation.value(QLatin1StringView(option));
-    if (!given)
-        return std::nullopt;
-    const NumberEntry entry = enteredNumber(*given, Quantity::number);
-    if (!entry.value || !(*entry.value > greaterThan))
-        refuse(option, *given);
-    return entry.value;
+    const auto value = numberOf(invocation, option);
+    if (value && !(*value > greaterThan))
+        refuse(option, *invocation.value(QLatin1StringView(option)));
+    return value;
 }
 
 std::optional<int> whole(const Invocation &invocation, const char *option, int least, int most) {
@@ -72,18 +64,6 @@ std::optional<int> whole(const Invocation &invocation, const char *option, int l
     const int value = given->toInt(&isNumber);
     if (!isNumber || value < least || value > most)
         refuse(option, *given);
-    return value;
-}
-
-std::uint64_t seed(const Invocation &invocation) {
-    const auto given = invocation.value(QLatin1StringView("seed"));
-    if (!given)
-        return 1;
-    bool isNumber = false;
-    const qulonglong value = given->toULongLong(&isNumber);
-    constexpr qulonglong most = std::numeric_limits<long long>::max(); // as the file keeps it
-    if (!isNumber || value > most)
-        refuse("seed", *given);
     return value;
 }
 
@@ -124,7 +104,7 @@ TargetRequest request(const Invocation &invocation) {
     result.perMetre = number(invocation, "per-metre", 0).value_or(5);
     result.period = number(invocation, "period", 0);
     result.decimals = whole(invocation, "decimals", 0, 9).value_or(3);
-    result.seed = seed(invocation);
+    result.seed = static_cast<std::uint64_t>(seedOf(invocation).value_or(1));
     return result;
 }
 
