@@ -6993,11 +6993,11 @@
     </message>
     <message>
         <source>unknown option %1; palmer --help lists them</source>
-        <translation>option inconnue %1 ; palmer --help les énumère</translation>
+        <translation>option inconnue %1&#x202f;; palmer --help les énumère</translation>
     </message>
     <message>
         <source>no display is there to open a window on; palmer-cli works without one</source>
-        <translation>aucun écran n’est disponible pour ouvrir une fenêtre ; palmer-cli s’en passe</translation>
+        <translation>aucun écran n’est disponible pour ouvrir une fenêtre&#x202f;; palmer-cli s’en passe</translation>
     </message>
 </context>
 </TS>

@@ -1,5 +1,6 @@
 #include "commands/export.h"
 
+#include "commands/optionvalues.h"
 #include "commands/outputfile.h"
 #include "commands/streams.h"
 #include "document/savedocument.h"
@@ -43,18 +44,6 @@ constexpr std::array options{
     foreignOptions[2],
     forceOption,
 };
-
-std::optional<double> numberOption(const Invocation &invocation, QLatin1StringView name) {
-    const auto word = invocation.value(name);
-    if (!word)
-        return {};
-    bool isNumber = false;
-    const double value = QString(*word).replace(u',', u'.').toDouble(&isNumber);
-    if (!isNumber)
-        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; expected a number"),
-                          {std::string(name.latin1()), word->toStdString()}});
-    return value;
-}
 
 std::size_t testIndex(const Invocation &invocation, std::size_t count) {
     const QString word = invocation.value(QLatin1StringView("test")).value_or(QStringLiteral("1"));
@@ -110,14 +99,14 @@ void demandEnding(const Invocation &invocation, const QString &output, const QSt
 
 CompensationOptions compensationOptions(const Invocation &invocation) {
     CompensationOptions result;
-    result.from = numberOption(invocation, QLatin1StringView("from"));
-    result.to = numberOption(invocation, QLatin1StringView("to"));
-    result.interval = numberOption(invocation, QLatin1StringView("interval"));
+    result.from = numberOf(invocation, "from");
+    result.to = numberOf(invocation, "to");
+    result.interval = numberOf(invocation, "interval");
     result.perDirection = invocation.has(QLatin1StringView("per-direction"));
     result.incremental = invocation.has(QLatin1StringView("incremental"));
     result.deviations = invocation.has(QLatin1StringView("deviations"));
     result.decimalMark = decimalMark(invocation);
-    result.reference = numberOption(invocation, QLatin1StringView("reference"));
+    result.reference = numberOf(invocation, "reference");
     result.encoder = encoder(invocation);
     return result;
 }

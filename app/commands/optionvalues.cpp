@@ -2,6 +2,7 @@
 
 #include "language/entry.h"
 
+#include <QRegularExpression>
 #include <cmath>
 
 namespace palmer {
@@ -12,10 +13,17 @@ void refuse(const char *option, const QString &given) {
 }
 
 double numberGiven(const char *option, const QString &given) {
-    const NumberEntry entry = enteredNumber(given, Quantity::number);
-    if (!entry.value || !std::isfinite(*entry.value))
+    // "1,000" is a thousand to some and one to others; "0,125" is not.
+    static const QRegularExpression grouped(QStringLiteral("^[+-]?[1-9][0-9]{0,2}(,[0-9]{3})+$"));
+    static const QRegularExpression power(QStringLiteral("^[^eE]+[eE][+-]?[0-9]{1,3}$"));
+    std::optional<double> value = enteredNumber(given, Quantity::number).value;
+    if (bool isNumber = false; power.match(given).hasMatch()) {
+        value = QString(given).replace(u',', u'.').toDouble(&isNumber);
+        value = isNumber ? value : std::nullopt;
+    }
+    if (!value || !std::isfinite(*value) || grouped.match(given).hasMatch())
         refuse(option, given);
-    return *entry.value;
+    return *value;
 }
 
 std::optional<double> numberOf(const Invocation &invocation, const char *option) {

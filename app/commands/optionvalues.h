@@ -10,8 +10,9 @@ namespace palmer {
 /// "--OPTION cannot be GIVEN": throws UsageError.
 [[noreturn]] void refuse(const char *option, const QString &given);
 
-/// The number of an option, as a cell of the window reads it; nothing without the option. Throws UsageError
-/// for what is no finite number.
+/// The number of an option, with a point or a comma, with a power of ten (1e3) or without; nothing without
+/// the option. Throws UsageError for what is no finite number, and for "1,000", which may be one or a
+/// thousand.
 [[nodiscard]] std::optional<double> numberOf(const Invocation &invocation, const char *option);
 
 /// The number that is `given` to the option. Throws as numberOf().

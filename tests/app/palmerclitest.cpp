@@ -57,6 +57,7 @@ private slots:
     void refusesDamagedFilesInOneLine();
     void takesEditionsByTheirYear_data();
     void takesEditionsByTheirYear();
+    void readsNumbersOfOptionsAlike();
     void namesTheOptionAsItIsTyped();
     void worksOnEachFile();
     void writesJson();
@@ -236,6 +237,23 @@ void PalmerCliTest::takesEditionsByTheirYear() {
     QCOMPARE(result.code, 0);
     const QJsonObject test = QJsonDocument::fromJson(result.out.toUtf8())["tests"][0].toObject();
     QCOMPARE(test["edition"].toString(), edition);
+}
+
+void PalmerCliTest::readsNumbersOfOptionsAlike() {
+    const auto code = [](const QString &number) {
+        const int plan = run({"targets", "--travel", number, "-o", "-"}).code;
+        const int table = run({"export", example("iso230-2-1988-example"), "--as", "compensation-csv",
+                               "--interval", number, "-o", "-"})
+                              .code;
+        return plan == table ? plan : -1;
+    };
+    for (const QString number : {"100", "1e2", "1.25E+2", "125,5", "125.5", "1,5e2"})
+        QVERIFY2(code(number) == 0, qPrintable(number));
+    for (const QString number :
+         {"1,000", "12,345", "1,000,000", "1e", "e3", "1e400", "inf", "nan", "", "x", "10x"})
+        QVERIFY2(code(number) == 2, qPrintable(number));
+    QCOMPARE(run({"targets", "--travel", "1e3", "-o", "-"}).out,
+             run({"targets", "--travel", "1000", "-o", "-"}).out);
 }
 
 void PalmerCliTest::namesTheOptionAsItIsTyped() {
