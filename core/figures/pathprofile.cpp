@@ -48,7 +48,7 @@ private:
     [[nodiscard]] bool isVisible(double edge) const {
         if (!m_visible)
             return true;
-        const auto [from, to] = std::minmax(m_towards * edge, m_towards * (edge - m_step));
+        const auto [from, to] = std::minmax({m_towards * edge, m_towards * (edge - m_step)});
         return overlaps(from, to, *m_visible);
     }
 

@@ -29,6 +29,8 @@ class CompensationDialog : public QDialog {
 public:
     /// `test` is the index of a positioning test.
     CompensationDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent = nullptr);
+    /// What is being typed is taken when the focus goes: here, not when half of the dialog is gone.
+    ~CompensationDialog() override { hide(); }
 
     [[nodiscard]] const QByteArray &written() const { return m_written; } ///< empty: there is no table
     [[nodiscard]] CompensationFormat format() const;

@@ -21,6 +21,8 @@ class FeedDialog : public QDialog {
 
 public:
     explicit FeedDialog(QWidget *parent = nullptr);
+    /// What is being typed is taken when the focus goes: here, not when half of the dialog is gone.
+    ~FeedDialog() override { hide(); }
 
     /// Shows these numbers; where one is not above 0 what is shown stays.
     void setNumbers(const iso230_4::ContouringFeed &numbers);

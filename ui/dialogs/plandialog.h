@@ -28,6 +28,8 @@ class PlanDialog : public QDialog {
 public:
     /// Begins with what the test at that index states, if it is a positioning test.
     PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent = nullptr);
+    /// What is being typed is taken when the focus goes: here, not when half of the dialog is gone.
+    ~PlanDialog() override { hide(); }
 
     [[nodiscard]] const TargetPlan &plan() const { return m_plan; }
     [[nodiscard]] const CycleProgram &program() const { return m_program; }

@@ -167,7 +167,8 @@ private slots:
                     },
                     changed.measurement);
             };
-            for (const Parameter &parameter : evaluatedDocument(test).tests[0]->parameters) {
+            const auto unchanged = evaluatedDocument(test);
+            for (const Parameter &parameter : unchanged.tests[0]->parameters) {
                 if (!parameter.value)
                     continue;
                 const double size = std::abs(*parameter.value);
