@@ -1,10 +1,10 @@
 #include "editing/arctable.h"
 
 #include "document/documenterror.h"
-#include "import/arcs.h"
 #include "import/importmeasurement.h"
-#include "import/tablebody.h"
-#include "import/units.h"
+#include "import/layouts/arcs.h"
+#include "import/layouts/tablebody.h"
+#include "tables/units.h"
 
 #include <QByteArray>
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "import/choice.h"
 #include "import/imported.h"
 #include "kernel/measurement/circular.h"
+#include "tables/choice.h"
 
 #include <optional>
 #include <string>

@@ -2,9 +2,9 @@
 
 #include "editing/editreadings.h"
 #include "editing/typedreading.h"
-#include "import/table.h"
 #include "kernel/measurement/readingsaside.h"
 #include "language/decimals.h"
+#include "tables/table.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "import/choice.h"
-#include "import/table.h"
 #include "kernel/measurement/positioning.h"
 #include "kernel/measurement/readingplace.h"
 #include "kernel/words/message.h"
 #include "language/units.h"
+#include "tables/choice.h"
+#include "tables/table.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
-#include "import/compensationtable.h"
+#include "import/instruments/compensationtable.h"
 #include "kernel/measurement/positioning.h"
 
 #include <QByteArray>

@@ -1,8 +1,8 @@
 #include "document/documenterror.h"
 #include "document/place.h"
 #include "export/compensation.h"
-#include "import/decodetext.h"
-#include "import/numbercell.h"
+#include "tables/decodetext.h"
+#include "tables/numbercell.h"
 
 #include <algorithm>
 #include <array>

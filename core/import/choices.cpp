@@ -1,9 +1,9 @@
 #include "import/choices.h"
 
 #include "document/documenterror.h"
-#include "import/columnrole.h"
-#include "import/numbercell.h"
+#include "import/layouts/columnrole.h"
 #include "kernel/evaluation/edition.h"
+#include "tables/numbercell.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "import/choice.h"
 #include "kernel/words/text.h"
+#include "tables/choice.h"
 
 #include <map>
 #include <optional>

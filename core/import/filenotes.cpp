@@ -1,6 +1,7 @@
 #include "import/filenotes.h"
 
-#include "import/dates.h"
+#include "tables/dates.h"
+#include "tables/folded.h"
 
 #include <QRegularExpression>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "import/tablebody.h"
+#include "import/layouts/tablebody.h"
 #include "kernel/measurement/conditions.h"
 
 #include <optional>

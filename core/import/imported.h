@@ -2,12 +2,12 @@
 
 #include "document/documenterror.h"
 #include "import/choices.h"
-#include "import/columnrole.h"
+#include "import/layouts/columnrole.h"
 #include "import/question.h"
 #include "import/remark.h"
-#include "import/table.h"
 #include "kernel/measurement/machine.h"
 #include "kernel/measurement/test.h"
+#include "tables/table.h"
 
 #include <cstdint>
 #include <optional>

@@ -4,10 +4,10 @@
 #include "document/edits.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
-#include "import/dates.h"
 #include "import/doubts.h"
-#include "import/headings.h"
+#include "import/layouts/headings.h"
 #include "import/readers.h"
+#include "tables/dates.h"
 
 #include <QCryptographicHash>
 #include <QFileInfo>

@@ -5,40 +5,131 @@
 #include <QRegularExpression>
 #include <QTest>
 
+/// Includes point only leftwards in the chain of CONTRIBUTING.md.
 class LayersTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void includesStayInTheirLayer_data();
-    void includesStayInTheirLayer();
+    void nothingOfTheWindow_data();
+    void nothingOfTheWindow();
+    void includesPointLeftwards_data();
+    void includesPointLeftwards();
+    void everyFolderHasItsPlace();
 };
 
-void LayersTest::includesStayInTheirLayer_data() {
-    QTest::addColumn<QString>("folder");
-    QTest::addColumn<QString>("forbidden");
-    QTest::newRow("no window in core") << CORE << R"(#include\s*<Qt(Gui|Widgets|Charts|Svg|PrintSupport)\b)";
-    QTest::newRow("no class of the window in core")
-        << CORE << R"(#include\s*<Q(Widget|Painter|Pen|Color|Font|Chart|Application|GuiApplication)\b)";
-    QTest::newRow("no Qt in the kernel") << CORE "/kernel"
-                                         << R"(#include\s*<Q)";
-    QTest::newRow("the kernel looks at nothing above it") << CORE "/kernel"
-                                                          << R"(#include\s*"(?!kernel/))";
-}
+namespace {
 
-void LayersTest::includesStayInTheirLayer() {
-    QFETCH(QString, folder);
-    QFETCH(QString, forbidden);
-    const QRegularExpression pattern(forbidden);
+const QString root = QStringLiteral(PROJECT);
+
+/// A folder below the project and the folders whose headers it may include, as they are written in includes.
+/// Its own are always allowed.
+struct Layer {
+    const char *folder;
+    const char *mayInclude;
+};
+
+constexpr Layer layers[]{
+    {"core/kernel/words", ""},
+    {"core/kernel/numerics", ""},
+    {"core/kernel/measurement", "kernel/words"},
+    {"core/kernel/uncertainty", "kernel/words kernel/numerics kernel/measurement"},
+    {"core/kernel/evaluation", "kernel/words kernel/numerics kernel/measurement kernel/uncertainty"},
+    {"core/kernel/planning",
+     "kernel/words kernel/numerics kernel/measurement kernel/uncertainty kernel/evaluation"},
+    {"core/kernel/simulation",
+     "kernel/words kernel/numerics kernel/measurement kernel/uncertainty kernel/evaluation"},
+    {"core/kernel/diagnosis", "kernel/words kernel/numerics kernel/measurement kernel/uncertainty "
+                              "kernel/evaluation kernel/simulation"},
+    {"core/document", "kernel"},
+    {"core/language", "kernel/words kernel/measurement"},
+    {"core/tables", "kernel/words document"},
+    {"core/import", "kernel document tables"},
+    {"core/validation", "kernel document tables import"},
+    {"core/export", "kernel document language tables import"},
+    {"core/figures", "kernel document language"},
+    {"core/editing", "kernel document language tables import"},
+    {"core/report", "kernel document language tables import validation export figures"},
+    {"core/proof", "kernel document language tables import validation export figures report"},
+    {"ui", "kernel document language tables import validation export figures editing report proof ui"},
+    {"app", "kernel document language tables import validation export figures editing report proof ui commands"},
+};
+
+template <class Visit>
+int eachSource(const QString &folder, Visit visit) {
     int files = 0;
     QDirIterator walk(folder, {"*.h", "*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
     while (walk.hasNext()) {
         QFile file(walk.next());
-        QVERIFY(file.open(QIODevice::ReadOnly));
+        if (!file.open(QIODevice::ReadOnly))
+            return 0;
         ++files;
-        const auto match = pattern.match(file.readAll());
-        QVERIFY2(!match.hasMatch(), qPrintable(file.fileName() + ": " + match.captured()));
+        visit(file.fileName(), QString::fromUtf8(file.readAll()));
     }
+    return files;
+}
+
+} // namespace
+
+void LayersTest::nothingOfTheWindow_data() {
+    QTest::addColumn<QString>("folder");
+    QTest::addColumn<QString>("forbidden");
+    QTest::newRow("no window in core") << root + "/core"
+                                       << R"(#include\s*<Qt(Gui|Widgets|Charts|Svg|PrintSupport)\b)";
+    QTest::newRow("no class of the window in core")
+        << root + "/core"
+        << R"(#include\s*<Q(Widget|Painter|Pen|Color|Font|Chart|Application|GuiApplication)\b)";
+    QTest::newRow("no Qt in the kernel") << root + "/core/kernel"
+                                         << R"(#include\s*<Q)";
+}
+
+void LayersTest::nothingOfTheWindow() {
+    QFETCH(QString, folder);
+    QFETCH(QString, forbidden);
+    const QRegularExpression pattern(forbidden);
+    const int files = eachSource(folder, [&](const QString &name, const QString &text) {
+        const auto match = pattern.match(text);
+        QVERIFY2(!match.hasMatch(), qPrintable(name + ": " + match.captured()));
+    });
     QVERIFY(files > 10);
+}
+
+void LayersTest::includesPointLeftwards_data() {
+    QTest::addColumn<QString>("folder");
+    QTest::addColumn<QStringList>("allowed");
+    for (const Layer &layer : layers) {
+        const QString folder = layer.folder;
+        const QString own = folder.startsWith("core/") ? folder.mid(5) : folder;
+        QTest::newRow(layer.folder) << folder
+                                    << QString(layer.mayInclude).split(' ', Qt::SkipEmptyParts) +
+                                           QStringList{own};
+    }
+}
+
+void LayersTest::includesPointLeftwards() {
+    QFETCH(QString, folder);
+    QFETCH(QStringList, allowed);
+    static const QRegularExpression include(R"(^\s*#include\s*"([^"]+)/[^"/]+")",
+                                            QRegularExpression::MultilineOption);
+    const int files = eachSource(root + '/' + folder, [&](const QString &name, const QString &text) {
+        for (const auto &match : include.globalMatch(text)) {
+            const QString from = match.captured(1);
+            const bool isAllowed = std::ranges::any_of(
+                allowed, [&](const QString &layer) { return from == layer || from.startsWith(layer + '/'); });
+            QVERIFY2(isAllowed, qPrintable(name + " includes " + from));
+        }
+    });
+    QVERIFY(files > 0);
+}
+
+void LayersTest::everyFolderHasItsPlace() {
+    for (const QString &above : {QString("/core"), QString("/core/kernel")}) {
+        for (const QString &folder : QDir(root + above).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+            const QString path = (above + '/' + folder).mid(1);
+            const bool isLayer =
+                std::ranges::any_of(layers, [&](const Layer &layer) { return path == layer.folder; });
+            QVERIFY2(isLayer || path == "core/kernel", qPrintable(path));
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(LayersTest)

@@ -1,5 +1,5 @@
-#include "import/decodetext.h"
 #include "import/importmeasurement.h"
+#include "tables/decodetext.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 #include "ui/circles/arcdialog.h"
 
 #include "document/documenterror.h"
-#include "import/units.h"
 #include "language/entry.h"
+#include "tables/units.h"
 #include "ui/circles/arctexts.h"
 #include "ui/dialogs/formrows.h"
 #include "ui/theme.h"

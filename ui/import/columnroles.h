@@ -1,6 +1,6 @@
 #pragma once
 
-#include "import/columnrole.h"
+#include "import/layouts/columnrole.h"
 
 #include <QTableView>
 #include <vector>

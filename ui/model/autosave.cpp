@@ -25,7 +25,6 @@ Autosave::Autosave(DocumentModel &model, QObject *parent)
     , m_model(model)
     , m_file(folder() + u'/' + QUuid::createUuid().toString(QUuid::WithoutBraces) +
              QStringLiteral(".recovery")) {
-    m_writer.setMaxThreadCount(1);
     m_timer.setSingleShot(true);
     m_timer.setInterval(delay);
     connect(&m_timer, &QTimer::timeout, this, [this] {
@@ -38,7 +37,7 @@ Autosave::Autosave(DocumentModel &model, QObject *parent)
 
 Autosave::~Autosave() {
     discard();
-    m_writer.waitForDone();
+    m_writer.wait();
     m_lock.reset(); // takes its file along
 }
 
@@ -57,23 +56,24 @@ void Autosave::write() {
         m_lock->setStaleLockTime(0);
         m_lock->tryLock(0); // of a name of its own; where it fails, so will the copy
     }
+    m_writer.cancel();
     m_writer.start(
-        [this, document = m_model.document(), path = m_model.path(), state = m_fileState, job = ++m_job] {
-            std::optional<Error> error;
+        [this, document = m_model.document(), path = m_model.path(),
+         state = m_fileState](const Background::Job &) -> std::optional<Error> {
             try {
                 saveBytes(writeRecovery(*document, {path, QDateTime::currentDateTimeUtc(), state}), m_file);
                 m_kept = true;
+                return {};
             } catch (const Error &failure) {
-                error = failure;
+                return failure;
             }
-            QMetaObject::invokeMethod(
-                this, [this, document, error, job] { finish(document, error, job); }, Qt::QueuedConnection);
+        },
+        [this, document = m_model.document()](const std::optional<Error> &error) {
+            finish(document, error);
         });
 }
 
-void Autosave::finish(const DocumentPointer &document, const std::optional<Error> &error, int job) {
-    if (job != m_job)
-        return;
+void Autosave::finish(const DocumentPointer &document, const std::optional<Error> &error) {
     if (!error)
         emit saved(document);
     else if (!m_failing)
@@ -83,17 +83,17 @@ void Autosave::finish(const DocumentPointer &document, const std::optional<Error
 
 bool Autosave::flush() {
     m_timer.stop();
-    m_writer.waitForDone(); // what is being written is no longer the latest
+    m_writer.wait(); // what is being written is no longer the latest
     write();
-    m_writer.waitForDone();
+    m_writer.wait();
     return m_kept;
 }
 
 void Autosave::discard() {
     m_timer.stop();
-    ++m_job;
+    m_writer.cancel();
     if (m_lock) // behind what is being written: one thread does both, and nobody waits for it
-        m_writer.start([file = m_file] { QFile::remove(file); });
+        m_writer.start([file = m_file](const Background::Job &) { QFile::remove(file); }, [] {});
 }
 
 } // namespace palmer::ui

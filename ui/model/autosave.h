@@ -2,11 +2,11 @@
 
 #include "document/documenterror.h"
 #include "document/filestate.h"
+#include "ui/model/background.h"
 #include "ui/model/documentmodel.h"
 
 #include <QLockFile>
 #include <QObject>
-#include <QThreadPool>
 #include <QTimer>
 #include <atomic>
 #include <memory>
@@ -49,16 +49,15 @@ signals:
 private:
     void follow();
     void write();
-    void finish(const DocumentPointer &document, const std::optional<Error> &error, int job);
+    void finish(const DocumentPointer &document, const std::optional<Error> &error);
 
     DocumentModel &m_model;
     QTimer m_timer;
-    QThreadPool m_writer;
+    Background m_writer;
     QString m_file;
     FileState m_fileState;
     std::unique_ptr<QLockFile> m_lock;
     std::atomic<bool> m_kept = false; ///< the latest copy is on the disk
-    int m_job = 0;                    ///< number of the latest; discarding makes all earlier ones void
     bool m_failing = false;
 };
 

@@ -32,14 +32,7 @@ std::size_t countPending(const EvaluatedDocument &awaiting) {
 } // namespace
 
 Evaluator::Evaluator(QObject *parent)
-    : QObject(parent) {
-    m_worker.setMaxThreadCount(1);
-}
-
-Evaluator::~Evaluator() {
-    ++m_started; // what waits has nobody to wait for it
-    m_worker.waitForDone();
-}
+    : QObject(parent) {}
 
 void Evaluator::setDocument(std::shared_ptr<const Document> document) {
     m_document = std::move(document);
@@ -68,40 +61,34 @@ void Evaluator::setSimulation(std::size_t test, const TestSimulation &simulation
     putSimulations();
 }
 
-/// As with edits: what takes long is done on the worker. What was superseded there waits for its turn.
+/// As with edits: what takes long is done on the worker. What an edit supersedes there is put anew after it.
 void Evaluator::putSimulations() {
     while (!m_simulations.empty() && !isBusy()) {
-        const EndedSimulation ended = m_simulations.front();
-        m_simulations.erase(m_simulations.begin());
-        const auto &[test, simulation] = ended;
+        const auto &[test, simulation] = m_simulations.front();
         const auto &tests = m_current.document->tests;
         auto found = std::ranges::find(tests, simulation.of);
         if (found == tests.end() && test < tests.size() && tests[test]->id == simulation.of->id)
             found = tests.begin() + static_cast<std::ptrdiff_t>(test);
-        if (found == tests.end())
+        if (found == tests.end()) {
+            m_simulations.pop_front();
             continue;
+        }
         const auto place = static_cast<std::size_t>(found - tests.begin());
         if (countReadings(**found) <= atOnce) {
             m_current = withSimulation(m_current, place, simulation);
+            m_simulations.pop_front();
             emit evaluated(m_current);
             continue;
         }
-        const int job = ++m_started;
         m_awaiting = m_current;
         m_awaiting.pending = {place};
+        m_worker.start([place, current = m_current, ended = simulation](
+                           const Background::Job &) { return withSimulation(current, place, ended); },
+                       [this](EvaluatedDocument evaluated) {
+                           m_simulations.pop_front();
+                           take(std::move(evaluated));
+                       });
         emit busyChanged(true);
-        m_worker.start([this, job, place, ended, current = m_current] {
-            auto evaluated = withSimulation(current, place, ended.simulation);
-            QMetaObject::invokeMethod(
-                this,
-                [this, job, ended, evaluated = std::move(evaluated)]() mutable {
-                    if (job == m_started)
-                        return take(std::move(evaluated), job);
-                    m_simulations.push_back(ended);
-                    putSimulations();
-                },
-                Qt::QueuedConnection);
-        });
         emit awaiting(m_awaiting);
     }
 }
@@ -116,31 +103,22 @@ std::vector<std::string> Evaluator::editions() const {
 }
 
 void Evaluator::evaluate() {
-    const int job = ++m_started;
+    m_worker.cancel();
     auto asked = editions();
     EvaluatedDocument awaiting = awaitingResults(m_document, asked, m_current);
     if (countPending(awaiting) <= atOnce) {
-        take(evaluateUnder(m_document, asked, &m_current), job);
+        take(evaluateUnder(m_document, asked, &m_current));
         return;
     }
     m_awaiting = std::move(awaiting);
+    m_worker.start([document = m_document, asked = std::move(asked), previous = m_current](
+                       const Background::Job &) { return evaluateUnder(document, asked, &previous); },
+                   [this](EvaluatedDocument evaluated) { take(std::move(evaluated)); });
     emit busyChanged(true);
-    m_worker.start([this, job, document = m_document, asked = std::move(asked), previous = m_current] {
-        if (job != m_started)
-            return;
-        auto evaluated = evaluateUnder(document, asked, &previous);
-        QMetaObject::invokeMethod(
-            this,
-            [this, job, evaluated = std::move(evaluated)]() mutable { take(std::move(evaluated), job); },
-            Qt::QueuedConnection);
-    });
     emit this->awaiting(m_awaiting);
 }
 
-void Evaluator::take(EvaluatedDocument evaluated, int job) {
-    if (job != m_started)
-        return;
-    m_done = job;
+void Evaluator::take(EvaluatedDocument evaluated) {
     m_current = std::move(evaluated);
     m_awaiting = {};
     emit busyChanged(false);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "ui/model/background.h"
 
 #include <QObject>
-#include <QThreadPool>
-#include <atomic>
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -20,7 +20,6 @@ class Evaluator : public QObject {
 
 public:
     explicit Evaluator(QObject *parent = nullptr);
-    ~Evaluator() override;
 
     /// Evaluates another document, or the next state of the same; views of tests that are gone are forgotten.
     void setDocument(std::shared_ptr<const Document> document);
@@ -38,7 +37,7 @@ public:
     /// The latest document: with its results, or pending while they are computed.
     [[nodiscard]] const EvaluatedDocument &latest() const { return isBusy() ? m_awaiting : m_current; }
     /// Newer results are being computed.
-    [[nodiscard]] bool isBusy() const { return m_done != m_started; }
+    [[nodiscard]] bool isBusy() const { return m_worker.isBusy(); }
 
 signals:
     void evaluated(const palmer::EvaluatedDocument &evaluated);
@@ -54,17 +53,15 @@ private:
 
     void evaluate();
     void putSimulations();
-    void take(EvaluatedDocument evaluated, int job);
+    void take(EvaluatedDocument evaluated);
     [[nodiscard]] std::vector<std::string> editions() const;
 
     std::shared_ptr<const Document> m_document;
     EvaluatedDocument m_current;
     EvaluatedDocument m_awaiting;
     std::map<std::string, std::string> m_views; ///< edition by id of the test
-    std::vector<EndedSimulation> m_simulations; ///< not yet beside the results
-    std::atomic<int> m_started = 0;             ///< number of the latest job
-    int m_done = 0;
-    QThreadPool m_worker;
+    std::deque<EndedSimulation> m_simulations;  ///< not yet beside the results
+    Background m_worker;
 };
 
 } // namespace palmer::ui

@@ -14,42 +14,32 @@ Simulator::Simulator(Evaluator &evaluator, QObject *parent)
     : QObject(parent)
     , m_evaluator(evaluator) {}
 
-Simulator::~Simulator() {
-    ++m_run;
-    m_thread.request_stop();
-}
-
 void Simulator::start(const EvaluatedDocument &evaluated, std::vector<std::size_t> tests) {
     cancel();
     if (tests.empty())
         return;
-    const int run = ++m_run;
-    m_running = true;
     m_test = tests.front();
     m_progress = {};
     m_since.start();
-    m_thread = std::jthread([this, run, evaluated, tests = std::move(tests)](const std::stop_token &stop) {
-        for (const std::size_t test : tests) {
-            QElapsedTimer told;
-            const auto result =
-                simulateTest(evaluated, test, simulationOptions(*evaluated.document->tests[test]), stop,
-                             [&](const SimulationProgress &progress) {
-                                 if (told.isValid() && told.elapsed() < pauseOfProgress)
-                                     return;
-                                 told.start();
-                                 QMetaObject::invokeMethod(
-                                     this, [this, run, test, progress] { show(run, test, progress); },
-                                     Qt::QueuedConnection);
-                             });
-            if (stop.stop_requested())
-                return;
-            if (result)
-                QMetaObject::invokeMethod(
-                    this, [this, run, test, result] { take(run, test, *result); }, Qt::QueuedConnection);
-        }
-        QMetaObject::invokeMethod(
-            this, [this, run] { end(run); }, Qt::QueuedConnection);
-    });
+    m_lane.start(
+        [this, evaluated, tests = std::move(tests)](const Background::Job &job) {
+            for (const std::size_t test : tests) {
+                QElapsedTimer told;
+                const auto result =
+                    simulateTest(evaluated, test, simulationOptions(*evaluated.document->tests[test]),
+                                 job.stop(), [&](const SimulationProgress &progress) {
+                                     if (told.isValid() && told.elapsed() < pauseOfProgress)
+                                         return;
+                                     told.start();
+                                     job.tell([this, test, progress] { show(test, progress); });
+                                 });
+                if (job.stop().stop_requested())
+                    return;
+                if (result)
+                    job.tell([this, test, result] { m_evaluator.setSimulation(test, *result); });
+            }
+        },
+        [this] { emit finished(true); });
     emit progressed();
 }
 
@@ -66,12 +56,9 @@ bool Simulator::startMissing(const EvaluatedDocument &evaluated) {
 }
 
 void Simulator::cancel() {
-    if (!m_running)
+    if (!isRunning())
         return;
-    ++m_run;
-    m_running = false;
-    m_thread.request_stop();
-    m_thread = {}; // waits: at most the time of one circle fit
+    m_lane.cancel();
     emit finished(false);
 }
 
@@ -84,26 +71,12 @@ std::optional<double> Simulator::secondsLeft() const {
            done;
 }
 
-void Simulator::show(int run, std::size_t test, const SimulationProgress &progress) {
-    if (run != m_run)
-        return;
+void Simulator::show(std::size_t test, const SimulationProgress &progress) {
     if (test != m_test)
         m_since.start();
     m_test = test;
     m_progress = progress;
     emit progressed();
-}
-
-void Simulator::take(int run, std::size_t test, const TestSimulation &simulation) {
-    if (run == m_run)
-        m_evaluator.setSimulation(test, simulation);
-}
-
-void Simulator::end(int run) {
-    if (run != m_run)
-        return;
-    m_running = false;
-    emit finished(true);
 }
 
 } // namespace palmer::ui

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "ui/model/background.h"
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <optional>
-#include <thread>
 #include <vector>
 
 namespace palmer::ui {
@@ -19,16 +19,15 @@ class Simulator : public QObject {
 
 public:
     explicit Simulator(Evaluator &evaluator, QObject *parent = nullptr);
-    ~Simulator() override;
 
     /// Simulates these tests of `evaluated`, under the editions they are evaluated under, in order.
     void start(const EvaluatedDocument &evaluated, std::vector<std::size_t> tests);
     /// Simulates the tests for whose report it is due. False: there are none.
     bool startMissing(const EvaluatedDocument &evaluated);
-    /// Stops at once; what was finished stays.
+    /// Stops within the time of one circle fit; what was finished stays.
     void cancel();
 
-    [[nodiscard]] bool isRunning() const { return m_running; }
+    [[nodiscard]] bool isRunning() const { return m_lane.isBusy(); }
     /// The test that is being simulated.
     [[nodiscard]] std::size_t test() const { return m_test; }
     [[nodiscard]] const SimulationProgress &progress() const { return m_progress; }
@@ -41,17 +40,13 @@ signals:
     void finished(bool complete);
 
 private:
-    void show(int run, std::size_t test, const SimulationProgress &progress);
-    void take(int run, std::size_t test, const TestSimulation &simulation);
-    void end(int run);
+    void show(std::size_t test, const SimulationProgress &progress);
 
     Evaluator &m_evaluator;
-    std::jthread m_thread;
-    int m_run = 0; ///< what earlier runs still post is not listened to
-    bool m_running = false;
     std::size_t m_test = 0;
     SimulationProgress m_progress;
     QElapsedTimer m_since;
+    Background m_lane;
 };
 
 } // namespace palmer::ui

@@ -105,7 +105,6 @@ MainWindow::MainWindow(QWidget *parent)
     setAcceptDrops(true);
     setMinimumSize(640, 480);
     setCentralWidget(m_centre);
-    m_reader.setMaxThreadCount(1);
     m_stack->addWidget(m_welcome);
     m_stack->addWidget(m_workplace);
     auto *column = new QVBoxLayout(m_centre);
@@ -127,8 +126,8 @@ MainWindow::MainWindow(QWidget *parent)
 }
 
 MainWindow::~MainWindow() {
-    m_stopReading.request_stop();
-    m_reader.waitForDone();
+    m_reader.cancel();
+    m_reader.wait();
     m_model.undoStack()->disconnect(this);
     m_model.disconnect(this);
     m_evaluator.disconnect(this);
@@ -541,7 +540,7 @@ void MainWindow::openFile(const QString &path) {
 
 void MainWindow::read(const QString &path) {
     using Outcome = std::variant<std::monostate, Document, OpenedReport, Error>;
-    const auto open = [path, stop = m_stopReading.get_token()]() -> Outcome {
+    const auto open = [path](const std::stop_token &stop) -> Outcome {
         try {
             const QByteArray bytes = readBytes(path);
             if (!isPdf(bytes))
@@ -563,24 +562,19 @@ void MainWindow::read(const QString &path) {
     };
     const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulations
     if (QFileInfo(path).size() <= readAtOnce && !mayTakeLong) {
-        finish(open());
+        finish(open({}));
         return;
     }
     if (m_reading.contains(path))
         return;
     m_reading += path;
     m_state->setText(tr("Reading %1…").arg(QFileInfo(path).fileName()));
-    m_reader.start([this, path, open, finish] {
-        auto outcome = std::make_shared<Outcome>(open());
-        QMetaObject::invokeMethod(
-            this,
-            [this, path, finish, outcome] {
-                m_reading.removeAll(path);
-                showState();
-                finish(std::move(*outcome));
-            },
-            Qt::QueuedConnection);
-    });
+    m_reader.start([open](const Background::Job &job) { return open(job.stop()); },
+                   [this, path, finish](Outcome outcome) {
+                       m_reading.removeAll(path);
+                       showState();
+                       finish(std::move(outcome));
+                   });
 }
 
 MainWindow *MainWindow::take(Document document, const QString &path, bool modified,

@@ -3,6 +3,7 @@
 #include "document/documenterror.h"
 #include "document/recovery.h"
 #include "ui/model/autosave.h"
+#include "ui/model/background.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
 #include "ui/model/filewatch.h"
@@ -11,8 +12,6 @@
 
 #include <QMainWindow>
 #include <QPointer>
-#include <QThreadPool>
-#include <stop_token>
 
 class QLabel;
 class QMenu;
@@ -133,9 +132,8 @@ private:
     Evaluator m_evaluator;
     Autosave m_autosave{m_model};
     FileWatch m_watch;
-    QThreadPool m_reader;
-    QStringList m_reading; ///< files being read on that thread
-    std::stop_source m_stopReading;
+    QStringList m_reading; ///< files being read
+    Background m_reader;
     QString m_reportPath; ///< of the report that the document was opened from; empty: it was not
     bool m_open = false;
     bool m_rememberNext = false;

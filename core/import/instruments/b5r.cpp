@@ -1,0 +1,462 @@
+#include "import/readers.h"
+
+#include "document/documenterror.h"
+#include "document/place.h"
+#include "import/layouts/arcs.h"
+#include "import/layouts/sections.h"
+#include "tables/decodetext.h"
+#include "tables/numbercell.h"
+#include "tables/units.h"
+
+#include <QDate>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTime>
+#include <QXmlStreamReader>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr int deepest = 64;
+constexpr qsizetype longestText = qsizetype(1) << 28;
+constexpr int mostUnknown = 12;
+constexpr std::size_t mostPoints = 10'000'000;
+
+/// The units of the attribute DT.
+struct TypeUnit {
+    const char *type;
+    const char *unit;      ///< as shown
+    double multiplier = 1; ///< lengths: to mm
+    double divisor = 1;
+};
+constexpr std::array typeUnits{
+    TypeUnit{"UT_LENGTH_MM", "mm"},     TypeUnit{"UT_LENGTH_UM", "µm", 1, 1000},
+    TypeUnit{"UT_LENGTH_M", "m", 1000}, TypeUnit{"UT_FEEDRATE", "mm/min"},
+    TypeUnit{"UT_SQUARENESS", "µm/m"},  TypeUnit{"UT_SERVO_MISMATCH", "ms"},
+    TypeUnit{"UT_SCALE_ERROR", "ppm"},  TypeUnit{"UT_ANGLE", "°"},
+    TypeUnit{"UT_SPEED", "mm/min"},     TypeUnit{"UT_PERCENT", "%"},
+    TypeUnit{"UT_RANKING", ""},
+};
+
+const TypeUnit *typeUnit(QStringView type) {
+    const auto *const found = std::ranges::find_if(
+        typeUnits, [&](const TypeUnit &row) { return type == QLatin1StringView(row.type); });
+    return found == typeUnits.end() ? nullptr : found;
+}
+
+std::optional<double> numberOf(const QString &text) {
+    const std::string plain = text.trimmed().toStdString();
+    const CellValue value = readCell(plain, decimalMarkIn(plain));
+    return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;
+}
+
+struct BallbarRun {
+    std::optional<Sense> sense;
+    std::vector<double> readings;
+};
+
+class BallbarReader {
+public:
+    BallbarReader(QByteArrayView bytes, Choices &choices, Imported &imported)
+        : m_xml(bytes.toByteArray())
+        , m_choices(choices)
+        , m(imported) {}
+
+    void read() {
+        parse();
+        compose();
+    }
+
+private:
+    [[nodiscard]] std::string place() const {
+        return std::to_string(m_xml.lineNumber()) + ':' + std::to_string(m_xml.columnNumber() + 1);
+    }
+
+    void remark(RemarkGrade grade, Message message, const char *choice = "") {
+        m.remarks.push_back({grade, std::move(message), 0, 0, choice});
+    }
+
+    /// Elements are known by their names, wherever they stand.
+    void parse() {
+        QString text;
+        while (!m_xml.atEnd()) {
+            switch (m_xml.readNext()) {
+            case QXmlStreamReader::DTD:
+            case QXmlStreamReader::EntityReference:
+                throw Error(
+                    Error::Kind::syntax,
+                    {REPORT_TEXT(
+                        "report",
+                        "document type definitions and entities are refused: no ballbar file has them")},
+                    place());
+            case QXmlStreamReader::StartElement:
+                if (m_path.size() >= deepest)
+                    throw Error(Error::Kind::syntax,
+                                {REPORT_TEXT("report", "nested deeper than a file of this kind can be")},
+                                place());
+                begin();
+                text.clear();
+                break;
+            case QXmlStreamReader::Characters:
+                if (text.size() + m_xml.text().size() > longestText)
+                    throw Error(Error::Kind::tooLarge,
+                                {REPORT_TEXT("report", "a text longer than a file of this kind can have")},
+                                place());
+                text += m_xml.text();
+                break;
+            case QXmlStreamReader::EndElement:
+                end(text);
+                text.clear();
+                break;
+            default:
+                break;
+            }
+        }
+        if (m_xml.hasError())
+            throw Error(Error::Kind::syntax,
+                        {REPORT_TEXT("report", "this is no whole XML (%1); the file was cut off or damaged"),
+                         {m_xml.errorString().toStdString()}},
+                        place());
+    }
+
+    void begin() {
+        const QString name = m_xml.name().toString();
+        const auto attributes = m_xml.attributes();
+        const auto attribute = [&](const char *key) {
+            return attributes.value(QLatin1StringView(key)).toString();
+        };
+        m_path << name;
+        m_type = attribute("DT");
+        m_feature = attribute("NAME");
+        if (name == QLatin1StringView("TEST_SPEC")) {
+            m_testName = m_feature;
+        } else if (name == QLatin1StringView("INSTRUMENT")) {
+            m_instrument.manufacturer = attribute("MANUFACTURER").toStdString();
+            m_instrument.model = attribute("MODEL").toStdString();
+        } else if (name == QLatin1StringView("PLANE")) {
+            const QString plane = attribute("TEST_PLANE");
+            m_plane = plane.isEmpty() ? attribute("VIEW") : plane;
+        } else if (name == QLatin1StringView("MACHINE_TESTED")) {
+            m.machine.name = m_feature.toStdString();
+        } else if (name == QLatin1StringView("BALLBAR_RUN")) {
+            m_runs.emplace_back();
+        } else if (name == QLatin1StringView("ANALYSIS")) {
+            m_analysis = m_feature;
+        } else if (!isKnown(name) && m_unknown.size() < 1000) {
+            m_unknown.insert(name);
+        }
+    }
+
+    [[nodiscard]] static bool isKnown(const QString &name) {
+        static const QSet<QString> known{
+            QStringLiteral("TEST_DOCUMENT"),  QStringLiteral("DYNAMIC_BALLBAR"),
+            QStringLiteral("NOMINAL_LENGTH"), QStringLiteral("PROGRAMMED_FEEDRATE"),
+            QStringLiteral("A_AXIS_NAME"),    QStringLiteral("B_AXIS_NAME"),
+            QStringLiteral("OPERATOR"),       QStringLiteral("DATE_STARTED"),
+            QStringLiteral("SERIAL_NUMBER"),  QStringLiteral("LAST_CALIBRATED"),
+            QStringLiteral("PART_NUMBER"),    QStringLiteral("RUN_RESULTS"),
+            QStringLiteral("RUN_DIRECTION"),  QStringLiteral("READINGS"),
+            QStringLiteral("FEATURE")};
+        return known.contains(name);
+    }
+
+    void end(const QString &text) {
+        const QString name = m_path.isEmpty() ? QString() : m_path.takeLast();
+        const std::string value = text.trimmed().toStdString();
+        const auto length = [&]() -> std::optional<double> {
+            const auto number = numberOf(text);
+            const TypeUnit *unit = typeUnit(m_type);
+            return number && unit ? std::optional(*number * unit->multiplier / unit->divisor) : number;
+        };
+        if (name == QLatin1StringView("NOMINAL_LENGTH"))
+            m_length = length();
+        else if (name == QLatin1StringView("PROGRAMMED_FEEDRATE"))
+            m_feed = numberOf(text);
+        else if (name == QLatin1StringView("A_AXIS_NAME"))
+            m_axisA = value;
+        else if (name == QLatin1StringView("B_AXIS_NAME"))
+            m_axisB = value;
+        else if (name == QLatin1StringView("OPERATOR"))
+            m.operatorName = value;
+        else if (name == QLatin1StringView("DATE_STARTED"))
+            m_date = text.trimmed();
+        else if (name == QLatin1StringView("SERIAL_NUMBER"))
+            (m_path.contains(QLatin1StringView("MACHINE_TESTED")) ? m.machine.serialNumber
+                                                                  : m_instrument.serialNumber) = value;
+        else if (name == QLatin1StringView("LAST_CALIBRATED"))
+            m_instrument.calibrationDate = isoDate(text.trimmed());
+        else if (name == QLatin1StringView("RUN_DIRECTION"))
+            setDirection(text.trimmed());
+        else if (name == QLatin1StringView("READINGS"))
+            takeReadings(value);
+        else if (name == QLatin1StringView("FEATURE"))
+            takeFeature(text);
+    }
+
+    [[nodiscard]] static std::optional<std::string> isoDate(const QString &text) {
+        const QDate date = QDate::fromString(text.left(8), QStringLiteral("yyyyMMdd"));
+        return date.isValid() ? std::optional(date.toString(Qt::ISODate).toStdString()) : std::nullopt;
+    }
+
+    void setDirection(const QString &text) {
+        if (m_runs.empty())
+            return;
+        if (text.compare(QLatin1StringView("CW"), Qt::CaseInsensitive) == 0)
+            m_runs.back().sense = Sense::clockwise;
+        else if (text.compare(QLatin1StringView("CCW"), Qt::CaseInsensitive) == 0)
+            m_runs.back().sense = Sense::counterclockwise;
+        else
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "“%1” is no direction of a run; expected CW or CCW"),
+                         {excerpt(text.toStdString())}},
+                        place());
+    }
+
+    void takeReadings(std::string_view text) {
+        if (m_runs.empty())
+            return;
+        std::vector<double> &readings = m_runs.back().readings;
+        for (std::string_view rest = withoutBlanks(text); !rest.empty(); rest = withoutBlanks(rest)) {
+            const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
+            const std::string_view word = rest.substr(0, end);
+            const CellValue value = readCell(word, decimalMarkIn(word));
+            if (value.kind != CellKind::number)
+                throw Error(
+                    Error::Kind::content,
+                    {REPORT_TEXT("report", "“%1” is no reading; expected numbers separated by blanks"),
+                     {excerpt(word)}},
+                    place());
+            readings.push_back(value.value);
+            if (readings.size() > mostPoints)
+                throw Error(Error::Kind::tooLarge,
+                            {REPORT_TEXT("report", "more than 10 000 000 readings or points")}, place());
+            rest.remove_prefix(end);
+        }
+    }
+
+    void takeFeature(const QString &text) {
+        const auto number = numberOf(text);
+        if (!number || m_feature.isEmpty() || m_results.size() > 10'000)
+            return;
+        const TypeUnit *unit = typeUnit(m_type);
+        const QString head = m_path.contains(QLatin1StringView("ANALYSIS")) && !m_analysis.isEmpty()
+                                 ? m_analysis + QStringLiteral(": ")
+                                 : QString();
+        m_results.push_back(
+            {(head + m_feature).toStdString(), *number, unit ? unit->unit : m_type.toStdString()});
+    }
+
+    void compose() {
+        std::erase_if(m_runs, [](const BallbarRun &run) { return run.readings.empty(); });
+        if (m_runs.empty())
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "there are no readings of a ballbar in it")});
+        const bool lengthChosen = m_choices.isChosen("nominalRadius");
+        if (!m_length && !lengthChosen)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "the nominal length is missing; state it as nominalRadius")});
+        CircularMeasurement measurement;
+        measurement.nominalRadius =
+            m_choices.settleNumber("nominalRadius", m_length.value_or(0), Origin::recognised).value;
+        if (!(measurement.nominalRadius > 0))
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "the nominal radius is not positive")});
+        Test test;
+        settleCircle(measurement, test.edition, planeWord(), m_feed, m_choices, m.remarks);
+        settleReadings(measurement);
+        composeArcs(measurement);
+        test.title = m_testName.toStdString();
+        if (const auto date = isoDate(m_date)) {
+            test.date = date;
+            const QTime clock = QTime::fromString(m_date.mid(9, 4), QStringLiteral("HHmm"));
+            if (clock.isValid())
+                test.time = clock.toString(QStringLiteral("HH:mm")).toStdString();
+        } else if (!m_date.isEmpty()) {
+            test.remarks = m_date.toStdString();
+        }
+        if (!m_results.empty()) {
+            ImportedFile file;
+            file.results = m_results;
+            test.imports.push_back(std::move(file));
+            remark(RemarkGrade::note,
+                   {REPORT_TEXT("report",
+                                "Results of the instrument's own program: %1; they are shown beside ours."),
+                    {Number{static_cast<double>(m_results.size()), Quantity::count}}});
+        }
+        if (!m_unknown.isEmpty()) {
+            QStringList names(m_unknown.begin(), m_unknown.end());
+            names.sort();
+            QString list = names.mid(0, mostUnknown).join(QStringLiteral(", "));
+            if (names.size() > mostUnknown)
+                list += QStringLiteral(", …");
+            remark(RemarkGrade::note,
+                   {REPORT_TEXT("report", "Elements that are not known and were not read: %1."),
+                    {excerpt(list.toStdString())}});
+        }
+        m_instrument.description = "ballbar";
+        m.instrument = m_instrument;
+        test.measurement = std::move(measurement);
+        m.test = std::move(test);
+    }
+
+    [[nodiscard]] std::string planeWord() const {
+        if (m_axisA.size() == 1 && m_axisB.size() == 1)
+            return m_axisA + m_axisB;
+        const std::string plane = m_plane.toUpper().toStdString();
+        if (plane.size() == 2 && plane.find_first_not_of("XYZ") == std::string::npos)
+            return plane;
+        return {};
+    }
+
+    /// Readings have no unit in the file: their size says it, and the remark asks.
+    void settleReadings(const CircularMeasurement &measurement) {
+        double largest = 0;
+        std::vector<double> sizes;
+        for (const BallbarRun &run : m_runs) {
+            for (const double value : run.readings) {
+                largest = std::max(largest, std::abs(value));
+                sizes.push_back(value);
+            }
+        }
+        std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
+        const double median = sizes[sizes.size() / 2];
+        const bool absolute = std::abs(median - measurement.nominalRadius) < 0.05 * measurement.nominalRadius;
+        const auto content =
+            m_choices.settle("content", absolute ? "positions" : "deviations", Origin::guessed);
+        m_absolute = content.value == "positions";
+        const auto unit = m_choices.settle("unit", m_absolute || largest < 1 ? "mm" : "um", Origin::guessed);
+        m_unit = unitOf(unit.value);
+        if (m_unit->kind != UnitKind::length)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"), {"unit", unit.value}});
+        const auto sign = m_choices.settle("sign", "actualMinusTarget", Origin::guessed);
+        m_inverted = sign.value == "targetMinusActual";
+        if (content.origin == Origin::guessed || unit.origin == Origin::guessed)
+            remark(RemarkGrade::assumption,
+                   {m_absolute ? REPORT_TEXT("report", "Readings: the file states no unit; about %1 they are "
+                                                       "read as lengths of the bar in %2.")
+                               : REPORT_TEXT("report", "Readings: the file states no unit; up to %1 they are "
+                                                       "read as deviations in %2, positive outwards."),
+                    {Number{m_absolute ? median : largest, Quantity::number, 4}, std::string(m_unit->sign)}},
+                   "unit");
+    }
+
+    void composeArcs(CircularMeasurement &measurement) {
+        static const QRegularExpression degrees(QStringLiteral("(\\d{2,3}(?:\\.\\d+)?)\\s*(?:°|deg)"),
+                                                QRegularExpression::CaseInsensitiveOption);
+        const auto match = degrees.match(m_testName);
+        const double named = match.hasMatch() ? match.captured(1).toDouble() : 360;
+        const Choice<double> arc =
+            m_choices.settleNumber("arc", named > 0 && named <= 720 ? named : 360, Origin::guessed);
+        const Choice<double> start = m_choices.settleNumber("startAngle", 0, Origin::guessed);
+        const Choice<double> overshoot = m_choices.settleNumber("overshoot", 0, Origin::recognised);
+        if (!(arc.value > 0) || arc.value > 36'000 || overshoot.value < 0 || overshoot.value > 3600 ||
+            std::abs(start.value) > 36'000)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "start angle, arc or overshoot is beyond sense")});
+        if (arc.origin == Origin::guessed)
+            remark(RemarkGrade::assumption,
+                   {REPORT_TEXT("report", "Arc: the file has no angles; %1 at constant feed are assumed."),
+                    {Number{arc.value, Quantity::angle}}},
+                   "arc");
+        if (start.origin == Origin::guessed)
+            remark(
+                RemarkGrade::assumption,
+                {REPORT_TEXT("report",
+                             "Start angle: taken as %1. A wrong one turns squareness into scale mismatch."),
+                 {Number{start.value, Quantity::angle}}},
+                "startAngle");
+        std::size_t points = 0;
+        for (BallbarRun &run : m_runs) {
+            Arc path;
+            path.angleReference = AngleReference::commanded;
+            path.sense = run.sense.value_or(Sense::counterclockwise);
+            if (!run.sense)
+                remark(RemarkGrade::problem,
+                       {REPORT_TEXT("report", "A run states no direction; taken as counterclockwise.")});
+            const bool clockwise = path.sense == Sense::clockwise;
+            // The way back of a part of a circle begins where the way forth ended.
+            const double begin = clockwise && arc.value < 360 ? start.value + arc.value : start.value;
+            const double sign = clockwise ? -1 : 1;
+            const double span = arc.value + 2 * overshoot.value;
+            const std::size_t n = run.readings.size();
+            if (n < 2)
+                throw Error(Error::Kind::content,
+                            {REPORT_TEXT("report", "a run of one reading is no circle")});
+            for (std::size_t i = 0; i < n; ++i) {
+                const double part = static_cast<double>(i) / static_cast<double>(n - 1);
+                path.angles.push_back(begin + sign * (span * part - overshoot.value));
+                const double value =
+                    m_unit->toBase(run.readings[i]) - (m_absolute ? measurement.nominalRadius : 0);
+                path.radialDeviations.push_back(m_inverted ? 0 - value : value);
+            }
+            if (overshoot.value > 0) {
+                const double last = begin + sign * arc.value;
+                path.evaluated = Interval{std::min(begin, last), std::max(begin, last)};
+            }
+            points += n;
+            measurement.arcs.push_back(std::move(path));
+        }
+        remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
+                                   {Number{static_cast<double>(m_runs.size()), Quantity::count},
+                                    Number{static_cast<double>(points), Quantity::count}}});
+    }
+
+    QXmlStreamReader m_xml;
+    Choices &m_choices;
+    Imported &m;
+    QStringList m_path;
+    QString m_type;
+    QString m_feature;
+    QString m_analysis;
+    QString m_testName;
+    QString m_plane;
+    QString m_date;
+    std::string m_axisA;
+    std::string m_axisB;
+    std::optional<double> m_length;
+    std::optional<double> m_feed;
+    std::vector<BallbarRun> m_runs;
+    std::vector<ImportedResult> m_results;
+    Instrument m_instrument;
+    QSet<QString> m_unknown;
+    bool m_absolute = false;
+    bool m_inverted = false;
+    const Unit *m_unit = nullptr;
+};
+
+void remarkEncoding(QByteArrayView bytes, Imported &imported) {
+    QXmlStreamReader xml(bytes.first(std::min<qsizetype>(bytes.size(), 256)).toByteArray());
+    xml.readNext();
+    const QStringView encoding = xml.documentEncoding();
+    if (!encoding.isEmpty() && encoding.compare(u"UTF-8", Qt::CaseInsensitive) != 0)
+        imported.remarks.push_back({RemarkGrade::note,
+                                    {REPORT_TEXT("report", "Encoding: %1, as the file says."),
+                                     {excerpt(encoding.toString().toStdString())}}});
+}
+
+} // namespace
+
+bool isBallbarXml(QByteArrayView bytes) {
+    const QByteArrayView start = bytes.first(std::min<qsizetype>(bytes.size(), 1 << 16));
+    const qsizetype at = start.startsWith("\xEF\xBB\xBF") ? 3 : 0;
+    // UTF-16 has a zero beside each letter.
+    const bool xml = start.sliced(std::min(at, start.size())).trimmed().startsWith('<') ||
+                     start.startsWith("\xFF\xFE<") || start.startsWith(QByteArrayView("\xFE\xFF\0<", 4));
+    return xml;
+}
+
+void readBallbarXml(const ImportSource &source, Choices &choices, Imported &imported) {
+    BallbarReader(source.bytes, choices, imported).read();
+    remarkEncoding(source.bytes, imported);
+    try {
+        imported.text = decodeText(source.bytes).text;
+    } catch (const Error &) {
+        imported.text.clear(); // in a code page that XML knows and the tables do not
+    }
+    choices.settle("kind", "circular", Origin::recognised);
+}
+
+} // namespace palmer

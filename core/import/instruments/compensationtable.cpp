@@ -1,0 +1,216 @@
+#include "import/instruments/compensationtable.h"
+
+#include "document/documenterror.h"
+#include "import/readers.h"
+#include "tables/decodetext.h"
+#include "tables/numbercell.h"
+
+#include <QString>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+double interpolated(const std::vector<double> &x, const std::vector<double> &y, double at) {
+    if (at <= x.front())
+        return y.front();
+    if (at >= x.back())
+        return y.back();
+    const auto i = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin());
+    const double part = (at - x[i - 1]) / (x[i] - x[i - 1]);
+    return y[i - 1] + part * (y[i] - y[i - 1]);
+}
+
+std::vector<std::string_view> firstLines(std::string_view text) {
+    constexpr std::size_t enough = 200; // comments may stand before
+    std::vector<std::string_view> lines;
+    for (std::size_t at = 0; at < text.size() && lines.size() < enough;) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        if (const auto line = withoutBlanks(text.substr(at, end - at)); !line.empty())
+            lines.push_back(line);
+        at = end + 1;
+    }
+    return lines;
+}
+
+std::string upperCase(std::string_view text) {
+    std::string upper(text);
+    std::ranges::transform(upper, upper.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+    return upper;
+}
+
+bool anyLine(std::string_view text, bool (*is)(std::string_view upperCaseLine)) {
+    return std::ranges::any_of(firstLines(text), [is](std::string_view line) { return is(upperCase(line)); });
+}
+
+bool isSinumerik(std::string_view text) {
+    return anyLine(text, [](std::string_view line) {
+        return line.starts_with("$AA_ENC_COMP") || line.starts_with("$AN_CEC");
+    });
+}
+
+bool isHeidenhain(std::string_view text) {
+    const auto lines = firstLines(text);
+    const std::string first = lines.empty() ? std::string() : upperCase(lines.front());
+    const std::size_t ending = first.find(".COM");
+    const bool begins = first.starts_with("BEGIN ") && ending != std::string::npos &&
+                        (ending + 4 == first.size() || first[ending + 4] == ' ');
+    return begins || anyLine(text, [](std::string_view line) {
+               return line.find("AXISPOS") != std::string_view::npos;
+           });
+}
+
+/// `unit = mm`, then the name of an axis in square brackets, then triplets with commas.
+bool isWeihong(std::string_view text) {
+    bool unit = false;
+    bool axis = false;
+    for (const std::string_view line : firstLines(text)) {
+        std::string plain = upperCase(line);
+        std::erase_if(plain, [](char c) { return c == ' ' || c == '\t'; });
+        if (plain == "UNIT=MM" || plain == ";UNIT=MM")
+            unit = true;
+        else if (plain.size() == 3 && plain.front() == '[' && plain.back() == ']')
+            axis = unit;
+        else if (axis && !plain.starts_with(';'))
+            return std::ranges::count(plain, ',') == 2;
+    }
+    return false;
+}
+
+bool isAerotech(std::string_view text) {
+    return anyLine(text, [](std::string_view line) {
+        return line.starts_with(":START ") || line.starts_with(":START2D ");
+    });
+}
+
+bool isOwn(std::string_view text) {
+    return text.starts_with("# Palmer compensation") || text.starts_with("# Palmer LinuxCNC compensation");
+}
+
+constexpr const char *aerotech = "Aerotech";
+constexpr const char *linuxcnc = "LinuxCNC";
+
+struct Control {
+    const char *name;
+    bool (*recognises)(std::string_view text);
+};
+
+constexpr std::array controls{
+    Control{"SINUMERIK", isSinumerik}, Control{"Heidenhain", isHeidenhain},
+    Control{"Weihong", isWeihong},     Control{aerotech, isAerotech},
+    Control{"Palmer", isOwn},
+};
+
+/// Three numbers a line, from the first line on.
+bool isTriplets(std::string_view text) {
+    const auto lines = firstLines(text);
+    return !lines.empty() && std::ranges::all_of(lines, [](std::string_view line) {
+        int numbers = 0;
+        while (!line.empty()) {
+            const LeadingNumber number = leadingNumber(line, DecimalMark::point);
+            if (number.size == 0 ||
+                (number.size < line.size() && line[number.size] != ' ' && line[number.size] != '\t'))
+                return false;
+            line = withoutBlanks(line.substr(number.size));
+            ++numbers;
+        }
+        return numbers == 3;
+    });
+}
+
+bool hasEndingOfTable(QStringView fileName) {
+    return std::ranges::any_of(
+        std::array{QLatin1StringView(".comp"), QLatin1StringView(".com"), QLatin1StringView(".cmp"),
+                   QLatin1StringView(".cal")},
+        [fileName](QLatin1StringView ending) { return fileName.endsWith(ending, Qt::CaseInsensitive); });
+}
+
+std::string_view viewOf(QByteArrayView bytes) {
+    const std::string_view text(bytes.data(), static_cast<std::size_t>(bytes.size()));
+    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+/// Whether the second and third numbers are positions near the first, or small beside it.
+LinuxcncValues valuesOf(std::string_view text) {
+    const FoundTable positions = readLinuxcncTable(text, LinuxcncValues::positions);
+    const FoundTable trims = readLinuxcncTable(text, LinuxcncValues::trims);
+    const auto size = [](const std::vector<double> &values) {
+        double sum = 0;
+        for (const double value : values)
+            sum += std::abs(value);
+        return sum;
+    };
+    return size(positions.table.forward) <= size(trims.table.forward) ? LinuxcncValues::positions
+                                                                      : LinuxcncValues::trims;
+}
+
+} // namespace
+
+double CompensationTable::correction(double position, Direction direction) const {
+    if (positions.empty())
+        return 0;
+    if (period && *period > 0)
+        position -= std::floor((position - positions.front()) / *period) * *period;
+    return interpolated(positions, direction == Direction::positive ? forward : reverse, position);
+}
+
+const char *controlOfTable(QByteArrayView bytes, QStringView fileName) {
+    for (const Control &control : controls) {
+        if (control.recognises(viewOf(bytes)))
+            return control.name;
+    }
+    return hasEndingOfTable(fileName) && isTriplets(viewOf(bytes)) ? linuxcnc : nullptr;
+}
+
+FoundTable readControlTable(QByteArrayView bytes, QStringView fileName) {
+    const char *const control = controlOfTable(bytes, fileName);
+    const std::string text = decodeText(bytes).text;
+    const std::string_view name(control ? control : "");
+    if (name == "SINUMERIK")
+        return readSinumerikTable(text);
+    if (name == "Heidenhain")
+        return readHeidenhainTable(text);
+    if (name == "Weihong")
+        return readWeihongTable(text, false);
+    if (name == "Palmer") // what was written for LinuxCNC with a comment before it
+        return readLinuxcncTable(text, LinuxcncValues::positions);
+    if (name == linuxcnc) {
+        const LinuxcncValues values = valuesOf(text);
+        FoundTable found = readLinuxcncTable(text, values);
+        found.remarks.push_back(
+            {REPORT_TEXT("report", "its values are taken for COMP_FILE_TYPE %1; the file does not say it"),
+             {std::string(values == LinuxcncValues::positions ? "0" : "1")}});
+        return found;
+    }
+    if (name == aerotech)
+        throw Error(Error::Kind::format,
+                    {REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
+                     {std::string(name)}});
+    throw Error(Error::Kind::format,
+                {REPORT_TEXT("report", "this is no compensation table of a control that is known here")});
+}
+
+bool isCompensationTable(QByteArrayView bytes) {
+    return controlOfTable(bytes, {}) != nullptr;
+}
+
+void refuseCompensationTable(QByteArrayView bytes, const QString &fileName) {
+    if (const char *const control = controlOfTable(bytes, fileName))
+        throw Error(
+            Error::Kind::format,
+            {REPORT_TEXT("report", "this is a compensation table (%1), not a measurement; compare it with a "
+                                   "test: export --compare, or “Compensation table…” in the window"),
+             {std::string(control)}});
+}
+
+void readCompensationTable(const ImportSource &source, Choices & /*choices*/, Imported & /*imported*/) {
+    refuseCompensationTable(source.bytes, {});
+    throw Error(Error::Kind::format,
+                {REPORT_TEXT("report", "this is no compensation table of a control that is known here")});
+}
+
+} // namespace palmer

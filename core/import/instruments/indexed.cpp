@@ -1,0 +1,267 @@
+#include "import/readers.h"
+
+#include "document/documenterror.h"
+#include "document/place.h"
+#include "import/layouts/passes.h"
+#include "import/layouts/sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::string_view defaultEdition = "ISO 230-2:2014";
+constexpr long mostIndex = 1'000'000;
+
+struct Assignment {
+    std::string name;
+    std::vector<long> indexes;
+    std::string_view value;
+    std::size_t line = 1;
+};
+
+/// `NAME[i,j]=value`; nothing for any other line.
+std::optional<Assignment> assignmentOf(std::string_view line) {
+    const std::size_t equals = line.find('=');
+    if (equals == std::string_view::npos)
+        return {};
+    std::string_view left = withoutBlanks(line.substr(0, equals));
+    Assignment result;
+    result.value = withoutBlanks(line.substr(equals + 1));
+    if (const std::size_t comment = result.value.find(';'); comment != std::string_view::npos)
+        result.value = withoutBlanks(result.value.substr(0, comment));
+    if (result.value.size() > 1 && result.value.front() == '"' && result.value.back() == '"')
+        result.value = result.value.substr(1, result.value.size() - 2);
+    if (left.ends_with(']')) {
+        const std::size_t open = left.find('[');
+        if (open == std::string_view::npos)
+            return {};
+        std::string_view list = left.substr(open + 1, left.size() - open - 2);
+        left = withoutBlanks(left.substr(0, open));
+        while (!list.empty()) {
+            const std::size_t comma = list.find(',');
+            const CellValue index = readCell(list.substr(0, comma), DecimalMark::point);
+            if (index.kind != CellKind::number || index.value < 0 || index.value > mostIndex ||
+                index.value != std::floor(index.value))
+                return {};
+            result.indexes.push_back(static_cast<long>(index.value));
+            if (comma == std::string_view::npos)
+                break;
+            list.remove_prefix(comma + 1);
+        }
+    }
+    for (const char c : left)
+        result.name += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    return result;
+}
+
+std::string place(std::size_t line) {
+    return std::to_string(line) + ":1";
+}
+
+const char *unitWord(std::string_view text) {
+    const Unit *unit = unitIn("(" + std::string(text) + ")");
+    return unit ? unit->word : nullptr;
+}
+
+class IndexedReader {
+public:
+    IndexedReader(Choices &choices, Imported &imported)
+        : m_choices(choices)
+        , m(imported) {}
+
+    void read() {
+        collect();
+        const std::vector<Pass> passes = passesOf();
+        m_choices.settle("content", "positions", Origin::recognised);
+        const bool stated = m_unit != nullptr;
+        const auto choice =
+            m_choices.settle("unit", stated ? m_unit : "mm", stated ? Origin::recognised : Origin::guessed);
+        if (choice.origin == Origin::guessed)
+            remark(RemarkGrade::assumption,
+                   {REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1."),
+                    {std::string(unitOf(choice.value)->sign)}},
+                   0, "unit");
+        PassForm form;
+        form.content = m_choices.isChosen("content") ? std::string(m_choices.chosen("content")) : "positions";
+        form.unit = unitOf(choice.value);
+        form.positionUnit =
+            unitOf(m_choices
+                       .settle("positionUnit", choice.value,
+                               choice.origin == Origin::guessed ? Origin::guessed : Origin::recognised)
+                       .value);
+        if (form.unit->kind != form.positionUnit->kind)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
+                         {"positionUnit", std::string(form.positionUnit->word)}});
+        form.sign = "actualMinusTarget";
+        Test test;
+        PositioningMeasurement measurement = measurementOf(passes, form, m.remarks);
+        measurement.axis.name = m_choices.settle("axis", m_axis, Origin::recognised).value;
+        test.edition = m_choices.settle("edition", defaultEdition, Origin::recognised).value;
+        test.measurement = std::move(measurement);
+        m.test = std::move(test);
+    }
+
+private:
+    void remark(RemarkGrade grade, Message message, std::size_t line = 0, const char *choice = "") {
+        m.remarks.push_back({grade, std::move(message), line, 0, choice});
+    }
+
+    void collect() {
+        std::size_t number = 0;
+        std::size_t ignored = 0;
+        const std::string_view text = m.text;
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+            const std::string_view line = withoutBlanks(text.substr(at, end - at));
+            ++number;
+            at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+            if (line.empty() || line.front() == ';' || line.front() == '#' || line.starts_with("//") ||
+                line.front() == '[')
+                continue;
+            auto assignment = assignmentOf(line);
+            if (!assignment || !take(*assignment, number))
+                ++ignored;
+        }
+        if (m_targets.empty())
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "there are no target positions in it")});
+        if (m_positions && *m_positions != static_cast<double>(m_targets.size()))
+            remark(RemarkGrade::problem,
+                   {REPORT_TEXT("report", "The head names %1 targets, the list has %2; the list counts."),
+                    {Number{*m_positions, Quantity::count},
+                     Number{static_cast<double>(m_targets.size()), Quantity::count}}});
+        if (ignored > 0)
+            remark(RemarkGrade::note, {REPORT_TEXT("report", "Lines of text that were not used: %1."),
+                                       {Number{static_cast<double>(ignored), Quantity::count}}});
+    }
+
+    bool take(const Assignment &assignment, std::size_t line) {
+        const auto number = [&]() -> std::optional<double> {
+            const CellValue value = readCell(assignment.value, decimalMarkIn(assignment.value));
+            if (value.kind == CellKind::number)
+                return value.value;
+            if (value.kind != CellKind::missing && value.kind != CellKind::empty)
+                remark(RemarkGrade::problem,
+                       {REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
+                        {excerpt(assignment.value)}},
+                       line);
+            return {};
+        };
+        const std::string &name = assignment.name;
+        if (name == "TGT_DATA" && assignment.indexes.size() == 1) {
+            const auto value = number();
+            if (!value)
+                throw Error(
+                    Error::Kind::content,
+                    {REPORT_TEXT("report", "“%1” is no target position"), {excerpt(assignment.value)}},
+                    place(line));
+            m_targets[assignment.indexes[0]] = *value;
+        } else if ((name == "REF_DATA_FWD" || name == "REF_DATA_BWD") && assignment.indexes.size() == 2) {
+            auto &readings = name == "REF_DATA_FWD" ? m_forward : m_backward;
+            if (const auto value = number())
+                readings[{assignment.indexes[0], assignment.indexes[1]}] = {*value, line};
+        } else if (name == "UNIT") {
+            m_unit = unitWord(assignment.value);
+            if (!m_unit)
+                remark(RemarkGrade::problem,
+                       {REPORT_TEXT("report", "The unit “%1” is not known."), {excerpt(assignment.value)}},
+                       line);
+        } else if (name == "POSITIONS") {
+            m_positions = number();
+        } else if (name == "CYCLES") {
+            m_cycles = number();
+        } else if (name == "AXIS") {
+            m_axis = assignment.value;
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    /// The first index is the target, the second the cycle; exchanged where only this fits.
+    std::vector<Pass> passesOf() {
+        bool straight = true;
+        bool swapped = true;
+        for (const auto *readings : {&m_forward, &m_backward}) {
+            for (const auto &[index, value] : *readings) {
+                straight &= m_targets.contains(index.first);
+                swapped &= m_targets.contains(index.second);
+            }
+        }
+        if (!straight && !swapped)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "there are readings of targets that are not in the list")});
+        std::map<long, std::array<Pass, 2>> cycles;
+        for (const int side : {0, 1}) {
+            for (const auto &[index, value] : side == 0 ? m_forward : m_backward) {
+                const long target = straight ? index.first : index.second;
+                const long cycle = straight ? index.second : index.first;
+                Pass &pass = cycles[cycle][static_cast<std::size_t>(side)];
+                pass.direction = side == 0 ? Direction::positive : Direction::negative;
+                pass.readings.push_back({m_targets.at(target), value.first, value.second});
+            }
+        }
+        std::vector<Pass> passes;
+        for (auto &[cycle, both] : cycles) {
+            for (Pass &pass : both) {
+                if (!pass.readings.empty()) {
+                    addMissing(pass);
+                    passes.push_back(std::move(pass));
+                }
+            }
+        }
+        if (m_cycles && *m_cycles != static_cast<double>(cycles.size()))
+            remark(
+                RemarkGrade::problem,
+                {REPORT_TEXT("report", "The head names %1 cycles, the readings have %2; the readings count."),
+                 {Number{*m_cycles, Quantity::count},
+                  Number{static_cast<double>(cycles.size()), Quantity::count}}});
+        return passes;
+    }
+
+    /// Targets without a reading in any run are targets all the same.
+    void addMissing(Pass &pass) {
+        if (m_complete)
+            return;
+        m_complete = true;
+        for (const auto &[index, position] : m_targets) {
+            const auto same = [&target = position](const PassReading &reading) {
+                return reading.position == target;
+            };
+            if (std::ranges::none_of(pass.readings, same))
+                pass.readings.push_back({position, {}, 0});
+        }
+    }
+
+    Choices &m_choices;
+    Imported &m;
+    std::map<long, double> m_targets;
+    std::map<std::pair<long, long>, std::pair<double, std::size_t>> m_forward;
+    std::map<std::pair<long, long>, std::pair<double, std::size_t>> m_backward;
+    const char *m_unit = nullptr;
+    std::optional<double> m_positions;
+    std::optional<double> m_cycles;
+    std::string m_axis;
+    bool m_complete = false;
+};
+
+} // namespace
+
+bool isIndexedText(QByteArrayView bytes) {
+    const std::string_view text(bytes.data(), static_cast<std::size_t>(bytes.size()));
+    return text.substr(0, 1 << 16).find("TGT_DATA[") != std::string_view::npos ||
+           text.substr(0, 1 << 16).find("tgt_data[") != std::string_view::npos;
+}
+
+void readIndexedText(const ImportSource &source, Choices &choices, Imported &imported) {
+    imported.text = decodedText(source.bytes, choices, imported);
+    IndexedReader(choices, imported).read();
+    choices.settle("kind", "positioning", Origin::recognised);
+}
+
+} // namespace palmer

@@ -1,0 +1,138 @@
+#include "import/readers.h"
+
+#include "document/documenterror.h"
+#include "import/layouts/passes.h"
+#include "import/layouts/phrases.h"
+#include "import/layouts/sections.h"
+#include "tables/folded.h"
+
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::string_view defaultEdition = "ISO 230-2:2014";
+constexpr std::string_view mark = "Avg Error";
+
+/// A table of means: below "Position  Forward Directional Avg Error".
+struct MeanTable {
+    std::optional<Direction> direction; ///< null: of both directions
+    Pass pass;
+};
+
+std::optional<Direction> directionOfTitle(std::string_view line) {
+    const std::string low = folded(line);
+    if (low.find("bidirectional") != std::string::npos)
+        return {};
+    return readHeading(line).direction;
+}
+
+std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &remarks) {
+    std::vector<MeanTable> tables;
+    bool inTable = false;
+    std::size_t number = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        const std::string_view line = withoutBlanks(text.substr(at, end - at));
+        ++number;
+        at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+        if (line.find(mark) != std::string_view::npos) {
+            tables.push_back({directionOfTitle(line), {}});
+            inTable = true;
+            continue;
+        }
+        const auto numbers = numbersIn(line);
+        if (line.empty() || !inTable)
+            continue;
+        if (!numbers) {
+            inTable = false;
+        } else if (numbers->size() == 2) {
+            tables.back().pass.readings.push_back({(*numbers)[0], (*numbers)[1], number});
+        } else {
+            remarks.push_back({RemarkGrade::problem,
+                               {REPORT_TEXT("report", "This line is not like the others and was not read.")},
+                               number,
+                               0,
+                               "unread"});
+        }
+    }
+    std::erase_if(tables, [](const MeanTable &table) { return table.pass.readings.empty(); });
+    return tables;
+}
+
+/// The means of each direction; where they are missing those of both, whose direction is asked.
+std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choices,
+                           std::vector<Remark> &remarks) {
+    std::vector<Pass> passes;
+    for (const MeanTable &table : tables) {
+        if (table.direction) {
+            passes.push_back(table.pass);
+            passes.back().direction = *table.direction;
+        }
+    }
+    const auto choice = choices.settle("directions", passes.empty() ? "positive" : "stated",
+                                       passes.empty() ? Origin::guessed : Origin::recognised);
+    if (passes.empty())
+        passes.push_back(tables.front().pass);
+    if (choice.value == "negative")
+        for (Pass &pass : passes)
+            pass.direction = Direction::negative;
+    if (choice.origin == Origin::guessed)
+        remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT("report",
+                          "Directions: the file has means of both directions only; they are read as ↑.")},
+             0,
+             0,
+             "directions"});
+    return passes;
+}
+
+} // namespace
+
+bool isPosText(QByteArrayView bytes) {
+    const std::string_view text(bytes.data(),
+                                static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 1 << 20)));
+    return text.find("Bidirectional Avg Error") != std::string_view::npos;
+}
+
+void readPosText(const ImportSource &source, Choices &choices, Imported &imported) {
+    imported.text = decodedText(source.bytes, choices, imported);
+    const std::vector<MeanTable> tables = tablesOf(imported.text, imported.remarks);
+    if (tables.empty())
+        throw Error(
+            Error::Kind::content,
+            {REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations")});
+    const std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
+    imported.remarks.push_back(
+        {RemarkGrade::note,
+         {REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little.")}});
+    choices.settle("content", "deviations", Origin::recognised);
+    PassForm form;
+    form.sign = choices.settle("sign", "actualMinusTarget", Origin::guessed).value;
+    if (!choices.isChosen("sign"))
+        imported.remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT("report",
+                          "Sign: it changed between the versions of the program; read as actual − target.")},
+             0,
+             0,
+             "sign"});
+    form.unit = unitOf(choices.settle("unit", "mm", Origin::recognised).value);
+    form.positionUnit = unitOf(choices.settle("positionUnit", "mm", Origin::recognised).value);
+    if (form.unit->kind != form.positionUnit->kind)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
+                     {"positionUnit", std::string(form.positionUnit->word)}});
+    Test test;
+    PositioningMeasurement measurement = measurementOf(passes, form, imported.remarks);
+    measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
+    test.edition = choices.settle("edition", defaultEdition, Origin::recognised).value;
+    test.measurement = std::move(measurement);
+    imported.test = std::move(test);
+    choices.settle("kind", "positioning", Origin::recognised);
+}
+
+} // namespace palmer

@@ -1,0 +1,158 @@
+#include "import/readers.h"
+
+#include "document/documenterror.h"
+#include "import/layouts/passes.h"
+#include "import/layouts/sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::string_view defaultEdition = "ISO 230-2:2014";
+
+bool contains(std::string_view text, std::string_view word) {
+    for (std::size_t i = 0; i + word.size() <= text.size(); ++i) {
+        if (sameWord(text.substr(i, word.size()), word))
+            return true;
+    }
+    return false;
+}
+
+/// The last number of a line, which states spacing, start or end.
+std::optional<double> lastNumber(std::string_view line) {
+    std::optional<double> found;
+    for (std::size_t at = 0; at < line.size();) {
+        const std::size_t end = std::min(line.find_first_of(" \t:=", at), line.size());
+        const LeadingNumber number =
+            leadingNumber(line.substr(at, end - at), decimalMarkIn(line.substr(at, end - at)));
+        if (end > at && number.size > 0)
+            found = number.value;
+        at = end + 1;
+    }
+    return found;
+}
+
+struct Header {
+    std::optional<double> spacing;
+    std::optional<double> start;
+    std::optional<double> end;
+    const Unit *unit = nullptr;
+};
+
+} // namespace
+
+bool isRenText(QByteArrayView bytes) {
+    const std::string_view text(bytes.data(),
+                                static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 8192)));
+    return contains(text, "Compensation spacing") || contains(text, "Compensation start");
+}
+
+void readRenText(const ImportSource &source, Choices &choices, Imported &imported) {
+    imported.text = decodedText(source.bytes, choices, imported);
+    const std::string_view text = imported.text;
+    Header header;
+    Pass pass;
+    bool table = false;
+    std::size_t number = 0;
+    std::size_t ignored = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        const std::string_view line = withoutBlanks(text.substr(at, end - at));
+        ++number;
+        at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+        if (line.empty())
+            continue;
+        if (contains(line, "Compensation spacing"))
+            header.spacing = lastNumber(line);
+        else if (contains(line, "Compensation start"))
+            header.start = lastNumber(line);
+        else if (contains(line, "Compensation end"))
+            header.end = lastNumber(line);
+        else if (contains(line, "Axis position"))
+            table = true;
+        if (const Unit *unit = table ? nullptr : unitIn(line);
+            unit && contains(line, "unit") && unit->kind == UnitKind::length)
+            header.unit = unit;
+        const auto numbers = numbersIn(line);
+        if (!table || !numbers) {
+            ignored += !contains(line, "Compensation") && !contains(line, "unit") &&
+                       !contains(line, "Axis position");
+            continue;
+        }
+        if (numbers->size() < 3) {
+            imported.remarks.push_back(
+                {RemarkGrade::problem,
+                 {REPORT_TEXT("report", "This line is not like the others and was not read.")},
+                 number,
+                 0,
+                 "unread"});
+            continue;
+        }
+        pass.readings.push_back({(*numbers)[1], (*numbers)[2], number});
+    }
+    if (pass.readings.empty())
+        throw Error(
+            Error::Kind::content,
+            {REPORT_TEXT("report", "there is no table of axis positions and compensation values in it")});
+    const auto [low, high] = std::ranges::minmax(pass.readings, {}, &PassReading::position);
+    const bool agrees =
+        (!header.start || std::min(*header.start, header.end.value_or(*header.start)) == low.position ||
+         *header.start == low.position || *header.start == high.position) &&
+        (!header.end || *header.end == high.position || *header.end == low.position);
+    if (!agrees)
+        imported.remarks.push_back(
+            {RemarkGrade::problem,
+             {REPORT_TEXT("report",
+                          "Start and end of the head are not those of the table; the table counts.")},
+             0,
+             0,
+             {}});
+    imported.remarks.push_back(
+        {RemarkGrade::assumption,
+         {REPORT_TEXT("report", "This is a compensation table, not a measurement: its values are read with "
+                                "the opposite sign as deviations, to compare.")},
+         0,
+         0,
+         "sign"});
+    if (ignored > 0)
+        imported.remarks.push_back({RemarkGrade::note,
+                                    {REPORT_TEXT("report", "Lines of text that were not used: %1."),
+                                     {Number{static_cast<double>(ignored), Quantity::count}}},
+                                    0,
+                                    0,
+                                    {}});
+    PassForm form;
+    form.sign = choices.settle("sign", "targetMinusActual", Origin::guessed).value;
+    const auto unit = choices.settle("unit", header.unit ? header.unit->word : "um",
+                                     header.unit ? Origin::recognised : Origin::guessed);
+    form.unit = unitOf(unit.value);
+    if (unit.origin == Origin::guessed)
+        imported.remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT("report",
+                          "Unit of the compensation values: nothing in the file says it; read as %1."),
+              {std::string(form.unit->sign)}},
+             0,
+             0,
+             "unit"});
+    form.positionUnit = unitOf(
+        choices.settle("positionUnit", form.unit->kind == UnitKind::angle ? "deg" : "mm", Origin::recognised)
+            .value);
+    if (form.unit->kind != form.positionUnit->kind)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
+                     {"positionUnit", std::string(form.positionUnit->word)}});
+    Test test;
+    PositioningMeasurement measurement = measurementOf({pass}, form, imported.remarks);
+    measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
+    test.edition = choices.settle("edition", defaultEdition, Origin::recognised).value;
+    test.measurement = std::move(measurement);
+    imported.test = std::move(test);
+    choices.settle("kind", "positioning", Origin::recognised);
+}
+
+} // namespace palmer

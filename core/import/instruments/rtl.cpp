@@ -1,0 +1,369 @@
+#include "import/readers.h"
+
+#include "document/documenterror.h"
+#include "document/place.h"
+#include "import/layouts/passes.h"
+#include "import/layouts/sections.h"
+#include "tables/dates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::string_view defaultEdition = "ISO 230-2:2014";
+constexpr double mostTargets = 1e6;
+
+constexpr std::array<std::string_view, 7> knownSections{"HEADER",     "TARGET DATA", "USER-TEXT",  "RUNS",
+                                                        "DEVIATIONS", "EQUIPMENT",   "ENVIRONMENT"};
+
+std::string place(std::size_t line) {
+    return std::to_string(line) + ":1";
+}
+
+Number count(double n) {
+    return {n, Quantity::count};
+}
+
+std::optional<double> numberOf(std::optional<std::string_view> text) {
+    if (!text)
+        return {};
+    const std::string_view first = text->substr(0, text->find_first_of(" \t"));
+    const CellValue value = readCell(first, decimalMarkIn(first));
+    return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;
+}
+
+class RtlReader {
+public:
+    RtlReader(Choices &choices, Imported &imported)
+        : m_choices(choices)
+        , m(imported)
+        , m_sections(sectionsOf(imported.text)) {}
+
+    void read() {
+        demandEnd();
+        readTargets();
+        readDeviations();
+        settleDirections();
+        const PassForm form = settleForms();
+        Test test;
+        PositioningMeasurement measurement = measurementOf(passesInOrder(), form, m.remarks);
+        readUserText(test, measurement);
+        readEnvironment(measurement);
+        test.edition = m_choices.settle("edition", defaultEdition, Origin::recognised).value;
+        test.measurement = std::move(measurement);
+        m.test = std::move(test);
+        remarkIgnored();
+    }
+
+private:
+    void remark(RemarkGrade grade, Message message, std::size_t line = 0, const char *choice = "") {
+        m.remarks.push_back({grade, std::move(message), line, 0, choice});
+    }
+
+    void demandEnd() const {
+        if (!findSection(m_sections, "EOF"))
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "the file ends before “%1”: it was cut off"), {"EOF::"}});
+    }
+
+    const Section &demand(std::string_view name) const {
+        const Section *section = findSection(m_sections, name);
+        if (!section)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "the section %1 is missing"), {std::string(name) + "::"}});
+        return *section;
+    }
+
+    void readTargets() {
+        const Section &section = demand("TARGET DATA");
+        bool listing = false;
+        for (const SectionLine &line : section.lines) {
+            if (sameWord(line.key, "Targets")) {
+                listing = true;
+                takeTargets(line.value, line.line);
+            } else if (listing && line.key.empty()) {
+                takeTargets(line.value, line.line);
+            } else {
+                listing = false;
+            }
+        }
+        if (m_targets.empty())
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "there are no target positions in it")},
+                        place(section.line));
+        const auto stated = numberOf(section.value("Target-count"));
+        if (stated && *stated != static_cast<double>(m_targets.size()))
+            remark(RemarkGrade::problem,
+                   {REPORT_TEXT("report", "The head names %1 targets, the list has %2; the list counts."),
+                    {count(*stated), count(static_cast<double>(m_targets.size()))}},
+                   section.line);
+        const auto flags = section.value("Flags");
+        const auto numbers = flags ? numbersIn(*flags) : std::nullopt;
+        m_oneDirection = numbers && numbers->size() > 1 && (*numbers)[1] == 1;
+        m_type = section.value("Filetype").value_or("");
+    }
+
+    void takeTargets(std::string_view text, std::size_t line) {
+        const auto numbers = numbersIn(text);
+        if (!numbers)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "“%1” is not a list of target positions"), {excerpt(text)}},
+                        place(line));
+        m_targets.insert(m_targets.end(), numbers->begin(), numbers->end());
+        if (static_cast<double>(m_targets.size()) > mostTargets)
+            throw Error(Error::Kind::tooLarge,
+                        {REPORT_TEXT("report", "more than 10 000 000 readings or points")}, place(line));
+    }
+
+    void readDeviations() {
+        const Section &section = demand("DEVIATIONS");
+        double lowest = INFINITY;
+        for (const SectionLine &line : section.lines) {
+            if (!line.key.empty())
+                continue; // "Run Target Data:"
+            const auto numbers = numbersIn(line.value);
+            const bool row =
+                numbers && numbers->size() == 3 && isWhole((*numbers)[0]) && isWhole((*numbers)[1]);
+            if (!row) {
+                remark(
+                    RemarkGrade::problem,
+                    {REPORT_TEXT("report", "“%1” is not run, target and deviation; the line was not read."),
+                     {excerpt(line.value)}},
+                    line.line, "unread");
+                continue;
+            }
+            m_rows.push_back({(*numbers)[0], (*numbers)[1], (*numbers)[2], line.line});
+            lowest = std::min(lowest, (*numbers)[1]);
+        }
+        if (m_rows.empty())
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "there are no readings in it; expected target "
+                                               "positions and deviations")},
+                        place(section.line));
+        const double first = lowest == 0 ? 0 : 1; // some count from 0
+        for (const Row &row : m_rows) {
+            const double index = row.target - first;
+            if (index < 0 || index >= static_cast<double>(m_targets.size()))
+                throw Error(Error::Kind::content,
+                            {REPORT_TEXT("report", "there is no target %1; the list has %2"),
+                             {count(row.target), count(static_cast<double>(m_targets.size()))}},
+                            place(row.line));
+            RunRows &run = m_runs[row.run];
+            const double step = run.readings.empty() ? 0 : index - run.last;
+            run.rises |= step > 0;
+            run.falls |= step < 0;
+            run.last = index;
+            run.readings.push_back({m_targets[static_cast<std::size_t>(index)], row.value, row.line});
+        }
+        const Section *runs = findSection(m_sections, "RUNS");
+        const auto stated = runs ? numberOf(runs->value("Run-count")) : std::nullopt;
+        if (stated && *stated != static_cast<double>(m_runs.size()))
+            remark(RemarkGrade::problem,
+                   {REPORT_TEXT("report", "The head names %1 runs, the rows have %2; the rows count."),
+                    {count(*stated), count(static_cast<double>(m_runs.size()))}});
+    }
+
+    [[nodiscard]] static bool isWhole(double value) {
+        return value >= 0 && value == std::floor(value) && value < 1e9;
+    }
+
+    void settleDirections() {
+        bool ordered = true;
+        bool anyFalls = false;
+        for (const auto &[number, run] : m_runs) {
+            ordered &= !(run.rises && run.falls);
+            anyFalls |= run.falls;
+        }
+        const bool byOrder = ordered && anyFalls;
+        std::string found = "stated";
+        Origin origin = Origin::recognised;
+        if (!byOrder) {
+            found = m_oneDirection ? "positive" : "alternating";
+            origin = m_oneDirection ? Origin::recognised : Origin::guessed;
+        }
+        const auto choice = m_choices.settle("directions", found, origin);
+        std::size_t j = 0;
+        for (auto &[number, run] : m_runs) {
+            run.direction = Direction::positive;
+            if (choice.value == "stated")
+                run.direction = run.falls && !run.rises ? Direction::negative : Direction::positive;
+            else if (choice.value == "negative" || (choice.value == "alternating" && j % 2 == 1) ||
+                     (choice.value == "sideBySide" && 2 * j >= m_runs.size()))
+                run.direction = Direction::negative;
+            ++j;
+        }
+        if (choice.origin == Origin::guessed)
+            remark(RemarkGrade::assumption,
+                   {REPORT_TEXT("report", "Directions: the order of the targets does not say them; odd runs "
+                                          "are read as ↑, even ones as ↓.")},
+                   0, "directions");
+    }
+
+    std::vector<Pass> passesInOrder() {
+        std::vector<Pass> passes;
+        for (auto &[number, run] : m_runs)
+            passes.push_back({run.direction, std::move(run.readings)});
+        return passes;
+    }
+
+    PassForm settleForms() {
+        const Section *header = findSection(m_sections, "HEADER");
+        const std::string type =
+            std::string(m_type) + ' ' +
+            std::string(header ? header->value("File type").value_or("") : std::string_view());
+        const std::string_view owner =
+            header ? header->value("Owner").value_or(std::string_view()) : std::string_view();
+        const bool ofRotaryAxis = contains(type, "rta") || contains(type, "rot") || contains(owner, "rot");
+        // Pitch and yaw: angles at positions in millimetres.
+        if (contains(owner, "ang") && !ofRotaryAxis && !m_choices.isChosen("motion"))
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "this is an angular measurement of a linear axis (pitch, yaw), no "
+                                       "positioning test; measure the axis with linear optics")});
+        const bool angular = contains(type, "ang") || ofRotaryAxis;
+        const bool rotary = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary" : angular;
+        PassForm form;
+        m_choices.settle("content", "deviations", Origin::recognised);
+        m_choices.settle("motion", rotary ? "rotary" : "linear", Origin::recognised);
+        form.content =
+            m_choices.isChosen("content") ? std::string(m_choices.chosen("content")) : "deviations";
+        form.positionUnit =
+            unitOf(m_choices.settle("positionUnit", rotary ? "deg" : "mm", Origin::recognised).value);
+        form.unit = unitOf(m_choices.settle("unit", rotary ? "mrad" : "um", Origin::recognised).value);
+        if (form.unit->kind != form.positionUnit->kind ||
+            form.unit->kind != (rotary ? UnitKind::angle : UnitKind::length))
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
+                         {"unit", std::string(form.unit->word)}});
+        form.sign = m_choices.settle("sign", "actualMinusTarget", Origin::recognised).value;
+        remark(
+            RemarkGrade::note,
+            {REPORT_TEXT("report", "Units of this format: targets in %1, deviations in %2, actual − target."),
+             {std::string(form.positionUnit->sign), std::string(form.unit->sign)}});
+        return form;
+    }
+
+    [[nodiscard]] static bool contains(std::string_view text, std::string_view word) {
+        for (std::size_t i = 0; i + word.size() <= text.size(); ++i) {
+            if (sameWord(text.substr(i, word.size()), word))
+                return true;
+        }
+        return false;
+    }
+
+    void readUserText(Test &test, PositioningMeasurement &measurement) {
+        const Section *user = findSection(m_sections, "USER-TEXT");
+        const auto text = [&](std::string_view key) {
+            return user ? std::string(user->value(key).value_or("")) : std::string();
+        };
+        m.machine.name = text("Machine");
+        m.machine.serialNumber = text("Serial No");
+        m.machine.location = text("Location");
+        m.operatorName = text("By");
+        test.title = text("TITLE");
+        measurement.axis.name = m_choices.settle("axis", text("Axis"), Origin::recognised).value;
+        const std::string date = text("Date");
+        if (date.empty())
+            return;
+        test.date = isoDate(date);
+        if (test.date)
+            return;
+        test.remarks = date;
+        remark(RemarkGrade::note,
+               {REPORT_TEXT("report",
+                            "The date %1 can be read in several ways; it stays as text in the remarks."),
+                {date}});
+    }
+
+    void readEnvironment(PositioningMeasurement &measurement) {
+        const Section *environment = findSection(m_sections, "ENVIRONMENT");
+        if (!environment)
+            return;
+        PositioningConditions &conditions = measurement.conditions;
+        const auto within = [&](std::string_view key, double low, double high) -> std::optional<double> {
+            const auto value = numberOf(environment->value(key));
+            return value && *value >= low && *value <= high ? value : std::nullopt;
+        };
+        conditions.airPressure = within("Air press", 500, 1200); // mbar; other units have other sizes
+        conditions.airHumidity = within("Air humid", 0, 100);
+        const auto addSensor = [&](std::string_view key, SensorMeasures what) {
+            const auto value = within(key, -20, 60);
+            if (value && *value == 0) {
+                remark(RemarkGrade::note,
+                       {REPORT_TEXT("report", "“%1” is 0 °C: taken as not connected."), {std::string(key)}});
+            } else if (value) {
+                Sensor sensor;
+                sensor.measures = what;
+                sensor.position = key;
+                sensor.start = value;
+                conditions.common.sensors.push_back(std::move(sensor));
+            }
+        };
+        addSensor("Air temp", SensorMeasures::air);
+        for (const std::string_view key : {"Mat temp 1", "Mat temp 2", "Mat temp 3"})
+            addSensor(key, SensorMeasures::machine);
+        conditions.common.expansion.machine = within("Exp coeff", 0, 40);
+        if (!conditions.common.sensors.empty())
+            remark(RemarkGrade::note,
+                   {REPORT_TEXT("report",
+                                "Temperatures of the file are taken as those at the start of the test.")});
+    }
+
+    void remarkIgnored() {
+        for (const Section &section : m_sections) {
+            if (sameWord(section.name, "EOF") ||
+                std::ranges::any_of(knownSections,
+                                    [&](std::string_view known) { return sameWord(known, section.name); }))
+                continue;
+            remark(RemarkGrade::note,
+                   {REPORT_TEXT("report", "The section %1 is not known and was not read."),
+                    {excerpt(section.name)}},
+                   section.line);
+        }
+    }
+
+    struct Row {
+        double run;
+        double target;
+        double value;
+        std::size_t line;
+    };
+    struct RunRows {
+        std::vector<PassReading> readings;
+        bool rises = false;
+        bool falls = false;
+        double last = 0;
+        Direction direction = Direction::positive;
+    };
+
+    Choices &m_choices;
+    Imported &m;
+    std::vector<Section> m_sections;
+    std::vector<double> m_targets;
+    std::vector<Row> m_rows;
+    std::map<double, RunRows> m_runs;
+    std::string_view m_type;
+    bool m_oneDirection = false;
+};
+
+} // namespace
+
+bool isRtl(QByteArrayView bytes) {
+    const std::string_view text(bytes.data(), static_cast<std::size_t>(bytes.size()));
+    const std::string_view start = text.substr(0, 4096);
+    return start.find("HEADER::") != std::string_view::npos &&
+           (start.find("TARGET DATA::") != std::string_view::npos ||
+            text.find("DEVIATIONS::") != std::string_view::npos);
+}
+
+void readRtl(const ImportSource &source, Choices &choices, Imported &imported) {
+    imported.text = decodedText(source.bytes, choices, imported);
+    RtlReader(choices, imported).read();
+    choices.settle("kind", "positioning", Origin::recognised);
+}
+
+} // namespace palmer

@@ -1,0 +1,126 @@
+#include "import/readers.h"
+
+#include "document/documenterror.h"
+#include "import/layouts/sections.h"
+#include "tables/decodetext.h"
+#include "tables/numbercell.h"
+#include "tables/units.h"
+
+#include <QtEndian>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::string_view dataMark = "Data:";
+constexpr double mostSamples = 1e7;
+constexpr std::array<std::string_view, 14> knownKeys{
+    "Owner", "Version no", "File Type", "Velocity", "Sample rate", "Sample no", "Actual sample rate",
+    "Flags", "Machine",    "Serial No", "Date",     "By",          "Axis",      "Location"};
+
+std::optional<double> numberOf(std::optional<std::string_view> text) {
+    if (!text)
+        return {};
+    const LeadingNumber number = leadingNumber(*text, decimalMarkIn(*text));
+    return number.size > 0 ? std::optional(number.value) : std::nullopt;
+}
+
+} // namespace
+
+bool isRtx(QByteArrayView bytes) {
+    const std::string_view start(bytes.data(),
+                                 static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 16'384)));
+    return start.find("HEADER::") != std::string_view::npos &&
+           start.find("\nData:") != std::string_view::npos &&
+           (start.find("Sample no") != std::string_view::npos ||
+            start.find("Sample No") != std::string_view::npos);
+}
+
+void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
+    const std::string_view all(source.bytes.data(), static_cast<std::size_t>(source.bytes.size()));
+    const std::size_t mark = all.find("\nData:");
+    if (mark == std::string_view::npos)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the section %1 is missing"), {std::string(dataMark)}});
+    imported.text = decodedText(source.bytes.first(static_cast<qsizetype>(mark)), choices, imported);
+    const std::vector<Section> sections = sectionsOf(imported.text);
+    const Section *header = findSection(sections, "HEADER");
+    const auto text = [&](std::string_view key) {
+        return header ? std::string(header->value(key).value_or("")) : std::string();
+    };
+    const auto samples = header ? numberOf(header->value("Sample no")) : std::nullopt;
+    auto rate = header ? numberOf(header->value("Actual sample rate")) : std::nullopt;
+    if (!rate || !(*rate > 0))
+        rate = header ? numberOf(header->value("Sample rate")) : std::nullopt;
+    if (!samples || !(*samples >= 2) || *samples != std::floor(*samples))
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the number of samples is missing in the head")});
+    if (*samples > mostSamples)
+        throw Error(Error::Kind::tooLarge,
+                    {REPORT_TEXT("report", "more than 10 000 000 readings or points")});
+    if (!rate || !(*rate > 0) || !std::isfinite(*rate))
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "the sample rate is missing in the head")});
+    std::size_t at = mark + 1 + dataMark.size();
+    if (all.substr(at, 2) == "\r\n")
+        at += 2;
+    else
+        at += all.substr(at, 1) == "\n" ? 1 : 0;
+    const auto n = static_cast<std::size_t>(*samples);
+    if ((all.size() - at) / sizeof(double) < n)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the file was cut off: %1 samples are announced, %2 are there"),
+                     {Number{*samples, Quantity::count},
+                      Number{static_cast<double>((all.size() - at) / sizeof(double)), Quantity::count}}});
+    const std::string type = text("File Type");
+    const bool angular = choices.isChosen("unit") ? unitOf(choices.chosen("unit"))->kind == UnitKind::angle
+                                                  : sameWord(std::string_view(type).substr(0, 3), "ang");
+    const Unit *unit = unitOf(choices.settle("unit", angular ? "mrad" : "mm", Origin::recognised).value);
+    DriftMeasurement drift;
+    drift.axis.name = choices.settle("axis", text("Axis"), Origin::recognised).value;
+    drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
+    drift.times.reserve(n);
+    drift.deviations.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto value = qFromLittleEndian<double>(all.data() + at + i * sizeof(double));
+        if (!std::isfinite(value) || std::abs(value) > 1e9)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "sample %1 is no number: the data are damaged"),
+                         {Number{static_cast<double>(i + 1), Quantity::count}}});
+        drift.times.push_back(static_cast<double>(i) / *rate);
+        drift.deviations.push_back(unit->toBase(value));
+    }
+    const auto remark = [&](RemarkGrade grade, Message message) {
+        imported.remarks.push_back({grade, std::move(message)});
+    };
+    if (all.find("EOF::", at + n * sizeof(double)) == std::string_view::npos)
+        remark(RemarkGrade::problem, {REPORT_TEXT("report", "The file has no end mark behind its samples.")});
+    remark(RemarkGrade::note,
+           {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
+            {Number{static_cast<double>(n), Quantity::count}, Number{drift.times.back(), Quantity::time}}});
+    std::size_t ignored = 0;
+    for (const SectionLine &line : header->lines)
+        ignored +=
+            std::ranges::none_of(knownKeys, [&](std::string_view key) { return sameWord(line.key, key); });
+    if (ignored > 0)
+        remark(RemarkGrade::note, {REPORT_TEXT("report", "Lines of text that were not used: %1."),
+                                   {Number{static_cast<double>(ignored), Quantity::count}}});
+    Test test;
+    if (const std::string date = text("Date"); !date.empty()) {
+        test.remarks = date;
+        remark(
+            RemarkGrade::note,
+            {REPORT_TEXT("report", "The date %1 is no ISO date; it stays as text in the remarks."), {date}});
+    }
+    test.measurement = std::move(drift);
+    imported.test = std::move(test);
+    imported.machine.name = text("Machine");
+    imported.machine.serialNumber = text("Serial No");
+    imported.machine.location = text("Location");
+    imported.operatorName = text("By");
+    choices.settle("kind", "drift", Origin::recognised);
+}
+
+} // namespace palmer

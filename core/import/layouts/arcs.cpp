@@ -1,0 +1,68 @@
+#include "import/layouts/arcs.h"
+
+#include "document/documenterror.h"
+#include "kernel/evaluation/edition.h"
+
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+constexpr std::string_view defaultEdition = "ISO 230-4:2005";
+}
+
+void settleCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
+                  std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks) {
+    const auto settled = choices.settle("plane", plane.empty() ? "XY" : plane,
+                                        plane.empty() ? Origin::guessed : Origin::recognised);
+    if (settled.value.size() != 2)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the plane cannot be %1; expected two axes, for example XY"),
+                     {settled.value}});
+    measurement.plane = {settled.value.substr(0, 1), settled.value.substr(1, 1)};
+    if (settled.origin == Origin::guessed)
+        remarks.push_back({RemarkGrade::assumption,
+                           {REPORT_TEXT("report", "Plane: nothing in the file says it; taken as XY.")},
+                           0,
+                           0,
+                           "plane"});
+    if (feed || choices.isChosen("feed")) {
+        const double value = choices.settleNumber("feed", feed.value_or(0), Origin::recognised).value;
+        if (value > 0)
+            measurement.feed = value;
+    }
+    const auto calibrated = choices.settle("calibrated", "not stated", Origin::guessed);
+    if (calibrated.value != "not stated")
+        measurement.referenceLength.calibrated = calibrated.value == "yes";
+    else
+        remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT("report", "Whether the length is calibrated is not stated: F and D need it.")},
+             0,
+             0,
+             "calibrated"});
+    edition = choices.settle("edition", defaultEdition, Origin::recognised).value;
+    const Edition *known = findEdition(edition);
+    if (!known || known->kind != Kind::circular) {
+        edition = defaultEdition;
+    }
+}
+
+void unwrap(std::vector<double> &degrees) {
+    double turn = 0;
+    double last = degrees.empty() ? 0 : degrees.front();
+    for (double &angle : degrees) {
+        const double step = angle - last;
+        last = angle;
+        if (std::abs(step) > 180)
+            turn -= 360 * std::round(step / 360);
+        angle += turn;
+    }
+}
+
+Sense senseOf(const std::vector<double> &unwrapped) {
+    const bool falls = !unwrapped.empty() && unwrapped.back() < unwrapped.front();
+    return falls ? Sense::clockwise : Sense::counterclockwise;
+}
+
+} // namespace palmer

@@ -1,0 +1,64 @@
+#include "import/layouts/columnsearch.h"
+
+#include "document/documenterror.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+class ChosenColumns : ColumnStep {
+public:
+    explicit ChosenColumns(ColumnSearch &search)
+        : ColumnStep(search) {}
+
+    void takeChosen(const std::string &text) {
+        std::string unknown;
+        std::vector<ImportColumn> chosen = columnsOf(text, unknown).value_or(std::vector<ImportColumn>());
+        if (chosen.size() > m_heads.size())
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "%1 names %2 columns, the table has %3"),
+                         {"columns", Number{static_cast<double>(chosen.size()), Quantity::count},
+                          Number{static_cast<double>(m_heads.size()), Quantity::count}}});
+        chosen.resize(m_heads.size());
+        m_result = {};
+        const bool hasDeviations =
+            std::ranges::find(chosen, ColumnRole::deviation, &ImportColumn::role) != chosen.end();
+        ColumnRole content = ColumnRole::run;
+        for (std::size_t c = 0; c < chosen.size(); ++c) {
+            chosen[c].heading = m_heads[c].heading;
+            chosen[c].unit = m_heads[c].unit;
+            const auto take = [&](ColumnRole wanted, std::optional<std::size_t> &place) {
+                if (chosen[c].role == wanted && !place)
+                    place = c;
+            };
+            take(ColumnRole::target, m_result.target);
+            take(ColumnRole::direction, m_result.direction);
+            take(ColumnRole::number, m_result.number);
+            const bool isProof = hasDeviations && chosen[c].role == ColumnRole::actual;
+            if (!chosen[c].hasReadings() || isProof)
+                continue;
+            if (!m_result.values.empty() && chosen[c].role != content)
+                throw Error(Error::Kind::content,
+                            {REPORT_TEXT("report", "columns of different roles cannot be read as runs of one "
+                                                   "test; ignore one of them")});
+            content = chosen[c].role;
+            m_result.values.push_back(c);
+            if (!m_result.unit)
+                m_result.unit = m_heads[c].unit;
+        }
+        m_result.content = content == ColumnRole::deviation ? "deviations"
+                           : content == ColumnRole::actual  ? "positions"
+                                                            : "";
+        m_result.columns = std::move(chosen);
+    }
+};
+
+} // namespace
+
+void takeChosenColumns(ColumnSearch &search, const std::string &text) {
+    ChosenColumns(search).takeChosen(text);
+}
+
+} // namespace palmer

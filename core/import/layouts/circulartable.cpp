@@ -1,0 +1,567 @@
+#include "import/layouts/arcs.h"
+#include "import/layouts/tablereading.h"
+
+#include "document/documenterror.h"
+#include "kernel/numerics/leastsquarescircle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace palmer {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+double rounded(double value, double step) {
+    // Divided by whole parts, so that 13.3 is the number people write.
+    return step < 1 ? std::round(value * std::round(1 / step)) / std::round(1 / step)
+                    : std::round(value / step) * step;
+}
+
+/// The nearest round number that a programmed radius may be.
+double nominalOf(double radius) {
+    for (const double step : {10.0, 5.0, 1.0, 0.5, 0.1}) {
+        if (std::abs(rounded(radius, step) - radius) < std::min(0.2 * step, 0.3))
+            return rounded(radius, step);
+    }
+    return rounded(radius, 0.01);
+}
+
+std::string upper(std::string text) {
+    for (char &c : text)
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    return text;
+}
+
+/// A path as the file gives it: two numbers a point.
+struct RawPath {
+    std::vector<double> first;  ///< angle or x
+    std::vector<double> second; ///< radius, deviation or y
+    std::optional<Sense> stated;
+};
+
+class CircleReader {
+public:
+    explicit CircleReader(TableReading &reading)
+        : m(reading) {}
+
+    void read() {
+        chooseColumns();
+        const std::string layout = settleLayout();
+        collectPaths(layout == "xy");
+        CircularMeasurement measurement;
+        Test test;
+        std::string plane = m.notes.plane;
+        if (plane.empty() && layout == "xy")
+            plane = planeOfHeadings();
+        settleCircle(measurement, test.edition, plane, m.notes.feed, m.choices, m.result.remarks);
+        if (layout == "xy")
+            convertXy(measurement);
+        else
+            convertAngles(measurement, layout == "angleRadius");
+        if (measurement.arcs.empty())
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "there are no points of a circle in it")});
+        std::size_t points = 0;
+        for (const Arc &arc : measurement.arcs)
+            points += arc.angles.size();
+        m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
+                                     {Number{static_cast<double>(measurement.arcs.size()), Quantity::count},
+                                      Number{static_cast<double>(points), Quantity::count}}});
+        if (m_missing > 0)
+            m.remark(RemarkGrade::problem,
+                     {REPORT_TEXT("report", "Points without a number were left out: %1."),
+                      {Number{static_cast<double>(m_missing), Quantity::count}}});
+        test.measurement = std::move(measurement);
+        m.result.test = std::move(test);
+    }
+
+private:
+    void chooseColumns() {
+        takeRoles();
+        const auto choice = m.choices.settle("columns", wordOf(m.result.columns),
+                                             m_question ? Origin::guessed : Origin::recognised);
+        if (choice.origin == Origin::chosen)
+            takeChosen(choice.value);
+        else if (m_question)
+            m.remark(RemarkGrade::assumption, *m_question, 0, "columns");
+        if (m_seconds.empty())
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "one column of numbers does not make a circle; expected "
+                                               "x and y, angle and radius, or angle and deviation")});
+        takeNominal();
+    }
+
+    void setRole(std::size_t column, ColumnRole role) { m.result.columns[column].role = role; }
+
+    /// The columns of a role by their headings; those of several roles are never paths of one test.
+    void takeRoles() {
+        const TableBody &body = m.body;
+        m.result.columns.clear();
+        for (const TableColumn &column : body.columns)
+            m.result.columns.push_back({ColumnRole::ignored, {}, 0, column.unit, column.heading});
+        const auto of = [&](Meaning meaning) {
+            std::vector<std::size_t> found;
+            for (const std::size_t c : body.numberColumns()) {
+                if (body.columns[c].meaning == meaning)
+                    found.push_back(c);
+            }
+            return found;
+        };
+        const auto x = of(Meaning::x);
+        const auto y = of(Meaning::y);
+        const auto angle = of(Meaning::angle);
+        m_named = (!x.empty() && !y.empty()) || !angle.empty();
+        // "angle, x, y": the points, and where on their way they were taken.
+        const bool isXy = !x.empty() && !y.empty() &&
+                          (angle.empty() || (of(Meaning::radius).empty() && of(Meaning::deviation).empty()));
+        if (isXy) {
+            m_first = x.front();
+            m_seconds = {y.front()};
+        } else {
+            m_first = angle.empty() ? firstUnnamed() : angle.front();
+            m_seconds = of(Meaning::radius);
+            if (m_seconds.empty())
+                m_seconds = of(Meaning::deviation);
+            if (m_seconds.empty())
+                m_seconds = unnamed();
+        }
+        setRole(m_first, isXy ? ColumnRole::x : ColumnRole::angle);
+        for (const std::size_t c : m_seconds)
+            setRole(c, isXy ? ColumnRole::y : roleOf(c));
+        for (const std::size_t c : of(Meaning::nominal))
+            setRole(c, ColumnRole::nominal);
+    }
+
+    [[nodiscard]] ColumnRole roleOf(std::size_t c) const {
+        return m.body.columns[c].meaning == Meaning::radius ? ColumnRole::radius : ColumnRole::deviation;
+    }
+
+    [[nodiscard]] std::size_t firstUnnamed() const {
+        const std::vector<std::size_t> columns = m.body.numberColumns();
+        const bool counts = columns.size() > 2 && isCounter(m, columns.front());
+        return columns[counts ? 1 : 0];
+    }
+
+    /// Columns whose headings do not say what they are: those that name a sense, else all of one size.
+    [[nodiscard]] std::vector<std::size_t> unnamed() {
+        std::vector<std::size_t> columns;
+        std::vector<std::size_t> sensed;
+        for (const std::size_t c : m.body.numberColumns()) {
+            const Meaning meaning = m.body.columns[c].meaning;
+            if (c <= m_first || !(meaning == Meaning::unknown || meaning == Meaning::run ||
+                                  meaning == Meaning::reading || meaning == Meaning::actual))
+                continue;
+            columns.push_back(c);
+            if (senseIn(m.body.columns[c].heading))
+                sensed.push_back(c);
+        }
+        if (!sensed.empty() || columns.size() < 2)
+            return sensed.empty() ? columns : sensed;
+        const bool named =
+            std::ranges::any_of(columns, [&](std::size_t c) { return !m.body.columns[c].heading.empty(); });
+        const bool radii = areRadii(columns.front());
+        const std::size_t all = columns.size();
+        std::erase_if(columns, [&](std::size_t c) { return areRadii(c) != radii; });
+        if (named || columns.size() < all)
+            m_question = {REPORT_TEXT("report",
+                                      "Columns: the headings do not say which hold readings; column %1 "
+                                      "and those like it are read."),
+                          {Number{static_cast<double>(columns.front() + 1), Quantity::count}}};
+        return columns;
+    }
+
+    [[nodiscard]] std::pair<double, double> rangeOf(std::size_t column) const {
+        double low = INFINITY;
+        double high = -INFINITY;
+        for (const TableBlock &block : m.body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                const TableCell *cell = m.cell(row, column);
+                if (cell && cell->isNumber()) {
+                    low = std::min(low, cell->value);
+                    high = std::max(high, cell->value);
+                }
+            }
+        }
+        return {low, high};
+    }
+
+    [[nodiscard]] bool areRadii(std::size_t column) const {
+        const auto [low, high] = rangeOf(column);
+        return low > 0 && high - low < 0.1 * high;
+    }
+
+    void takeChosen(const std::string &text) {
+        std::string unknown;
+        std::vector<ImportColumn> chosen = columnsOf(text, unknown).value_or(std::vector<ImportColumn>());
+        chosen.resize(m.body.columns.size());
+        m_seconds.clear();
+        m_named = true;
+        std::optional<std::size_t> first;
+        for (std::size_t c = 0; c < chosen.size(); ++c) {
+            chosen[c].heading = m.body.columns[c].heading;
+            chosen[c].unit = m.body.columns[c].unit;
+            const ColumnRole role = chosen[c].role;
+            if (!first && (role == ColumnRole::angle || role == ColumnRole::x))
+                first = c;
+            if (role == ColumnRole::radius || role == ColumnRole::y || role == ColumnRole::deviation)
+                m_seconds.push_back(c);
+        }
+        const bool pooled = std::ranges::any_of(
+            m_seconds, [&](std::size_t c) { return chosen[c].role != chosen[m_seconds.front()].role; });
+        if (!first || m_seconds.empty() || pooled)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "one column of numbers does not make a circle; expected "
+                                               "x and y, angle and radius, or angle and deviation")});
+        m_first = *first;
+        m.result.columns = std::move(chosen);
+    }
+
+    /// A column that holds the nominal radius in every line.
+    void takeNominal() {
+        for (std::size_t c = 0; c < m.result.columns.size(); ++c) {
+            if (m.result.columns[c].role != ColumnRole::nominal || m.notes.radius)
+                continue;
+            const auto [low, high] = rangeOf(c);
+            const Unit *unit = m.result.columns[c].unit;
+            if (low == high && low > 0)
+                m.notes.radius = unit && unit->kind == UnitKind::length ? unit->toBase(low) : low;
+        }
+    }
+
+    std::string settleLayout() {
+        const TableBody &body = m.body;
+        const ColumnRole first = m.result.columns[m_first].role;
+        const ColumnRole role = m.result.columns[m_seconds.front()].role;
+        const bool xy = first == ColumnRole::x;
+        const bool isSaid = m.choices.isChosen("columns") ||
+                            body.columns[m_seconds.front()].meaning == Meaning::radius ||
+                            body.columns[m_seconds.front()].meaning == Meaning::deviation;
+        std::string found = "angleDeviation";
+        Origin origin = Origin::recognised;
+        if (xy || (!m_named && areOnCircle(m, m_first, m_seconds.front()))) {
+            found = "xy";
+            origin = m_named ? Origin::recognised : Origin::guessed;
+        } else if (isSaid) {
+            found = role == ColumnRole::radius ? "angleRadius" : "angleDeviation";
+        } else {
+            found = areRadii(m_seconds.front()) ? "angleRadius" : "angleDeviation";
+            origin = Origin::guessed;
+        }
+        const auto choice = m.choices.settle("layout", found, origin);
+        if (choice.value != "xy" && choice.value != "angleRadius" && choice.value != "angleDeviation")
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
+                                               {"layout", choice.value}});
+        if (choice.origin == Origin::guessed)
+            m.remark(
+                RemarkGrade::assumption,
+                {choice.value == "xy"
+                     ? REPORT_TEXT("report",
+                                   "Content: the columns are read as x and y of points of a circle.")
+                 : choice.value == "angleRadius"
+                     ? REPORT_TEXT("report", "Content: the columns are read as angle and radius.")
+                     : REPORT_TEXT("report", "Content: the columns are read as angle and radial deviation.")},
+                0, "layout");
+        return choice.value;
+    }
+
+    void collectPaths(bool xy) {
+        const auto senses = m.body.columnOf(ColumnKind::senses);
+        for (const std::size_t second : m_seconds) {
+            const std::optional<Sense> ofColumn = senseIn(m.body.columns[second].heading);
+            for (const TableBlock &block : m.body.blocks) {
+                RawPath path;
+                path.stated = ofColumn ? ofColumn : senseIn(m.titleOf(block));
+                for (const std::uint32_t row : block.rows) {
+                    if (senses) {
+                        const auto sense = senseIn(m.cellText(row, *senses));
+                        if (path.stated && sense != path.stated && !path.first.empty())
+                            finish(path, xy);
+                        path.stated = sense;
+                    }
+                    const auto a = m.number(row, m_first);
+                    const auto b = m.number(row, second);
+                    if (!a || !b) {
+                        ++m_missing;
+                        continue;
+                    }
+                    path.first.push_back(*a);
+                    path.second.push_back(*b);
+                    m.setRole(row, m_first, CellRole::position);
+                    m.setRole(row, second,
+                              path.stated == Sense::clockwise ? CellRole::negative : CellRole::positive);
+                }
+                finish(path, xy);
+            }
+        }
+    }
+
+    void finish(RawPath &path, bool) {
+        if (!path.first.empty())
+            m_paths.push_back(path);
+        path.first.clear();
+        path.second.clear();
+    }
+
+    [[nodiscard]] std::string planeOfHeadings() const {
+        const std::string a = withoutUnit(m.body.columns[m_first].heading);
+        const std::string b = withoutUnit(m.body.columns[m_seconds.front()].heading);
+        return a.size() == 1 && b.size() == 1 ? upper(a + b) : std::string();
+    }
+
+    const Unit *settleUnit(std::string_view key, const Unit *stated, UnitKind kind, const char *guess,
+                           Text remark) {
+        const Unit *found = stated && stated->kind == kind ? stated : nullptr;
+        const auto choice =
+            m.choices.settle(key, found ? found->word : guess, found ? Origin::recognised : Origin::guessed);
+        const Unit *unit = unitOf(choice.value);
+        if (!unit || unit->kind != kind)
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
+                                               {std::string(key), choice.value}});
+        if (choice.origin == Origin::guessed)
+            m.remark(RemarkGrade::assumption, {remark, {std::string(unit->sign)}}, 0, std::string(key));
+        return unit;
+    }
+
+    double settleRadius(double found, Origin origin) {
+        const auto choice = m.notes.radius
+                                ? m.choices.settleNumber("nominalRadius", *m.notes.radius, Origin::recognised)
+                                : m.choices.settleNumber("nominalRadius", found, origin);
+        if (!(choice.value > 0))
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "the nominal radius is not positive")});
+        return choice.value;
+    }
+
+    void convertXy(CircularMeasurement &measurement) {
+        const Unit *unit =
+            settleUnit("unit", m.body.columns[m_first].unit ? m.body.columns[m_first].unit : m.notes.unit,
+                       UnitKind::length, "mm",
+                       REPORT_TEXT("report", "Unit of x and y: nothing in the file says it; read as %1."));
+        Points points;
+        for (RawPath &path : m_paths) {
+            for (std::size_t i = 0; i < path.first.size(); ++i) {
+                points.x.push_back(path.first[i] = unit->toBase(path.first[i]));
+                points.y.push_back(path.second[i] = unit->toBase(path.second[i]));
+            }
+        }
+        const LeastSquaresCircle fit = leastSquaresCircle(points.view());
+        if (!fit.valid() || !(fit.radius > 0))
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "the points do not lie on a circle")});
+        const bool atOrigin = std::hypot(fit.centre.x, fit.centre.y) < 0.2 * fit.radius;
+        const Origin origin = atOrigin ? Origin::recognised : Origin::guessed;
+        const double cx =
+            m.choices.settleNumber("centreFirst", atOrigin ? 0 : rounded(fit.centre.x, 0.1), origin).value;
+        const double cy =
+            m.choices.settleNumber("centreSecond", atOrigin ? 0 : rounded(fit.centre.y, 0.1), origin).value;
+        if (!atOrigin && !m.choices.isChosen("centreFirst"))
+            m.remark(RemarkGrade::assumption,
+                     {REPORT_TEXT("report", "Centre: nothing in the file says it; taken at %1; %2."),
+                      {Number{cx, Quantity::position}, Number{cy, Quantity::position}}},
+                     0, "centreFirst");
+        const double radius = settleRadius(nominalOf(fit.radius), Origin::guessed);
+        remarkRadius(radius);
+        measurement.nominalRadius = radius;
+        for (const RawPath &path : m_paths) {
+            Arc arc;
+            for (std::size_t i = 0; i < path.first.size(); ++i) {
+                const double x = path.first[i] - cx;
+                const double y = path.second[i] - cy;
+                arc.angles.push_back(std::atan2(y, x) / degree);
+                arc.radialDeviations.push_back(std::hypot(x, y) - radius);
+            }
+            unwrap(arc.angles);
+            addArcs(measurement, std::move(arc), path.stated);
+        }
+    }
+
+    void remarkRadius(double radius) {
+        if (!m.choices.isChosen("nominalRadius") && !m.notes.radius)
+            m.remark(RemarkGrade::assumption,
+                     {REPORT_TEXT("report", "Nominal radius: nothing in the file says it; taken as %1."),
+                      {Number{radius, Quantity::position}}},
+                     0, "nominalRadius");
+    }
+
+    /// What the numbers of a list of angles are.
+    struct AngleForm {
+        bool radii = false; ///< else radial deviations
+        const Unit *angle = nullptr;
+        const Unit *reading = nullptr;
+        double radius = 0;     ///< nominal, mm
+        bool inverted = false; ///< deviations that are positive inwards
+        AngleReference reference = AngleReference::polar;
+    };
+
+    void settleAngleUnits(AngleForm &form) {
+        double largest = 0;
+        double mean = 0;
+        double size = 0;
+        std::size_t n = 0;
+        for (const RawPath &path : m_paths) {
+            for (std::size_t i = 0; i < path.first.size(); ++i, ++n) {
+                largest = std::max(largest, std::abs(path.first[i]));
+                mean += path.second[i];
+                size = std::max(size, std::abs(path.second[i]));
+            }
+        }
+        mean /= static_cast<double>(std::max<std::size_t>(n, 1));
+        form.angle =
+            settleUnit("positionUnit", m.body.columns[m_first].unit, UnitKind::angle,
+                       largest < 7 && n > 20 ? "rad" : "deg",
+                       REPORT_TEXT("report", "Unit of the angles: nothing in the file says it; read as %1."));
+        const TableColumn &second = m.body.columns[m_seconds.front()];
+        form.reading = settleUnit(
+            "unit", second.unit ? second.unit : m.notes.unit, UnitKind::length,
+            form.radii || size < 0.5 ? "mm" : "um",
+            REPORT_TEXT("report", "Unit of the radial deviations: nothing in the file says it; read as %1."));
+        constexpr double anyRadius = 150; // to go on reading: the deviations hold for any
+        form.radius =
+            settleRadius(form.radii ? nominalOf(form.reading->toBase(mean)) : anyRadius, Origin::guessed);
+        if (form.radii)
+            remarkRadius(form.radius);
+        else if (!m.choices.isChosen("nominalRadius") && !m.notes.radius)
+            m.remark(RemarkGrade::problem,
+                     {REPORT_TEXT("report", "Nominal radius: nothing in the file says it, and deviations do "
+                                            "not show it; state it in mm.")},
+                     0, "nominalRadius");
+    }
+
+    /// Outwards positive is what a radial deviation is; the other sign is a choice.
+    void settleRadialSign(AngleForm &form) {
+        if (form.radii)
+            return;
+        const auto sign = m.choices.settle("sign", "actualMinusTarget", Origin::guessed);
+        form.inverted = sign.value == "targetMinusActual";
+        if (sign.origin == Origin::guessed)
+            m.remark(RemarkGrade::assumption,
+                     {REPORT_TEXT("report", "Sign: radial deviations are read as positive outwards.")}, 0,
+                     "sign");
+    }
+
+    void settleReference(AngleForm &form) {
+        const auto reference = m.choices.settle("angleReference", "polar", Origin::guessed);
+        form.reference = reference.value == "commanded" ? AngleReference::commanded : AngleReference::polar;
+        if (reference.origin == Origin::guessed)
+            m.remark(
+                RemarkGrade::assumption,
+                {REPORT_TEXT(
+                    "report",
+                    "Angles: read as those of the measured point, not of the programmed path (a ballbar).")},
+                0, "angleReference");
+    }
+
+    void convertAngles(CircularMeasurement &measurement, bool radii) {
+        AngleForm form{radii};
+        settleAngleUnits(form);
+        settleRadialSign(form);
+        settleReference(form);
+        measurement.nominalRadius = form.radius;
+        for (RawPath &path : m_paths) {
+            Arc arc;
+            arc.angleReference = form.reference;
+            for (std::size_t i = 0; i < path.first.size(); ++i) {
+                arc.angles.push_back(form.angle->toBase(path.first[i]));
+                const double value = form.reading->toBase(path.second[i]);
+                arc.radialDeviations.push_back(radii           ? value - form.radius
+                                               : form.inverted ? 0 - value
+                                                               : value);
+            }
+            unwrap(arc.angles);
+            addArcs(measurement, std::move(arc), path.stated);
+        }
+    }
+
+    /// A path that turns round is two arcs. A stated sense that the angles contradict: the points were listed
+    /// by angle, so their order is turned.
+    void addArcs(CircularMeasurement &measurement, Arc path, std::optional<Sense> stated) {
+        const std::size_t turn = turningPoint(path.angles);
+        if (turn > 0 && !stated) {
+            Arc second = path;
+            const auto at = static_cast<std::ptrdiff_t>(turn);
+            second.angles.erase(second.angles.begin(), second.angles.begin() + at);
+            second.radialDeviations.erase(second.radialDeviations.begin(),
+                                          second.radialDeviations.begin() + at);
+            path.angles.resize(turn);
+            path.radialDeviations.resize(turn);
+            path.sense = senseOf(path.angles);
+            second.sense = senseOf(second.angles);
+            measurement.arcs.push_back(std::move(path));
+            measurement.arcs.push_back(std::move(second));
+            return;
+        }
+        path.sense = senseOf(path.angles);
+        if (stated && *stated != path.sense) {
+            std::ranges::reverse(path.angles);
+            std::ranges::reverse(path.radialDeviations);
+            path.sense = *stated;
+            if (!m_turned)
+                m.remark(RemarkGrade::assumption,
+                         {REPORT_TEXT("report", "Sense: the angles run against the sense the file names; the "
+                                                "points are taken in the opposite order.")});
+            m_turned = true;
+        }
+        measurement.arcs.push_back(std::move(path));
+    }
+
+    /// Where a path that goes forth and back turns: the index of the first point of the way back; 0: it does
+    /// not.
+    [[nodiscard]] static std::size_t turningPoint(const std::vector<double> &angles) {
+        if (angles.size() < 8)
+            return 0;
+        const auto [low, high] = std::ranges::minmax_element(angles);
+        const auto farthest = std::abs(*high - angles.front()) > std::abs(*low - angles.front()) ? high : low;
+        const double there = std::abs(*farthest - angles.front());
+        const double back = std::abs(*farthest - angles.back());
+        if (there < 45 || back < 0.5 * there)
+            return 0;
+        return static_cast<std::size_t>(farthest - angles.begin()) + 1;
+    }
+
+    TableReading &m;
+    std::size_t m_first = 0;
+    std::vector<std::size_t> m_seconds;
+    std::vector<RawPath> m_paths;
+    std::size_t m_missing = 0;
+    std::optional<Message> m_question;
+    bool m_named = false;
+    bool m_turned = false;
+};
+
+} // namespace
+
+bool areOnCircle(const TableReading &reading, std::size_t xColumn, std::size_t yColumn) {
+    Points points;
+    std::size_t rows = 0;
+    const std::size_t step = std::max<std::size_t>(1, reading.body.rowCount() / 2000);
+    for (const TableBlock &block : reading.body.blocks) {
+        for (const std::uint32_t row : block.rows) {
+            if (rows++ % step != 0)
+                continue;
+            const TableCell *x = reading.cell(row, xColumn);
+            const TableCell *y = reading.cell(row, yColumn);
+            if (x && y && x->isNumber() && y->isNumber()) {
+                points.x.push_back(x->value);
+                points.y.push_back(y->value);
+            }
+        }
+    }
+    if (points.size() < 12)
+        return false;
+    const LeastSquaresCircle fit = leastSquaresCircle(points.view());
+    if (!fit.valid() || !(fit.radius > 0))
+        return false;
+    double worst = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        worst = std::max(
+            worst, std::abs(std::hypot(points.x[i] - fit.centre.x, points.y[i] - fit.centre.y) - fit.radius));
+    const auto [low, high] = std::ranges::minmax(points.x);
+    return worst < 0.02 * fit.radius && high - low > 0.1 * fit.radius;
+}
+
+void readCircles(TableReading &reading) {
+    CircleReader(reading).read();
+}
+
+} // namespace palmer

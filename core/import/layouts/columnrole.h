@@ -1,0 +1,60 @@
+#pragma once
+
+#include "kernel/measurement/positioning.h"
+#include "tables/choice.h"
+#include "tables/units.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palmer {
+
+/// What the numbers of a column are. Columns of different roles are never pooled.
+enum class ColumnRole : std::uint8_t {
+    ignored,
+    target,
+    actual, ///< actual positions, of one run or of all
+    deviation,
+    run,       ///< readings of one run: positions or deviations, after the choice "content"
+    direction, ///< the direction of approach of each line, or the sense of contouring
+    number,    ///< the number of the run of each line
+    angle,
+    radius,
+    x, ///< the first coordinate
+    y, ///< the second coordinate
+    time,
+    temperature,
+    nominal,
+    statistic,
+};
+
+/// A column of the recognised table with its role.
+struct ImportColumn {
+    ColumnRole role = ColumnRole::ignored;
+    std::optional<Direction> direction = {}; ///< of a run, where the heading states it
+    unsigned number = 0;                     ///< of a run, from 1; 0: not stated
+    const Unit *unit = nullptr;              ///< of the heading, or null
+    std::string heading = {};
+
+    bool operator==(const ImportColumn &) const = default;
+
+    /// Whether the column holds readings of a positioning test.
+    [[nodiscard]] bool hasReadings() const {
+        return role == ColumnRole::run || role == ColumnRole::actual || role == ColumnRole::deviation;
+    }
+};
+
+/// The roles as the choice "columns" has them: "target,ignored,run+1,run-1,run"; `+` and `-` are the
+/// direction, the number that of the run.
+[[nodiscard]] std::string wordOf(const std::vector<ImportColumn> &columns);
+
+/// The roles that such a text names; nothing where a word is unknown, which is put into `unknown`.
+[[nodiscard]] std::optional<std::vector<ImportColumn>> columnsOf(std::string_view text, std::string &unknown);
+
+/// The words for roles, for help and errors.
+[[nodiscard]] std::string roleWords();
+
+} // namespace palmer

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "import/layouts/phrases.h"
+#include "kernel/measurement/circular.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace palmer {
+
+/// The sense of contouring a word or heading names: ccw, cw, G2, G3, horaire, antihoraire.
+[[nodiscard]] std::optional<Sense> senseIn(std::string_view text);
+
+/// Seconds of the day of "10:25", "10:25:30,5", also behind a date; nothing for any other text.
+[[nodiscard]] std::optional<double> clockTime(std::string_view text);
+
+} // namespace palmer

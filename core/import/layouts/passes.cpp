@@ -1,0 +1,314 @@
+#include "import/layouts/passes.h"
+
+#include "document/documenterror.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr double finest = 1e10; ///< parts of a mm or degree that differences are rounded to
+
+Number count(std::size_t n) {
+    return {static_cast<double>(n), Quantity::count};
+}
+
+double deviation(double position, double value, const PassForm &form) {
+    double result = 0;
+    if (form.content == "positions") {
+        // Subtracted in the file's units where they are the same: the decimals of the file stay.
+        result = form.unit == form.positionUnit
+                     ? std::round((value - position) * finest) / finest
+                     : std::round((form.unit->toBase(value) - form.positionUnit->toBase(position)) * finest) /
+                           finest;
+        if (form.unit == form.positionUnit)
+            result = form.unit->toBase(result);
+    } else {
+        result = form.unit->toBase(value);
+    }
+    return form.sign == "targetMinusActual" ? 0 - result : result;
+}
+
+void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
+    std::size_t missing = 0;
+    for (const Run &run : measurement.runs)
+        missing += static_cast<std::size_t>(
+            std::ranges::count_if(run.deviations, [](const auto &value) { return !value; }));
+    if (missing > 0)
+        remarks.push_back(
+            {RemarkGrade::note, {REPORT_TEXT("report", "Readings missing: %1."), {count(missing)}}});
+    const auto upward =
+        static_cast<std::size_t>(std::ranges::count(measurement.runs, Direction::positive, &Run::approach));
+    const std::size_t downward = measurement.runs.size() - upward;
+    if (upward != downward && upward > 0 && downward > 0)
+        remarks.push_back(
+            {RemarkGrade::problem,
+             {REPORT_TEXT("report", "The directions have unequal numbers of runs: %1 ↑ and %2 ↓."),
+              {count(upward), count(downward)}},
+             0,
+             0,
+             "unequalRuns"});
+    remarks.push_back({RemarkGrade::note,
+                       {REPORT_TEXT("report", "Understood: targets: %1; runs ↑: %2; runs ↓: %3."),
+                        {count(measurement.targets.size()), count(upward), count(downward)}}});
+}
+
+} // namespace
+
+namespace {
+
+/// The positions of all passes, each once, rising. Most files list the same ones for each pass, in order.
+std::vector<double> positionsOf(const std::vector<Pass> &passes) {
+    std::vector<double> positions;
+    for (const Pass &pass : passes) {
+        if (std::ranges::equal(pass.readings, passes.front().readings, {}, &PassReading::position,
+                               &PassReading::position) &&
+            &pass != &passes.front())
+            continue;
+        for (const PassReading &reading : pass.readings)
+            positions.push_back(reading.position + 0.0); // −0 is 0
+    }
+    if (!std::ranges::is_sorted(positions))
+        std::ranges::sort(positions);
+    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+    return positions;
+}
+
+/// Where a position stands among all; `next` is looked at first.
+std::size_t placeOf(double position, const std::vector<double> &positions, std::size_t next) {
+    if (next < positions.size() && positions[next] == position)
+        return next;
+    return static_cast<std::size_t>(std::ranges::lower_bound(positions, position) - positions.begin());
+}
+
+} // namespace
+
+PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const PassForm &form,
+                                     std::vector<Remark> &remarks) {
+    PositioningMeasurement result;
+    std::vector<double> positions = positionsOf(passes);
+    if (positions.empty() || passes.empty())
+        throw Error(
+            Error::Kind::content,
+            {REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations")});
+    constexpr std::size_t readingLimit = 10'000'000;
+    if (positions.size() > readingLimit / passes.size())
+        throw Error(Error::Kind::tooLarge,
+                    {REPORT_TEXT("report", "%1 targets and %2 runs are no positioning test; look at the kind "
+                                           "and the columns"),
+                     {count(positions.size()), count(passes.size())}});
+    std::size_t repeated = 0;
+    std::size_t firstRepeated = 0;
+    for (const Pass &pass : passes) {
+        Run run{pass.direction, std::vector<std::optional<double>>(positions.size())};
+        std::vector<bool> taken(positions.size());
+        std::size_t next = 0;
+        for (const PassReading &reading : pass.readings) {
+            const std::size_t at = placeOf(reading.position, positions, next);
+            next = at + 1;
+            if (taken[at]) {
+                firstRepeated = repeated++ == 0 ? reading.line : firstRepeated;
+                continue;
+            }
+            taken[at] = true;
+            if (reading.value)
+                run.deviations[at] = deviation(reading.position, *reading.value, form);
+        }
+        result.runs.push_back(std::move(run));
+    }
+    for (double &position : positions)
+        position = form.positionUnit->toBase(position);
+    result.targets = std::move(positions);
+    result.axis.motion = form.positionUnit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
+    if (repeated > 0)
+        remarks.push_back(
+            {RemarkGrade::problem,
+             {REPORT_TEXT("report",
+                          "Readings that stand at a target twice in one run: %1; the first is kept."),
+              {count(repeated)}},
+             firstRepeated});
+    remarkGaps(result, remarks);
+    return result;
+}
+
+std::vector<Pass> inCycles(std::vector<Pass> passes) {
+    std::vector<Pass> upward;
+    std::vector<Pass> downward;
+    for (Pass &pass : passes)
+        (pass.direction == Direction::positive ? upward : downward).push_back(std::move(pass));
+    std::vector<Pass> result;
+    for (std::size_t j = 0; j < std::max(upward.size(), downward.size()); ++j) {
+        if (j < upward.size())
+            result.push_back(std::move(upward[j]));
+        if (j < downward.size())
+            result.push_back(std::move(downward[j]));
+    }
+    return result;
+}
+
+bool arePositions(const std::vector<Pass> &passes) {
+    double low = INFINITY;
+    double high = -INFINITY;
+    double largest = 0;    // of the values
+    double difference = 0; // of value and position
+    std::size_t n = 0;
+    for (const Pass &pass : passes) {
+        for (const PassReading &reading : pass.readings) {
+            if (!reading.value)
+                continue;
+            ++n;
+            low = std::min(low, reading.position);
+            high = std::max(high, reading.position);
+            largest = std::max(largest, std::abs(*reading.value));
+            difference = std::max(difference, std::abs(*reading.value - reading.position));
+        }
+    }
+    const double size = std::max(high - low, std::abs(high));
+    return n > 1 && high > low && difference < 0.1 * size && largest > 0.5 * size;
+}
+
+namespace {
+
+/// The choices of the form, one after the other: each may hang on those before.
+class FormSettler {
+public:
+    FormSettler(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
+                std::vector<Remark> &remarks)
+        : m_stated(stated)
+        , m_choices(choices)
+        , m_remarks(remarks)
+        , m_followTargets(arePositions(passes)) {
+        for (const Pass &pass : passes) {
+            for (const PassReading &reading : pass.readings) {
+                if (!reading.value)
+                    continue;
+                m_low = std::min(m_low, *reading.value);
+                m_high = std::max(m_high, *reading.value);
+            }
+        }
+    }
+
+    PassForm settle() {
+        settleContent();
+        settleMotion();
+        settleUnits();
+        settleSign();
+        return m_form;
+    }
+
+private:
+    void ask(Message message, std::string_view choice) {
+        m_remarks.push_back({RemarkGrade::assumption, std::move(message), 0, 0, std::string(choice)});
+    }
+
+    void settleContent() {
+        const bool anyValue = m_low <= m_high;
+        // Readings in a smaller unit than the targets are no positions.
+        const bool isSmall = m_stated.unit && m_stated.positionUnit && !m_followTargets &&
+                             m_stated.unit->toBase(1) < m_stated.positionUnit->toBase(1);
+        const bool known = !m_stated.content.empty() || isSmall || !anyValue;
+        const auto settled = m_choices.settle("content",
+                                              !m_stated.content.empty() ? m_stated.content
+                                              : m_followTargets         ? "positions"
+                                                                        : "deviations",
+                                              known ? Origin::recognised : Origin::guessed);
+        m_form.content = settled.value;
+        m_positions = m_form.content == "positions";
+        if (settled.origin == Origin::guessed)
+            ask({m_positions
+                     ? REPORT_TEXT("report",
+                                   "Content: the values run from %1 to %2 as the targets do; they are "
+                                   "read as positions, not as deviations.")
+                     : REPORT_TEXT("report",
+                                   "Content: the values run from %1 to %2; they are read as deviations, not "
+                                   "as positions."),
+                 {Number{m_low, Quantity::number}, Number{m_high, Quantity::number}}},
+                "content");
+    }
+
+    /// The motion: what is chosen, else what the units say.
+    void settleMotion() {
+        const Unit *position = m_stated.positionUnit;
+        const Unit *unit = m_stated.unit;
+        m_angular = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary"
+                                                 : (position && position->kind == UnitKind::angle) ||
+                                                       (!position && unit && unit->kind == UnitKind::angle);
+        m_choices.settle("motion", m_angular ? "rotary" : "linear",
+                         position || unit ? Origin::recognised : Origin::guessed);
+    }
+
+    [[nodiscard]] const Unit *fitting(const Unit *candidate) const {
+        const UnitKind kind = m_angular ? UnitKind::angle : UnitKind::length;
+        return candidate && candidate->kind == kind ? candidate : nullptr;
+    }
+
+    const Unit *settleUnit(std::string_view key, const Unit *stated, const Unit *guess, Text question) {
+        const Unit *chosen = fitting(unitOf(m_choices.chosen(key)));
+        if (m_choices.isChosen(key) && !chosen)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
+                         {std::string(key), std::string(m_choices.chosen(key))}});
+        const Unit *found = fitting(stated) ? stated : guess;
+        const auto choice =
+            m_choices.settle(key, found->word, fitting(stated) ? Origin::recognised : Origin::guessed);
+        const Unit *result = chosen ? chosen : found;
+        if (choice.origin == Origin::guessed)
+            ask({question, {std::string(result->sign)}}, key);
+        return result;
+    }
+
+    void settleUnits() {
+        const Unit *base = unitOf(m_angular ? "deg" : "mm");
+        m_form.positionUnit = settleUnit(
+            "positionUnit",
+            m_stated.positionUnit ? m_stated.positionUnit
+            : m_positions         ? m_stated.unit
+                                  : nullptr,
+            base,
+            REPORT_TEXT("report", "Unit of the target positions: nothing in the file says it; read as %1."));
+        const double largest = m_low <= m_high ? std::max(std::abs(m_low), std::abs(m_high)) : 0;
+        constexpr double finestGuess = 0.5; // a deviation of half a millimetre or degree is none
+        const Unit *small = unitOf(m_angular ? "arcsec" : "um");
+        const Unit *guess = m_positions ? m_form.positionUnit : largest < finestGuess ? base : small;
+        m_form.unit = settleUnit(
+            "unit", m_stated.unit, guess,
+            m_positions
+                ? REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1.")
+                : REPORT_TEXT("report", "Unit of the deviations: nothing in the file says it; read as %1 "
+                                        "after their size."));
+    }
+
+    void settleSign() {
+        m_form.sign = "actualMinusTarget";
+        if (m_positions)
+            return;
+        const bool proven = !m_stated.sign.empty();
+        const auto sign = m_choices.settle("sign", proven ? m_stated.sign : m_form.sign,
+                                           proven ? Origin::recognised : Origin::guessed);
+        m_form.sign = sign.value;
+        if (sign.origin == Origin::guessed)
+            ask({REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target.")},
+                "sign");
+    }
+
+    const StatedForm &m_stated;
+    Choices &m_choices;
+    std::vector<Remark> &m_remarks;
+    PassForm m_form;
+    double m_low = INFINITY;
+    double m_high = -INFINITY;
+    bool m_followTargets = false;
+    bool m_positions = false;
+    bool m_angular = false;
+};
+
+} // namespace
+
+PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
+                    std::vector<Remark> &remarks) {
+    return FormSettler(passes, stated, choices, remarks).settle();
+}
+
+} // namespace palmer

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "import/choices.h"
+#include "import/remark.h"
+#include "kernel/measurement/positioning.h"
+#include "tables/units.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+/// A reading of a file: where, and what; in the file's units.
+struct PassReading {
+    double position = 0;
+    std::optional<double> value; ///< null: no reading
+    std::size_t line = 0;        ///< of the file, 0: not known
+};
+
+/// One pass over the targets in one direction, in the order of the file.
+struct Pass {
+    Direction direction = Direction::positive;
+    std::vector<PassReading> readings;
+};
+
+/// How the values of passes are to be understood. The texts and origins are those of the choices.
+struct PassForm {
+    std::string content = "deviations"; ///< or "positions"
+    std::string sign = "actualMinusTarget";
+    const Unit *unit = nullptr;         ///< of the values
+    const Unit *positionUnit = nullptr; ///< of the targets
+};
+
+/// Targets ascending without repetition, one run a pass, readings that are not there null; deviations =
+/// actual − target in mm or degrees. Differences of positions are rounded to 1e-10, far below any
+/// instrument: 150.712 − 150.71 is 0.002. Remarks: two readings in one place (the first stays), a run of
+/// zeros, gaps, runs that differ in number.
+[[nodiscard]] PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const PassForm &form,
+                                                   std::vector<Remark> &remarks);
+
+/// The numbers of both directions, one after the other: ↑1 ↓1 ↑2 ↓2 …, as the standard cycle measures.
+[[nodiscard]] std::vector<Pass> inCycles(std::vector<Pass> passes);
+
+/// Whether the values follow the positions they stand at, and hence are positions: their differences are
+/// small against the range of the positions, and the values are not.
+[[nodiscard]] bool arePositions(const std::vector<Pass> &passes);
+
+/// What a file says of its values; empty or null: nothing.
+struct StatedForm {
+    std::string content; ///< "deviations" or "positions"
+    std::string sign;    ///< as of the choice, where the file proves it
+    const Unit *unit = nullptr;
+    const Unit *positionUnit = nullptr;
+};
+
+/// Settles content, unit, positionUnit, sign and motion for passes: what the file says, else a guess with its
+/// question.
+[[nodiscard]] PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
+                                  std::vector<Remark> &remarks);
+
+} // namespace palmer

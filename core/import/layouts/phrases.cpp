@@ -1,0 +1,486 @@
+#include "import/layouts/phrases.h"
+
+#include "tables/folded.h"
+#include "tables/numbercell.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <unordered_map>
+
+namespace palmer {
+
+namespace {
+
+/// What a phrase of the dictionary means.
+enum class Sign {
+    none,
+    up,
+    down,
+    hintUp, ///< short for ↑ beside its opposite only
+    hintDown,
+    filler, ///< says nothing: articles, the words "value", "laser", a unit
+};
+
+/// A row of the dictionary: whole words, folded; phrases parted by bars, their words by blanks. `languages`
+/// is for the reader of this table.
+struct Phrases {
+    Meaning meaning;
+    Sign sign;
+    std::string_view languages;
+    std::string_view list;
+};
+
+constexpr std::array phrases{
+    Phrases{Meaning::unknown, Sign::up, "*", "+|↑|⇑|↗|→"},
+    Phrases{Meaning::unknown, Sign::up, "en", "forward|forwards|fwd|up|upward|upwards|ascending|increasing"},
+    Phrases{Meaning::unknown, Sign::up, "en fr", "positive"},
+    Phrases{Meaning::unknown, Sign::up, "fr",
+            "aller|positif|montee|montant|croissant|croissante|avant|ascendant"},
+    Phrases{Meaning::unknown, Sign::up, "fr de", "plus"},
+    Phrases{Meaning::unknown, Sign::up, "de",
+            "hin|hinfahrt|hinweg|hinlauf|vorwarts|vorwaerts|vorlauf|vor|positiv|aufwarts|"
+            "aufwaerts|steigend"},
+    Phrases{Meaning::unknown, Sign::up, "it", "andata|avanti|salita|crescente"},
+    Phrases{Meaning::unknown, Sign::up, "it es", "positivo|positiva"},
+    Phrases{Meaning::unknown, Sign::up, "es", "ida|adelante|subida|creciente"},
+    Phrases{Meaning::unknown, Sign::up, "es it", "ascendente"},
+    Phrases{Meaning::unknown, Sign::down, "*", "-|↓|⇓|↘|←"},
+    Phrases{Meaning::unknown, Sign::down, "en",
+            "backward|backwards|bwd|back|reverse|down|downward|downwards|descending|decreasing"},
+    Phrases{Meaning::unknown, Sign::down, "en fr", "negative"},
+    Phrases{Meaning::unknown, Sign::down, "fr",
+            "retour|negatif|descente|descendant|decroissant|decroissante|arriere|moins"},
+    Phrases{Meaning::unknown, Sign::down, "de",
+            "minus|ruck|rueck|zuruck|zurueck|ruckfahrt|rueckfahrt|ruckweg|rueckweg|rucklauf|"
+            "ruecklauf|ruckwarts|rueckwaerts|her|negativ|abwarts|abwaerts|fallend"},
+    Phrases{Meaning::unknown, Sign::down, "it", "ritorno|indietro|discesa|decrescente|discendente"},
+    Phrases{Meaning::unknown, Sign::down, "it es", "negativo|negativa"},
+    Phrases{Meaning::unknown, Sign::down, "es",
+            "vuelta|regreso|retorno|atras|retroceso|bajada|descendente|decreciente"},
+    Phrases{Meaning::unknown, Sign::hintUp, "*", "pos"},
+    Phrases{Meaning::unknown, Sign::hintDown, "*", "neg"},
+    Phrases{Meaning::unknown, Sign::hintDown, "en", "rev|dec|desc|backw|return"},
+    Phrases{Meaning::unknown, Sign::hintUp, "en", "inc|asc|forw|out"},
+    Phrases{Meaning::unknown, Sign::hintUp, "es", "avance"},
+    Phrases{Meaning::unknown, Sign::hintUp, "de", "auf"},
+    Phrases{Meaning::unknown, Sign::hintDown, "de", "ab"},
+    Phrases{Meaning::unknown, Sign::hintDown, "fr", "ret"},
+    Phrases{Meaning::unknown, Sign::hintUp, "fr", "all"},
+    Phrases{Meaning::statistic, Sign::none, "en",
+            "mean|average|avg|avg error|std dev|standard deviation|range|reversal|reversal value|"
+            "reversal error|backlash|repeatability|accuracy|bidirectional avg error|spread"},
+    Phrases{Meaning::statistic, Sign::none, "*",
+            "std|stdev|stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304"},
+    Phrases{Meaning::statistic, Sign::none, "en de", "hysteresis"},
+    Phrases{Meaning::statistic, Sign::none, "fr",
+            "moyenne|moyen|moy|ecart type|ecart moyen|etendue|reversibilite|jeu|repetabilite|"
+            "mini|maxi"},
+    Phrases{Meaning::statistic, Sign::none, "de",
+            "mittelwert|mittel|mittlere|std abw|standardabweichung|streuung|spannweite|"
+            "umkehrspanne|positionsstreubreite|mw"},
+    Phrases{Meaning::statistic, Sign::none, "it es", "media|minimo"},
+    Phrases{Meaning::statistic, Sign::none, "it",
+            "dev std|scarto tipo|deviazione standard|inversione|gioco|ripetibilita|massimo"},
+    Phrases{Meaning::statistic, Sign::none, "es",
+            "desv tipica|desviacion tipica|desviacion estandar|inversion|holgura|rango|"
+            "repetibilidad|maximo|promedio"},
+    Phrases{Meaning::temperature, Sign::none, "*", "temp|°c"},
+    Phrases{Meaning::temperature, Sign::none, "en fr", "temperature|temperatures"},
+    Phrases{Meaning::temperature, Sign::none, "de", "temperatur|temperaturen"},
+    Phrases{Meaning::temperature, Sign::none, "it es", "temperatura"},
+    Phrases{Meaning::other, Sign::none, "en fr", "tolerance|compensation|correction"},
+    Phrases{Meaning::other, Sign::none, "de",
+            "toleranz|grenzwert|grenze|kompensation|korrektur|vorschub|messunsicherheit|"
+            "unsicherheit|bemerkung|druck|feuchte"},
+    Phrases{Meaning::other, Sign::none, "it",
+            "tolleranza|compensazione|correzione|avanzamento|velocita|incertezza|pressione|"
+            "umidita"},
+    Phrases{Meaning::other, Sign::none, "es",
+            "tolerancia|compensacion|correccion|velocidad|incertidumbre|observacion|presion|"
+            "humedad"},
+    Phrases{Meaning::other, Sign::none, "*", "tol|offset|status"},
+    Phrases{Meaning::other, Sign::none, "en",
+            "limit|limits|feed|feedrate|speed|velocity|uncertainty|remark|remarks|comment|"
+            "pressure|humidity|batch"},
+    Phrases{Meaning::other, Sign::none, "fr it es", "limite"},
+    Phrases{Meaning::other, Sign::none, "fr", "vitesse|incertitude|remarque|pression|humidite"},
+    Phrases{Meaning::other, Sign::none, "it es", "nota"},
+    Phrases{Meaning::other, Sign::none, "en fr it", "note"},
+    Phrases{Meaning::deviation, Sign::none, "en", "deviation|deviations|errors"},
+    Phrases{Meaning::deviation, Sign::none, "*", "dev|err|diff|δ|δr|δx|dr|dx"},
+    Phrases{Meaning::deviation, Sign::none, "en es", "error"},
+    Phrases{Meaning::deviation, Sign::none, "en fr", "difference"},
+    Phrases{Meaning::deviation, Sign::none, "fr", "ecart|ecarts|erreur|erreurs"},
+    Phrases{Meaning::deviation, Sign::none, "de",
+            "abweichung|abweichungen|abw|fehler|positionsabweichung|positionsfehler|"
+            "radialabweichung|differenz|messabweichung|messabweichungen"},
+    Phrases{Meaning::deviation, Sign::none, "it",
+            "scostamento|scostamenti|scarto|errore|deviazione|differenza"},
+    Phrases{Meaning::deviation, Sign::none, "es", "desviacion|desviaciones|desv|diferencia|desvio|desvios"},
+    Phrases{Meaning::actual, Sign::none, "en", "actual|measured|meas"},
+    Phrases{Meaning::actual, Sign::none, "fr", "reel|reelle|mesuree|atteinte"},
+    Phrases{Meaning::actual, Sign::none, "de",
+            "ist|istposition|istwert|istpos|gemessen|gemessene|messposition"},
+    Phrases{Meaning::actual, Sign::none, "it", "misurata|misurato|reale|effettiva|rilevata|rilevato"},
+    Phrases{Meaning::actual, Sign::none, "es", "medida|medido|real"},
+    Phrases{Meaning::reading, Sign::none, "fr", "mesure|mesures|releve|lecture"},
+    Phrases{Meaning::reading, Sign::none, "en", "reading|readings|measurement"},
+    Phrases{Meaning::reading, Sign::none, "de", "messwert|messwerte"},
+    Phrases{Meaning::run, Sign::none, "de",
+            "messung|lauf|laufe|messlauf|messreihe|zyklus|durchgang|reihe|fahrt"},
+    Phrases{Meaning::reading, Sign::none, "it", "misura|lettura"},
+    Phrases{Meaning::reading, Sign::none, "es", "lectura|medicion"},
+    Phrases{Meaning::direction, Sign::none, "en fr", "direction"},
+    Phrases{Meaning::direction, Sign::none, "*", "dir"},
+    Phrases{Meaning::direction, Sign::none, "en", "approach|sense"},
+    Phrases{Meaning::direction, Sign::none, "fr", "sens|approche"},
+    Phrases{Meaning::direction, Sign::none, "de", "richtung|anfahrrichtung|fahrtrichtung|anfahrt"},
+    Phrases{Meaning::direction, Sign::none, "it", "direzione|senso|verso"},
+    Phrases{Meaning::direction, Sign::none, "es", "sentido|direccion"},
+    Phrases{Meaning::time, Sign::none, "en", "time|elapsed|timestamp"},
+    Phrases{Meaning::time, Sign::none, "fr", "temps|heure|duree|horodatage"},
+    Phrases{Meaning::time, Sign::none, "de", "zeit|uhrzeit|zeitstempel"},
+    Phrases{Meaning::time, Sign::none, "it", "tempo|ora"},
+    Phrases{Meaning::time, Sign::none, "es", "tiempo|hora"},
+    Phrases{Meaning::angle, Sign::none, "en fr", "angle|angles"},
+    Phrases{Meaning::angle, Sign::none, "de", "winkel"},
+    Phrases{Meaning::angle, Sign::none, "it", "angolo"},
+    Phrases{Meaning::angle, Sign::none, "es", "angulo"},
+    Phrases{Meaning::angle, Sign::none, "*", "theta|θ|phi|φ"},
+    Phrases{Meaning::angle, Sign::none, "en fr de", "phase"},
+    Phrases{Meaning::radius, Sign::none, "en de", "radius"},
+    Phrases{Meaning::radius, Sign::none, "fr", "rayon"},
+    Phrases{Meaning::radius, Sign::none, "it", "raggio"},
+    Phrases{Meaning::radius, Sign::none, "es", "radio"},
+    Phrases{Meaning::radius, Sign::none, "*", "ρ"},
+    Phrases{Meaning::nominal, Sign::none, "en", "nominal radius|radius nominal"},
+    Phrases{Meaning::nominal, Sign::none, "fr", "rayon nominal"},
+    Phrases{Meaning::nominal, Sign::none, "de", "nennradius|sollradius"},
+    Phrases{Meaning::nominal, Sign::none, "it", "raggio nominale"},
+    Phrases{Meaning::nominal, Sign::none, "es", "radio nominal"},
+    Phrases{Meaning::target, Sign::none, "en it", "target"},
+    Phrases{Meaning::target, Sign::none, "en",
+            "targets|commanded|command|programmed|demanded|set point|setpoint"},
+    Phrases{Meaning::target, Sign::none, "en fr es", "nominal"},
+    Phrases{Meaning::target, Sign::none, "fr it", "nominale"},
+    Phrases{Meaning::target, Sign::none, "fr", "cible|visee|vise|consigne|theorique|programmee|commandee"},
+    Phrases{Meaning::target, Sign::none, "de",
+            "soll|sollposition|sollwert|sollpos|zielposition|zielpos|ziel|nennposition"},
+    Phrases{Meaning::target, Sign::none, "it", "obiettivo|bersaglio|comandata|programmata"},
+    Phrases{Meaning::target, Sign::none, "it es", "teorica"},
+    Phrases{Meaning::target, Sign::none, "es", "objetivo|consigna|programada|comandada"},
+    Phrases{Meaning::place, Sign::none, "en fr de", "position"},
+    Phrases{Meaning::place, Sign::none, "en fr", "positions"},
+    Phrases{Meaning::place, Sign::none, "*", "pos|p"},
+    Phrases{Meaning::place, Sign::none, "it", "posizione|quota"},
+    Phrases{Meaning::place, Sign::none, "es", "posicion|cota"},
+    Phrases{Meaning::place, Sign::none, "fr", "cote|abscisse"},
+    Phrases{Meaning::place, Sign::none, "en", "coordinate"},
+    Phrases{Meaning::place, Sign::none, "de", "messpunkt|achsposition|prufposition|prufpunkt"},
+    Phrases{Meaning::run, Sign::none, "en", "run|runs|pass|trial|series|traverse|rep|repeat|repetition|test"},
+    Phrases{Meaning::run, Sign::none, "en fr", "cycle"},
+    Phrases{Meaning::run, Sign::none, "fr", "passe|passage|essai|course"},
+    Phrases{Meaning::run, Sign::none, "fr en", "passes"},
+    Phrases{Meaning::run, Sign::none, "fr es it", "serie"},
+    Phrases{Meaning::run, Sign::none, "it", "corsa|passata|prova"},
+    Phrases{Meaning::run, Sign::none, "it es", "ciclo"},
+    Phrases{Meaning::run, Sign::none, "es", "pasada|recorrido|ensayo"},
+    Phrases{Meaning::run, Sign::none, "*", "j"},
+    Phrases{Meaning::index, Sign::none, "*", "index|idx|i|n|no|nr|#|n°|nº|pt|id"},
+    Phrases{Meaning::index, Sign::none, "de", "lfd|nummer|punkt"},
+    Phrases{Meaning::index, Sign::none, "fr it es", "numero"},
+    Phrases{Meaning::index, Sign::none, "en", "number|sample|row|line"},
+    Phrases{Meaning::index, Sign::none, "en fr", "point|points"},
+    Phrases{Meaning::index, Sign::none, "it es", "punto"},
+    Phrases{Meaning::axis, Sign::none, "en", "axis"},
+    Phrases{Meaning::axis, Sign::none, "fr", "axe"},
+    Phrases{Meaning::axis, Sign::none, "de", "achse"},
+    Phrases{Meaning::axis, Sign::none, "it", "asse"},
+    Phrases{Meaning::axis, Sign::none, "es", "eje"},
+    Phrases{Meaning::process, Sign::none, "*", "pv"},
+    Phrases{Meaning::unknown, Sign::filler, "en",
+            "value|values|data|positioning|of|the|from|to|travel|movement|ve"},
+    Phrases{Meaning::unknown, Sign::filler, "fr", "valeur|d|du"},
+    Phrases{Meaning::unknown, Sign::filler, "de", "wert|der|die|von"},
+    Phrases{Meaning::unknown, Sign::filler, "it", "valore|di"},
+    Phrases{Meaning::unknown, Sign::filler, "es", "valor|º"},
+    Phrases{Meaning::unknown, Sign::filler, "*", "laser|linear|radial|radiale|in"},
+    Phrases{Meaning::unknown, Sign::filler, "fr es", "de|en"},
+    Phrases{Meaning::unknown, Sign::filler, "fr it", "l"},
+    Phrases{Meaning::unknown, Sign::filler, "fr it es", "la"},
+    Phrases{Meaning::unknown, Sign::filler, "it es", "del"},
+};
+
+/// Where words of two meanings stand in one heading, the one that comes first here counts: "standard
+/// deviation" is no deviation, "Measured position" no target, "Target position" no place.
+constexpr std::array precedence{
+    Meaning::statistic, Meaning::temperature, Meaning::other,  Meaning::nominal,   Meaning::deviation,
+    Meaning::radius,    Meaning::angle,       Meaning::actual, Meaning::target,    Meaning::time,
+    Meaning::place,     Meaning::reading,     Meaning::run,    Meaning::direction, Meaning::process,
+    Meaning::index,     Meaning::axis,
+};
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+bool isWordByte(char c) {
+    return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+/// Arrows and their likes stand for themselves, whatever is beside them.
+std::size_t arrowLength(std::string_view text) {
+    constexpr std::array<std::string_view, 8> arrows{"↑", "↓", "⇑", "⇓", "↗", "↘", "→", "←"};
+    for (const std::string_view arrow : arrows) {
+        if (text.starts_with(arrow))
+            return arrow.size();
+    }
+    return 0;
+}
+
+struct Token {
+    std::string_view text;
+    bool isNumber = false;
+    bool isWeak = false; ///< a dash between words: perhaps a minus
+};
+
+/// A sign at the edge of a word is one; between letters it is a hyphen.
+std::optional<Token> signAt(std::string_view text, std::size_t i) {
+    const auto isPart = [](char c) { return isWordByte(c) || isDigit(c); };
+    std::size_t before = i;
+    while (before > 0 && text[before - 1] == ' ')
+        --before;
+    std::size_t after = i + 1;
+    while (after < text.size() && text[after] == ' ')
+        ++after;
+    const bool touchesBefore = i > 0 && isPart(text[i - 1]);
+    const bool touchesAfter = i + 1 < text.size() && isPart(text[i + 1]);
+    if (touchesBefore && touchesAfter)
+        return std::nullopt;
+    const Token sign{text.substr(i, 1)};
+    if (sign.text == "+" || after >= text.size() || before == 0)
+        return sign;
+    if (text[i] == '-' && !isPart(text[before - 1]) && !isPart(text[after]))
+        return sign;
+    return Token{sign.text, false, true};
+}
+
+std::vector<Token> tokensOf(std::string_view text) {
+    std::vector<Token> tokens;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t arrow = arrowLength(text.substr(i));
+        std::size_t end = i + 1;
+        if (arrow > 0) {
+            end = i + arrow;
+            tokens.push_back({text.substr(i, arrow)});
+        } else if (isDigit(text[i])) {
+            while (end < text.size() && isDigit(text[end]))
+                ++end;
+            tokens.push_back({text.substr(i, end - i), true});
+        } else if (isWordByte(text[i])) {
+            while (end < text.size() && isWordByte(text[end]) && arrowLength(text.substr(end)) == 0)
+                ++end;
+            tokens.push_back({text.substr(i, end - i)});
+        } else if (text[i] == '+' || text[i] == '-') {
+            if (const auto sign = signAt(text, i))
+                tokens.push_back(*sign);
+        } else if (text[i] == '#') {
+            tokens.push_back({text.substr(i, 1)});
+        }
+        i = end;
+    }
+    return tokens;
+}
+
+struct Phrase {
+    std::string_view words;
+    Meaning meaning;
+    Sign sign;
+};
+
+using Dictionary = std::unordered_map<std::string_view, std::vector<Phrase>>;
+
+/// By the first word, the longest phrase first.
+const Dictionary &dictionary() {
+    static const Dictionary rows = [] {
+        Dictionary result;
+        for (const Phrases &row : phrases) {
+            for (std::string_view rest = row.list; !rest.empty();) {
+                const std::string_view words = rest.substr(0, rest.find('|'));
+                result[words.substr(0, words.find(' '))].push_back({words, row.meaning, row.sign});
+                rest.remove_prefix(std::min(words.size() + 1, rest.size()));
+            }
+        }
+        for (auto &[word, list] : result)
+            std::ranges::stable_sort(list, std::ranges::greater(),
+                                     [](const Phrase &phrase) { return phrase.words.size(); });
+        return result;
+    }();
+    return rows;
+}
+
+/// How many tokens the phrase covers there; 0: it does not stand there.
+std::size_t covered(const Phrase &phrase, std::span<const Token> tokens) {
+    std::size_t count = 0;
+    for (std::string_view rest = phrase.words; !rest.empty(); ++count) {
+        const std::size_t blank = std::min(rest.find(' '), rest.size());
+        if (count >= tokens.size() || tokens[count].text != rest.substr(0, blank))
+            return 0;
+        rest.remove_prefix(std::min(blank + 1, rest.size()));
+    }
+    return count;
+}
+
+class HeadingReader {
+public:
+    explicit HeadingReader(std::vector<Token> tokens)
+        : m_tokens(std::move(tokens)) {}
+
+    HeadingWords read() {
+        m.words = m_tokens.size();
+        for (std::size_t i = 0; i < m_tokens.size();)
+            i += take(i);
+        if (m_up != m_down)
+            m.direction = m_up ? Direction::positive : Direction::negative;
+        if (m_dash)
+            m.hint = Direction::negative; // "Meas. pos. - 1" beside "Meas. pos. + 1"
+        else if (m_hintUp != m_hintDown)
+            m.hint = m_hintUp ? Direction::positive : Direction::negative;
+        for (const Meaning meaning : precedence) {
+            if (has(meaning)) {
+                m.meaning = meaning;
+                break;
+            }
+        }
+        m.isTarget = has(Meaning::target);
+        if (has(Meaning::target) && has(Meaning::radius))
+            m.meaning = Meaning::nominal;
+        return m;
+    }
+
+private:
+    [[nodiscard]] bool has(Meaning meaning) const {
+        return std::ranges::find(m_meanings, meaning) != m_meanings.end();
+    }
+
+    std::size_t take(std::size_t i) {
+        const Token &token = m_tokens[i];
+        if (token.isNumber) {
+            if (!m.number && token.text.size() < 7)
+                m.number = static_cast<unsigned>(std::stoul(std::string(token.text)));
+            return 1;
+        }
+        if (const auto found = dictionary().find(token.text); found != dictionary().end()) {
+            std::size_t tokens = 0;
+            for (const Phrase &phrase : found->second) {
+                const std::size_t here = covered(phrase, std::span(m_tokens).subspan(i));
+                // Several rows for one phrase: "pos" is a place and short for positive.
+                if (here > 0 && (tokens == 0 || here == tokens)) {
+                    tokens = here;
+                    apply(phrase, token);
+                }
+            }
+            if (tokens > 0) {
+                remember(i, tokens);
+                return tokens;
+            }
+        }
+        takeUnknown(token);
+        return 1;
+    }
+
+    void apply(const Phrase &phrase, const Token &token) {
+        m_up |= phrase.sign == Sign::up;
+        m_down |= phrase.sign == Sign::down && !token.isWeak;
+        m_hintUp |= phrase.sign == Sign::hintUp;
+        m_hintDown |= phrase.sign == Sign::hintDown;
+        m_dash |= phrase.sign == Sign::down && token.isWeak;
+        if (phrase.meaning != Meaning::unknown)
+            m_meanings.push_back(phrase.meaning);
+        m_isDirection = phrase.sign != Sign::none && phrase.sign != Sign::filler;
+    }
+
+    void remember(std::size_t i, std::size_t tokens) {
+        for (std::size_t k = i; k < i + tokens && !m_isDirection; ++k)
+            m.stem += std::string(m_tokens[k].text) + ' ';
+        m_isDirection = false;
+    }
+
+    void takeUnknown(const Token &token) {
+        constexpr std::string_view axes = "xyzuvwabc";
+        if (token.text.size() == 1 && axes.find(token.text[0]) != std::string_view::npos) {
+            if (m.axis == 0)
+                m.axis = static_cast<char>(token.text[0] - 'a' + 'A');
+            m.stem += std::string(token.text) + ' ';
+            takeLetter(token.text[0]);
+            return;
+        }
+        if (token.text.size() == 1)
+            takeLetter(token.text[0]);
+        if (!unitIn("(" + std::string(token.text) + ")")) {
+            ++m.unknownWords;
+            m.stem += std::string(token.text) + ' ';
+        }
+    }
+
+    /// "1A", "R 2": letters for a direction, only beside their opposite.
+    void takeLetter(char letter) {
+        if (m_tokens.size() > 1) {
+            m_hintUp |= letter == 'a' || letter == 'f' || letter == 'h' || letter == 'v';
+            m_hintDown |= letter == 'r' || letter == 'b';
+        }
+    }
+
+    std::vector<Token> m_tokens;
+    std::vector<Meaning> m_meanings;
+    HeadingWords m;
+    bool m_up = false;
+    bool m_down = false;
+    bool m_hintUp = false;
+    bool m_hintDown = false;
+    bool m_dash = false;
+    bool m_isDirection = false;
+};
+
+/// A letter alone is short for what people compute, or for an axis.
+Meaning meaningOfLetter(std::string_view letter) {
+    constexpr std::string_view statistics = "smebau";
+    if (letter == "r")
+        return Meaning::radius;
+    if (letter == "x")
+        return Meaning::x;
+    if (letter == "y" || letter == "z")
+        return Meaning::y;
+    if (letter == "t")
+        return Meaning::time;
+    return statistics.find(letter) != std::string_view::npos ? Meaning::statistic : Meaning::unknown;
+}
+
+} // namespace
+
+HeadingWords readHeading(std::string_view text) {
+    const std::string low = folded(withoutUnit(text.substr(0, 500)));
+    const std::vector<Token> tokens = tokensOf(low);
+    HeadingWords heading = HeadingReader(tokens).read();
+    if (tokens.size() == 1 && !tokens[0].isNumber && tokens[0].text.size() == 1 &&
+        heading.meaning == Meaning::unknown) {
+        heading.meaning = meaningOfLetter(tokens[0].text);
+        heading.unknownWords = heading.meaning == Meaning::unknown ? heading.unknownWords : 0;
+    }
+    return heading;
+}
+
+std::optional<Direction> directionOf(std::string_view cell) {
+    const std::string low = folded(withoutBlanks(cell.substr(0, 60)));
+    if (low.empty() || isDigit(low.back()))
+        return low == "+1"   ? std::optional(Direction::positive)
+               : low == "-1" ? std::optional(Direction::negative)
+                             : std::nullopt;
+    const HeadingWords heading = HeadingReader(tokensOf(low)).read();
+    if (heading.unknownWords > 0 || heading.number)
+        return {};
+    return heading.direction ? heading.direction : heading.hint;
+}
+
+} // namespace palmer

@@ -1,0 +1,141 @@
+#include "import/layouts/placedpass.h"
+
+#include "document/documenterror.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace palmer {
+
+namespace {
+
+/// Sum of the squares of the readings about the mean of their position and direction: small where the
+/// directions are right.
+double scatter(std::span<const PlacedPass> passes, const std::function<Direction(std::size_t)> &direction) {
+    double sum = 0;
+    for (const Direction wanted : {Direction::positive, Direction::negative}) {
+        std::map<double, std::array<double, 3>> moments; // n, Σ, Σ²
+        for (std::size_t j = 0; j < passes.size(); ++j) {
+            if (direction(j) != wanted)
+                continue;
+            for (const PassReading &reading : passes[j].pass.readings) {
+                if (reading.value) {
+                    auto &moment = moments[reading.position];
+                    moment[0] += 1;
+                    moment[1] += *reading.value;
+                    moment[2] += *reading.value * *reading.value;
+                }
+            }
+        }
+        for (const auto &[position, moment] : moments)
+            sum += moment[2] - moment[1] * moment[1] / moment[0];
+    }
+    return sum;
+}
+
+Direction directionUnder(std::string_view word, std::size_t j, std::size_t n) {
+    if (word == "positive")
+        return Direction::positive;
+    if (word == "negative")
+        return Direction::negative;
+    const bool first = word == "sideBySide" ? 2 * j < n : j % 2 == 0;
+    return first ? Direction::positive : Direction::negative;
+}
+
+/// Nothing says the directions: in turn or one half after the other, whichever scatters less.
+std::string guessOf(const std::vector<PlacedPass> &passes) {
+    const std::size_t n = passes.size();
+    if (n % 2 == 1)
+        return "positive";
+    const auto inTurn = [n](std::size_t j) { return directionUnder("alternating", j, n); };
+    const auto halves = [n](std::size_t j) { return directionUnder("sideBySide", j, n); };
+    return n > 2 && scatter(passes, halves) < 0.5 * scatter(passes, inTurn) ? "sideBySide" : "alternating";
+}
+
+Text questionFor(std::string_view word, const FoundPasses &found) {
+    if (word == "alternating" && found.isByLine)
+        return REPORT_TEXT(
+            "report", "Directions: nothing in the file says them; the lines are read as ↑ and ↓ in turn.");
+    if (word == "alternating" && found.isBlockwise)
+        return REPORT_TEXT(
+            "report", "Directions: nothing in the file says them; the blocks are read as ↑ and ↓ in turn.");
+    if (word == "alternating")
+        return REPORT_TEXT(
+            "report", "Directions: nothing in the file says them; the runs are read as ↑ and ↓ in turn.");
+    if (word == "sideBySide")
+        return REPORT_TEXT("report", "Directions: nothing in the file says them; the first half of the "
+                                     "runs is read as ↑, the second as ↓.");
+    if (word == "positive")
+        return REPORT_TEXT("report", "Directions: nothing in the file says them; all runs are read as ↑.");
+    return REPORT_TEXT(
+        "report", "Directions: letters, abbreviations or titles say them; look whether ↑ and ↓ are right.");
+}
+
+} // namespace
+
+void settleDirections(FoundPasses &found, TableReading &reading) {
+    std::vector<PlacedPass> &passes = found.passes;
+    const bool stated =
+        std::ranges::all_of(passes, [](const PlacedPass &p) { return p.direction.has_value(); });
+    const Origin origin = stated && !found.hasHints ? Origin::recognised : Origin::guessed;
+    const auto choice = reading.choices.settle("directions", stated ? "stated" : guessOf(passes), origin);
+    if (choice.value == "stated" && !stated)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the file does not say which runs are ↑ and which ↓; choose "
+                                           "another word for “directions”")});
+    if (choice.value != "stated") {
+        for (std::size_t j = 0; j < passes.size(); ++j)
+            passes[j].direction = directionUnder(choice.value, j, passes.size());
+    }
+    if (choice.origin == Origin::guessed)
+        reading.remark(RemarkGrade::assumption, {questionFor(choice.value, found)}, 0, "directions");
+}
+
+std::vector<Pass> inOrder(std::vector<PlacedPass> placed) {
+    std::set<std::pair<unsigned, Direction>> numbers;
+    for (const PlacedPass &each : placed) {
+        if (each.number > 0)
+            numbers.insert({each.number, *each.direction});
+    }
+    if (numbers.size() == placed.size())
+        std::ranges::stable_sort(placed, {}, [](const PlacedPass &each) {
+            return std::pair(each.number, *each.direction == Direction::negative);
+        });
+    std::vector<Pass> passes;
+    bool ordered = true;
+    bool both = false;
+    for (PlacedPass &each : placed) {
+        each.pass.direction = *each.direction;
+        if (!passes.empty()) {
+            const bool same = passes.back().direction == each.pass.direction;
+            ordered &= !same;
+            both |= !same;
+        }
+        passes.push_back(std::move(each.pass));
+    }
+    if (both && !ordered)
+        return inCycles(std::move(passes));
+    return passes;
+}
+
+BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &block) {
+    BlockDirection result;
+    for (auto head = block.heads.rbegin(); head != block.heads.rend() && !result.stated; ++head) {
+        if (std::ranges::binary_search(reading.body.columnHeads, *head))
+            continue;
+        std::string line;
+        for (const TableCell &cell : reading.table().cells(reading.row(*head)))
+            line += ' ' + std::string(reading.table().text(cell));
+        const HeadingWords heading = readHeading(line);
+        if (heading.isDirectionOnly())
+            result.stated = heading.direction;
+        else if (!result.hint)
+            result.hint = heading.direction ? heading.direction : heading.hint;
+    }
+    return result;
+}
+
+} // namespace palmer

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "import/layouts/passes.h"
+#include "import/layouts/tablereading.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+/// A pass with the places its readings stand at, for the colours, and what the table says of it.
+struct PlacedPass {
+    std::optional<Direction> direction;
+    unsigned number = 0; ///< of the run, from 1; 0: not stated
+    Pass pass;
+    std::vector<std::pair<std::uint32_t, std::size_t>> places;
+};
+
+/// What is found in a table of a positioning test, before units and signs.
+struct FoundPasses {
+    std::vector<PlacedPass> passes;
+    std::string content; ///< "deviations", "positions", or empty
+    std::string sign;    ///< proven by the table, or empty
+    const Unit *unit = nullptr;
+    const Unit *positionUnit = nullptr;
+    bool hasHints = false; ///< directions come from letters, abbreviations or titles
+    bool isBlockwise = false;
+    bool isByLine = false; ///< a pass a line
+};
+
+/// The directions of all passes: what the table says, else the user's choice or a guess with its question.
+void settleDirections(FoundPasses &found, TableReading &reading);
+
+/// ↑1 ↓1 ↑2 ↓2 … where the table numbers the runs; else the order of the table, directions in turn.
+[[nodiscard]] std::vector<Pass> inOrder(std::vector<PlacedPass> placed);
+
+/// What the titles above a block say of the direction.
+struct BlockDirection {
+    std::optional<Direction> stated; ///< a title that says nothing else
+    std::optional<Direction> hint;   ///< among other words: counts beside a block with the opposite only
+};
+[[nodiscard]] BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &block);
+
+/// Targets down and runs across, or one reading a line.
+[[nodiscard]] FoundPasses readTargetsDown(TableReading &reading);
+/// A run a line, targets across.
+[[nodiscard]] FoundPasses readRunsDown(TableReading &reading);
+
+} // namespace palmer

@@ -1,0 +1,78 @@
+#include "import/layouts/columnsearch.h"
+
+#include "document/documenterror.h"
+#include "document/place.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+void remarkIgnored(ColumnSearch &search) {
+    const std::vector<TableColumn> &heads = search.reading.body.columns;
+    std::string names;
+    for (std::size_t c = 0; c < heads.size(); ++c) {
+        const ColumnRole what = search.result.columns[c].role;
+        const bool isRead = what == ColumnRole::target || what == ColumnRole::direction ||
+                            what == ColumnRole::number ||
+                            std::ranges::find(search.result.values, c) != search.result.values.end();
+        const bool isCounted = heads[c].meaning == Meaning::index;
+        if (!isRead && !isCounted && heads[c].kind != ColumnKind::empty && !heads[c].heading.empty())
+            names += (names.empty() ? "" : ", ") + std::string(heads[c].heading);
+    }
+    if (!names.empty())
+        search.reading.remark(RemarkGrade::note,
+                              {REPORT_TEXT("report", "Columns that are not read: %1."), {excerpt(names)}});
+}
+
+/// What the user chose, else what was found, with its question.
+void settle(ColumnSearch &search) {
+    TableReading &m = search.reading;
+    const std::string found = wordOf(search.result.columns);
+    const auto choice =
+        m.choices.settle("columns", found, search.question ? Origin::guessed : Origin::recognised);
+    if (choice.origin == Origin::chosen)
+        takeChosenColumns(search, choice.value);
+    else if (search.question)
+        m.remark(RemarkGrade::assumption, *search.question, 0, "columns");
+    m.result.columns =
+        search.result.columns; // to be shown, and changed there, where that is all that is known
+    if (!search.result.target || search.result.values.empty())
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the columns of the targets and of the readings are not known; "
+                                           "give the columns their roles")});
+    remarkIgnored(search);
+}
+
+} // namespace
+
+PositioningColumns positioningColumns(TableReading &reading) {
+    ColumnSearch search{reading};
+    takeRolesOfHeadings(search);
+    findTargetColumn(search);
+    findReadings(search);
+    keepReadingsOfOneKind(search);
+    takeDirectionsOfHeadings(search);
+    proveSign(search);
+    settle(search);
+    return std::move(search.result);
+}
+
+Remark askForAxis(const std::vector<std::string> &axes, const std::string &axis) {
+    std::string names;
+    for (const std::string &each : axes)
+        names += (names.empty() ? "" : ", ") + each;
+    Remark remark{
+        RemarkGrade::assumption,
+        {REPORT_TEXT("report", "Axis: the table has several (%1); %2 is read, the others are a test of "
+                               "their own."),
+         {names, axis}},
+        0,
+        0,
+        "axis"};
+    remark.answers = axes;
+    return remark;
+}
+
+} // namespace palmer

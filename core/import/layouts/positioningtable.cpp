@@ -1,0 +1,165 @@
+#include "import/layouts/placedpass.h"
+#include "import/layouts/tablereading.h"
+
+#include "document/documenterror.h"
+#include "kernel/evaluation/edition.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::string_view defaultEdition = "ISO 230-2:2014";
+
+bool isStrictlyMonotone(std::span<const double> values) {
+    return std::ranges::adjacent_find(values, std::ranges::greater_equal()) == values.end() ||
+           std::ranges::adjacent_find(values, std::ranges::less_equal()) == values.end();
+}
+
+/// 1, 2, 3 … or 1, 1, 2, 2 …: numbers of runs, no positions.
+bool areRunNumbers(std::span<const double> values) {
+    double last = 0;
+    for (const double value : values) {
+        if (value != last && value != last + 1 && value != 1)
+            return false;
+        last = value;
+    }
+    return !values.empty() && values.front() == 1 && last >= 1;
+}
+
+std::vector<double> numbersOf(const TableReading &reading, std::uint32_t row) {
+    std::vector<double> numbers;
+    for (const TableCell &cell : reading.table().cells(reading.row(row))) {
+        if (cell.isNumber())
+            numbers.push_back(cell.value);
+    }
+    return numbers;
+}
+
+/// The words of a line before its first number.
+HeadingWords labelOf(const TableReading &reading, std::uint32_t row) {
+    std::string label;
+    for (const TableCell &cell : reading.table().cells(reading.row(row))) {
+        if (cell.isNumber())
+            break;
+        label += ' ' + std::string(reading.table().text(cell));
+    }
+    return readHeading(label);
+}
+
+/// The first line is called targets or runs, the others name their run: "Run; 0; 100" over "1 ↑; 1.2; 0.7".
+bool hasLabelledRuns(const TableReading &reading) {
+    const auto &rows = reading.body.blocks.front().rows;
+    if (reading.body.blocks.size() != 1 || rows.size() < 2 || reading.body.numberColumns().front() == 0)
+        return false;
+    const HeadingWords first = labelOf(reading, rows.front());
+    const std::vector<double> numbers = numbersOf(reading, rows.front());
+    if (first.words == 0 || first.direction || first.number || numbers.size() < 2 ||
+        !isStrictlyMonotone(numbers))
+        return false;
+    std::size_t named = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const HeadingWords label = labelOf(reading, rows[i]);
+        named += label.direction || label.number || label.hint ? 1 : 0;
+    }
+    return 2 * named >= rows.size() - 1;
+}
+
+/// Without any heading: the first line rises as targets do and the first column does not.
+bool looksLikeRunsDown(const TableReading &reading) {
+    const TableBody &body = reading.body;
+    if (body.blocks.size() != 1 || !body.columnHeads.empty() || body.blocks.front().rows.size() < 2)
+        return false;
+    std::vector<double> column;
+    for (const std::uint32_t row : body.blocks.front().rows) {
+        const TableCell *cell = reading.cell(row, body.numberColumns().front());
+        if (cell && cell->isNumber())
+            column.push_back(cell->value);
+    }
+    const std::vector<double> first = numbersOf(reading, body.blocks.front().rows.front());
+    return first.size() > 2 && isStrictlyMonotone(first) && !isStrictlyMonotone(column);
+}
+
+std::string settleLayout(TableReading &reading) {
+    const TableBody &body = reading.body;
+    const auto head = body.blocks.front().numericHead;
+    std::string found = body.columnOf(ColumnKind::directions) ? "list" : "targetsDown";
+    Origin origin = Origin::recognised;
+    if (head) {
+        const std::vector<double> numbers = numbersOf(reading, *head);
+        if (!areRunNumbers(numbers) && isStrictlyMonotone(numbers))
+            found = "runsDown";
+    } else if (hasLabelledRuns(reading)) {
+        found = "runsDown";
+    } else if (!body.columnOf(ColumnKind::directions) && !reading.choices.isChosen("columns") &&
+               looksLikeRunsDown(reading)) {
+        found = "runsDown";
+        origin = Origin::guessed;
+    }
+    const auto choice = reading.choices.settle("layout", found, origin);
+    if (choice.origin == Origin::guessed)
+        reading.remark(
+            RemarkGrade::assumption,
+            {REPORT_TEXT("report",
+                         "Layout: the first line is read as the targets, each further one as a run.")},
+            0, "layout");
+    return choice.value;
+}
+
+std::string axisName(const TableReading &reading) {
+    if (!reading.axisFound.empty())
+        return reading.axisFound;
+    if (!reading.notes.axis.empty())
+        return reading.notes.axis;
+    // "X (mm)": the targets are called by the axis.
+    for (const TableColumn &column : reading.body.columns) {
+        const std::string bare = withoutUnit(column.heading);
+        if (bare.size() == 1 && std::string_view("XYZABCUVW").find(bare[0]) != std::string_view::npos &&
+            column.meaning != Meaning::statistic)
+            return bare;
+    }
+    return {};
+}
+
+void colour(const std::vector<PlacedPass> &passes, TableReading &reading) {
+    for (const PlacedPass &placed : passes) {
+        for (const auto &[row, column] : placed.places)
+            reading.setRole(row, column,
+                            *placed.direction == Direction::positive ? CellRole::positive
+                                                                     : CellRole::negative);
+    }
+}
+
+bool hasReading(const PlacedPass &placed) {
+    return std::ranges::any_of(placed.pass.readings,
+                               [](const PassReading &each) { return each.value.has_value(); });
+}
+
+} // namespace
+
+void readPositioning(TableReading &reading) {
+    const std::string layout = settleLayout(reading);
+    FoundPasses found = layout == "runsDown" ? readRunsDown(reading) : readTargetsDown(reading);
+    if (std::ranges::none_of(found.passes, hasReading))
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "there are no readings in it; expected target "
+                                           "positions and deviations")});
+    settleDirections(found, reading);
+    colour(found.passes, reading);
+    const std::vector<Pass> passes = inOrder(std::move(found.passes));
+    const Unit *unit = found.unit ? found.unit : reading.notes.unit;
+    const PassForm form = settleForm(passes, {found.content, found.sign, unit, found.positionUnit},
+                                     reading.choices, reading.result.remarks);
+    PositioningMeasurement measurement = measurementOf(passes, form, reading.result.remarks);
+    measurement.axis.name = reading.choices.settle("axis", axisName(reading), Origin::recognised).value;
+    Test test;
+    test.edition = reading.choices.settle("edition", defaultEdition, Origin::recognised).value;
+    const Edition *edition = findEdition(test.edition);
+    if (!edition || edition->kind != Kind::positioning)
+        test.edition = defaultEdition;
+    test.measurement = std::move(measurement);
+    reading.result.test = std::move(test);
+}
+
+} // namespace palmer

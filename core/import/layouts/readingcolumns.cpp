@@ -1,0 +1,115 @@
+#include "import/layouts/columnsearch.h"
+
+#include "document/place.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+/// +1 and −1, or two of 0, 1, 2: codes of directions.
+bool areDirectionCodes(const std::vector<double> &values) {
+    return !values.empty() && std::ranges::all_of(values, [](double value) {
+        return value == -1 || value == 0 || value == 1 || value == 2;
+    });
+}
+
+class ReadingColumns : ColumnStep {
+public:
+    explicit ReadingColumns(ColumnSearch &search)
+        : ColumnStep(search) {}
+
+    void findValues() {
+        findCodes();
+        for (std::size_t c = 0; c < m_heads.size(); ++c) {
+            if (role(c) == ColumnRole::number && !m_result.number)
+                m_result.number = c;
+            if (m_result.columns[c].hasReadings())
+                m_result.values.push_back(c);
+        }
+        if (m_result.values.empty())
+            takeUnnamed();
+        else
+            askForUntitled();
+    }
+
+private:
+    /// A column headed "direction" that holds numbers.
+    void findCodes() {
+        for (std::size_t c = 0; c < m_heads.size(); ++c) {
+            if (role(c) != ColumnRole::direction || !isNumeric(c))
+                continue;
+            const bool codes = !m_result.direction && areDirectionCodes(valuesOf(c));
+            role(c) = codes ? ColumnRole::direction : ColumnRole::ignored;
+            if (codes)
+                m_result.direction = c;
+        }
+    }
+
+    /// No heading says what is read: what is left are the runs.
+    void takeUnnamed() {
+        bool named = false;
+        for (std::size_t c = 0; c < m_heads.size(); ++c) {
+            const Meaning meaning = m_heads[c].meaning;
+            const bool unknown = meaning == Meaning::unknown || meaning == Meaning::x ||
+                                 meaning == Meaning::y || meaning == Meaning::axis;
+            if (!isNumeric(c) || role(c) != ColumnRole::ignored || !unknown || isDroppedCounter(c))
+                continue;
+            role(c) = ColumnRole::run;
+            m_result.values.push_back(c);
+            named |= !m_heads[c].heading.empty() && words(c).axis == 0;
+        }
+        // A number of the run and nothing else that could be read: the readings themselves.
+        if (m_result.values.empty() && m_result.number) {
+            m_result.values.push_back(*m_result.number);
+            role(*m_result.number) = ColumnRole::run;
+            m_result.number.reset();
+        }
+        if (!m_result.values.empty() && named)
+            ask({REPORT_TEXT("report", "Columns: the headings do not say which hold readings; “%1” and those "
+                                       "like it are read as runs."),
+                 {excerpt(m_heads[m_result.values.front()].heading)}});
+        if (m_heads.size() > 2 && !named)
+            separatePositions();
+    }
+
+    [[nodiscard]] bool isDroppedCounter(std::size_t c) const {
+        return m_result.target && c < *m_result.target && isCounter(m, c);
+    }
+
+    /// Without headings: columns that follow the targets are positions, and no runs of the others.
+    void separatePositions() {
+        if (!m_result.target)
+            return;
+        std::vector<std::size_t> positions;
+        std::ranges::copy_if(m_result.values, std::back_inserter(positions),
+                             [&](std::size_t c) { return followsTarget(c); });
+        if (positions.empty() || positions.size() == m_result.values.size())
+            return;
+        for (const std::size_t c : m_result.values)
+            role(c) = ColumnRole::deviation;
+        for (const std::size_t c : positions)
+            role(c) = ColumnRole::actual;
+        ask({REPORT_TEXT("report",
+                         "Columns: some hold positions and some deviations; the deviations are read.")});
+    }
+
+    /// A column of numbers without a heading among others that have one.
+    void askForUntitled() {
+        for (std::size_t c = 0; c < m_heads.size(); ++c) {
+            if (isNumeric(c) && role(c) == ColumnRole::ignored && m_heads[c].heading.empty() &&
+                !isCounter(m, c))
+                ask({REPORT_TEXT("report", "Columns: column %1 has numbers and no heading; it is not read."),
+                     {Number{static_cast<double>(c + 1), Quantity::count}}});
+        }
+    }
+};
+
+} // namespace
+
+void findReadings(ColumnSearch &search) {
+    ReadingColumns(search).findValues();
+}
+
+} // namespace palmer

@@ -1,0 +1,182 @@
+#include "import/layouts/placedpass.h"
+
+#include "document/documenterror.h"
+#include "document/place.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+class RunsDownReader {
+public:
+    explicit RunsDownReader(TableReading &reading)
+        : m(reading)
+        , m_directions(reading.body.columnOf(ColumnKind::directions)) {}
+
+    FoundPasses read() {
+        m_found.isByLine = true;
+        std::optional<std::uint32_t> head = m.body.blocks.front().numericHead;
+        for (const TableBlock &block : m.body.blocks) {
+            std::size_t first = 0;
+            if (block.numericHead) {
+                head = block.numericHead;
+            } else if (!head) {
+                head = block.rows.front();
+                first = 1;
+            }
+            readTargets(*head);
+            m_titled = directionOfBlock(m, block).stated;
+            for (std::size_t i = first; i < block.rows.size(); ++i)
+                readRun(block.rows[i]);
+        }
+        keepUnderstood();
+        takeColumns();
+        return std::move(m_found);
+    }
+
+private:
+    void readTargets(std::uint32_t head) {
+        m_targets.clear();
+        std::string words;
+        const auto cells = m.table().cells(m.row(head));
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            if (cells[c].isNumber())
+                m_targets.emplace_back(c, cells[c].value);
+            else if (cells[c].kind == CellKind::text && words.size() < 200)
+                words += ' ' + std::string(m.table().text(cells[c]));
+            m.setRole(head, c, cells[c].isNumber() ? CellRole::position : CellRole::head);
+        }
+        if (!m_found.positionUnit)
+            m_found.positionUnit = unitIn(words);
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            if (cells[c].kind == CellKind::grouped || cells[c].kind == CellKind::broken)
+                m.remark(RemarkGrade::problem,
+                         {REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
+                          {excerpt(m.table().text(cells[c]))}},
+                         m.row(head).line, "unread");
+        }
+    }
+
+    /// The words before the readings: "Run 2 ↓ (µm)".
+    [[nodiscard]] std::string labelOf(std::uint32_t row) const {
+        std::string label;
+        for (std::size_t c = 0; !m_targets.empty() && c < m_targets.front().first; ++c)
+            label += ' ' + std::string(m.cellText(row, c));
+        return label;
+    }
+
+    void readRun(std::uint32_t row) {
+        const std::string label = labelOf(row);
+        const HeadingWords heading = readHeading(label);
+        const Unit *unit = unitIn(label);
+        if (heading.meaning == Meaning::statistic || heading.meaning == Meaning::other ||
+            heading.meaning == Meaning::temperature ||
+            (unit && unit->kind != UnitKind::length && unit->kind != UnitKind::angle)) {
+            m.remark(
+                RemarkGrade::note,
+                {REPORT_TEXT("report", "The line “%1” is not read: it holds no readings."), {excerpt(label)}},
+                m.row(row).line);
+            return;
+        }
+        PlacedPass placed;
+        placed.direction = m_titled;
+        if (m_directions)
+            placed.direction = directionOf(m.cellText(row, *m_directions));
+        else if (heading.direction)
+            placed.direction = heading.direction;
+        placed.number = heading.number.value_or(0);
+        for (const auto &[column, position] : m_targets) {
+            placed.pass.readings.push_back({position, m.number(row, column), m.row(row).line});
+            placed.places.emplace_back(row, column);
+        }
+        m_found.passes.push_back(std::move(placed));
+        m_labels.push_back({heading, unit, label, m.row(row).line});
+    }
+
+    /// Lines whose words are not understood beside lines that name their run or direction are no runs; a
+    /// short word means a direction beside its opposite.
+    void keepUnderstood() {
+        const auto isKnown = [](const Label &label) {
+            return label.words.unknownWords == 0 && label.words.words > 0;
+        };
+        const bool anyKnown = std::ranges::any_of(m_labels, isKnown);
+        bool up = false;
+        bool down = false;
+        for (const Label &label : m_labels) {
+            const auto direction = label.words.direction ? label.words.direction : label.words.hint;
+            up |= direction == Direction::positive;
+            down |= direction == Direction::negative;
+        }
+        std::vector<PlacedPass> kept;
+        for (std::size_t i = 0; i < m_labels.size(); ++i) {
+            const Label &label = m_labels[i];
+            if (anyKnown && !isKnown(label) && !label.words.direction && !(label.words.hint && up && down)) {
+                m.remark(RemarkGrade::problem,
+                         {REPORT_TEXT("report", "“%1” names no run; the line was not read."),
+                          {excerpt(label.text)}},
+                         label.line, "unread");
+                continue;
+            }
+            if (!m_found.passes[i].direction && label.words.hint && up && down) {
+                m_found.passes[i].direction = label.words.hint;
+                m_found.hasHints = true;
+            }
+            takeLabel(label);
+            kept.push_back(std::move(m_found.passes[i]));
+        }
+        m_found.passes = std::move(kept);
+    }
+
+    struct Label {
+        HeadingWords words;
+        const Unit *unit;
+        std::string text;
+        std::uint32_t line;
+    };
+
+    void takeLabel(const Label &label) {
+        if (!m_found.unit)
+            m_found.unit = label.unit;
+        else if (label.unit && label.unit != m_found.unit)
+            m.remark(RemarkGrade::problem,
+                     {REPORT_TEXT("report", "The unit of this line is not that of the others: %1."),
+                      {std::string(label.unit->sign)}},
+                     label.line, "unread");
+        const char *content = label.words.meaning == Meaning::deviation ? "deviations"
+                              : label.words.meaning == Meaning::actual  ? "positions"
+                                                                        : "";
+        if (m_found.content.empty())
+            m_found.content = content;
+    }
+
+    void takeColumns() {
+        m.result.columns.clear();
+        for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
+            ImportColumn column{ColumnRole::ignored, {}, 0, nullptr, m.body.columns[c].heading};
+            const bool isTarget =
+                std::ranges::any_of(m_targets, [&](const auto &target) { return target.first == c; });
+            column.role = isTarget            ? ColumnRole::run
+                          : m_directions == c ? ColumnRole::direction
+                                              : ColumnRole::ignored;
+            m.result.columns.push_back(column);
+        }
+        m.choices.settle("columns", wordOf(m.result.columns), Origin::recognised);
+    }
+
+    TableReading &m;
+    FoundPasses m_found;
+    std::optional<std::size_t> m_directions;
+    std::vector<std::pair<std::size_t, double>> m_targets;
+    std::vector<Label> m_labels;
+    std::optional<Direction> m_titled;
+};
+
+} // namespace
+
+FoundPasses readRunsDown(TableReading &reading) {
+    return RunsDownReader(reading).read();
+}
+
+} // namespace palmer

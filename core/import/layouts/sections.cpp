@@ -1,0 +1,58 @@
+#include "import/layouts/sections.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+std::optional<std::string_view> Section::value(std::string_view key) const {
+    const auto found =
+        std::ranges::find_if(lines, [&](const SectionLine &each) { return sameWord(each.key, key); });
+    return found == lines.end() ? std::nullopt : std::optional(found->value);
+}
+
+std::vector<Section> sectionsOf(std::string_view text) {
+    std::vector<Section> sections;
+    std::size_t line = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        const std::string_view content = withoutBlanks(text.substr(at, end - at));
+        ++line;
+        at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+        if (content.empty())
+            continue;
+        if (content.size() > 2 && content.ends_with("::")) {
+            sections.push_back({withoutBlanks(content.substr(0, content.size() - 2)), line, {}});
+            continue;
+        }
+        if (sections.empty())
+            continue;
+        const std::size_t colon = content.find(':');
+        if (colon == std::string_view::npos)
+            sections.back().lines.push_back({line, {}, content});
+        else
+            sections.back().lines.push_back(
+                {line, withoutBlanks(content.substr(0, colon)), withoutBlanks(content.substr(colon + 1))});
+    }
+    return sections;
+}
+
+const Section *findSection(const std::vector<Section> &sections, std::string_view name) {
+    const auto found =
+        std::ranges::find_if(sections, [&](const Section &each) { return sameWord(each.name, name); });
+    return found == sections.end() ? nullptr : &*found;
+}
+
+std::optional<std::vector<double>> numbersIn(std::string_view text) {
+    std::vector<double> numbers;
+    for (text = withoutBlanks(text); !text.empty(); text = withoutBlanks(text)) {
+        const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
+        const CellValue value = readCell(text.substr(0, end), decimalMarkIn(text.substr(0, end)));
+        if (value.kind != CellKind::number)
+            return {};
+        numbers.push_back(value.value);
+        text.remove_prefix(end);
+    }
+    return numbers;
+}
+
+} // namespace palmer

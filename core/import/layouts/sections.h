@@ -1,0 +1,45 @@
+#pragma once
+
+#include "tables/numbercell.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palmer {
+
+/// A line "Key : value" of an instrument's text file; without a colon the key is empty.
+struct SectionLine {
+    std::size_t line = 1;
+    std::string_view key;
+    std::string_view value;
+};
+
+/// What stands below "NAME::" alone on a line, up to the next such line.
+struct Section {
+    std::string_view name;
+    std::size_t line = 1;
+    std::vector<SectionLine> lines;
+
+    /// The value of the first line of that key (case does not count), trimmed; nothing if there is none.
+    [[nodiscard]] std::optional<std::string_view> value(std::string_view key) const;
+};
+
+/// The sections of a text; lines ended by CR, LF or both. The text has to live as long.
+[[nodiscard]] std::vector<Section> sectionsOf(std::string_view text);
+
+/// The section of that name, or null.
+[[nodiscard]] const Section *findSection(const std::vector<Section> &sections, std::string_view name);
+
+/// The decimal mark of a number that stands alone: instruments write no thousands separators, so a comma is
+/// a decimal comma, as under the regional settings of many countries.
+[[nodiscard]] inline DecimalMark decimalMarkIn(std::string_view number) {
+    return number.find(',') != std::string_view::npos ? DecimalMark::comma : DecimalMark::point;
+}
+
+/// The numbers of a line, separated by blanks; decimal point or comma. Nothing where something else stands.
+[[nodiscard]] std::optional<std::vector<double>> numbersIn(std::string_view text);
+
+} // namespace palmer

@@ -1,0 +1,363 @@
+#include "import/layouts/tablereading.h"
+
+#include "document/documenterror.h"
+#include "document/place.h"
+#include "tables/dates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr double day = 86'400;
+
+bool hasWord(std::string_view text, std::span<const std::string_view> words) {
+    std::string low;
+    for (const char c : text)
+        low += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return std::ranges::any_of(words,
+                               [&](std::string_view word) { return low.find(word) != std::string::npos; });
+}
+
+SensorMeasures measuredBy(std::string_view heading) {
+    constexpr std::array<std::string_view, 3> air{"air", "ambient", "luft"};
+    constexpr std::array<std::string_view, 5> instrument{"instrument", "ballbar", "scale", "laser", "étalon"};
+    if (hasWord(heading, air))
+        return SensorMeasures::air;
+    return hasWord(heading, instrument) ? SensorMeasures::instrument : SensorMeasures::machine;
+}
+
+class SeriesReader {
+public:
+    SeriesReader(TableReading &reading, bool temperatures)
+        : m(reading)
+        , m_temperatures(temperatures) {}
+
+    void read() {
+        chooseColumns();
+        m.choices.settle("layout", "series", Origin::recognised);
+        readTimes();
+        if (m_temperatures)
+            readTemperatures();
+        else
+            readDrift();
+    }
+
+private:
+    void chooseColumns() {
+        const TableBody &body = m.body;
+        m_clock = body.columnOf(ColumnKind::clock);
+        m_date = body.columnOf(ColumnKind::dates);
+        m.result.columns.clear();
+        for (const TableColumn &column : body.columns)
+            m.result.columns.push_back({ColumnRole::ignored, {}, 0, column.unit, column.heading});
+        m_time = m_clock ? *m_clock : timeColumn();
+        m.result.columns[m_time].role = ColumnRole::time;
+        chooseValues();
+        const auto choice = m.choices.settle("columns", wordOf(m.result.columns),
+                                             m_question ? Origin::guessed : Origin::recognised);
+        if (choice.origin == Origin::chosen)
+            takeChosen(choice.value);
+        else if (m_question)
+            m.remark(RemarkGrade::assumption, *m_question, 0, "columns");
+        if (m_values.empty())
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
+        chooseSeries();
+    }
+
+    [[nodiscard]] std::size_t timeColumn() const {
+        const std::vector<std::size_t> columns = m.body.numberColumns();
+        for (const std::size_t c : columns) {
+            const TableColumn &column = m.body.columns[c];
+            if (column.meaning == Meaning::time || (column.unit && column.unit->kind == UnitKind::time))
+                return c;
+        }
+        const bool counts = columns.size() > 2 && isCounter(m, columns.front());
+        return columns[counts ? 1 : 0];
+    }
+
+    /// The readings of the kind that is wanted; others are not read as if they were of it.
+    void chooseValues() {
+        std::vector<std::size_t> temperatures;
+        std::vector<std::size_t> deviations;
+        std::vector<std::size_t> others;
+        for (const std::size_t c : m.body.numberColumns()) {
+            const TableColumn &column = m.body.columns[c];
+            if (c == m_time || column.meaning == Meaning::index || column.meaning == Meaning::time)
+                continue;
+            if (column.meaning == Meaning::temperature ||
+                (column.unit && column.unit->kind == UnitKind::temperature))
+                temperatures.push_back(c);
+            else if (column.meaning == Meaning::deviation)
+                deviations.push_back(c);
+            else if (column.meaning != Meaning::statistic && column.meaning != Meaning::other &&
+                     !(c < m_time && isCounter(m, c)))
+                others.push_back(c);
+        }
+        for (const std::size_t c : temperatures)
+            m.result.columns[c].role = ColumnRole::temperature;
+        if (m_temperatures) {
+            m_values = temperatures.empty() ? others : temperatures;
+        } else {
+            m_values = !deviations.empty() ? deviations : others;
+            if (m_values.size() > 1) {
+                m_question = {REPORT_TEXT("report",
+                                          "Columns: several hold deviations; “%1” is read, the others are "
+                                          "a test of their own."),
+                              {excerpt(m.body.columns[m_values.front()].heading)}};
+                m_values.resize(1);
+            }
+        }
+        for (const std::size_t c : m_values)
+            m.result.columns[c].role = m_temperatures ? ColumnRole::temperature : ColumnRole::deviation;
+        remarkUnread(temperatures);
+    }
+
+    void remarkUnread(const std::vector<std::size_t> &temperatures) {
+        if (m_temperatures || temperatures.empty())
+            return;
+        std::string names;
+        for (const std::size_t c : temperatures)
+            names += (names.empty() ? "" : ", ") + m.body.columns[c].heading;
+        m.remark(RemarkGrade::note,
+                 {REPORT_TEXT("report", "Columns that are not read: %1."), {excerpt(names)}});
+    }
+
+    void takeChosen(const std::string &text) {
+        std::string unknown;
+        std::vector<ImportColumn> chosen = columnsOf(text, unknown).value_or(std::vector<ImportColumn>());
+        chosen.resize(m.body.columns.size());
+        m_values.clear();
+        for (std::size_t c = 0; c < chosen.size(); ++c) {
+            chosen[c].heading = m.body.columns[c].heading;
+            chosen[c].unit = m.body.columns[c].unit;
+            if (chosen[c].role == ColumnRole::time && !m_clock)
+                m_time = c;
+            if (chosen[c].role == (m_temperatures ? ColumnRole::temperature : ColumnRole::deviation) ||
+                (!m_temperatures && chosen[c].hasReadings()))
+                m_values.push_back(c);
+        }
+        m.result.columns = std::move(chosen);
+    }
+
+    /// A log of several process variables: one of them is read.
+    void chooseSeries() {
+        for (std::size_t c = 0; c < m_time; ++c) {
+            if (m.body.columns[c].kind != ColumnKind::words || !m_clock)
+                continue;
+            std::vector<std::string> names;
+            for (const TableBlock &block : m.body.blocks) {
+                for (const std::uint32_t row : block.rows) {
+                    const std::string name(m.cellText(row, c));
+                    if (names.size() < 100 && std::ranges::find(names, name) == names.end())
+                        names.push_back(name);
+                }
+            }
+            if (names.empty())
+                continue;
+            m_names = c;
+            const std::string chosen(m.choices.chosen("series"));
+            m_series = std::ranges::find(names, chosen) != names.end() ? chosen : names.front();
+            m.choices.settle("series", m_series, names.size() > 1 ? Origin::guessed : Origin::recognised);
+            if (names.size() < 2)
+                return;
+            Remark remark{RemarkGrade::assumption,
+                          {REPORT_TEXT("report", "Process variable: the file has %1; “%2” is read."),
+                           {Number{static_cast<double>(names.size()), Quantity::count}, excerpt(m_series)}},
+                          0,
+                          0,
+                          "series"};
+            remark.answers = names;
+            m.result.remarks.push_back(std::move(remark));
+            return;
+        }
+    }
+
+    [[nodiscard]] bool isOfOtherSeries(std::uint32_t row) const {
+        return m_names && m.cellText(row, *m_names) != m_series;
+    }
+
+    /// Seconds: of the clock and its date, or what the column says.
+    [[nodiscard]] std::optional<double> timeOf(std::uint32_t row) {
+        if (!m_clock)
+            return m.number(row, m_time);
+        auto time = clockTime(m.cellText(row, m_time));
+        auto date = dayOf(m.cellText(row, m_time));
+        if (!date && m_date)
+            date = dayOf(m.cellText(row, *m_date));
+        if (time && date) {
+            *time += static_cast<double>(*date) * day;
+            m_isDated = true;
+        }
+        return time;
+    }
+
+    void readTimes() {
+        double multiplier = 1;
+        if (!m_clock) {
+            const Unit *stated = m.body.columns[m_time].unit;
+            const bool isTime = stated && stated->kind == UnitKind::time;
+            // Milliseconds are a unit of the file, none of the choices.
+            const auto choice = m.choices.settle("timeUnit", isTime ? stated->word : "s",
+                                                 isTime ? Origin::recognised : Origin::guessed);
+            multiplier = unitOf(choice.value)->toBase(1);
+            if (choice.origin == Origin::guessed)
+                m.remark(
+                    RemarkGrade::assumption,
+                    {REPORT_TEXT("report", "Unit of the times: nothing in the file says it; read as %1."),
+                     {choice.value}},
+                    0, "timeUnit");
+        }
+        double turn = 0;
+        std::optional<double> last;
+        for (const TableBlock &block : m.body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                if (isOfOtherSeries(row))
+                    continue;
+                std::optional<double> time = timeOf(row);
+                if (!time)
+                    continue;
+                if (m_clock && !m_isDated && last && *time + turn < *last - day / 2)
+                    turn += day; // past midnight
+                *time = m_clock ? *time + turn : *time * multiplier;
+                if (last && *time < *last)
+                    throw Error(Error::Kind::content,
+                                {REPORT_TEXT("report", "the times do not rise; expected a series over time")},
+                                std::to_string(m.row(row).line) + ":1");
+                last = time;
+                m_rows.push_back(row);
+                m_times.push_back(*time);
+                m.setRole(row, m_time, CellRole::position);
+            }
+        }
+        if (m_times.size() < 2)
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
+        const double first = m_times.front();
+        if (m_isDated)
+            m.result.seriesStart = first;
+        for (double &time : m_times)
+            time = m_clock ? time - first : time;
+    }
+
+    void readTemperatures() {
+        m.choices.settle("kind", "temperatures", Origin::recognised);
+        bool air = false;
+        for (const std::size_t column : m_values) {
+            Sensor sensor;
+            sensor.position = withoutUnit(m.body.columns[column].heading);
+            sensor.measures = measuredBy(sensor.position);
+            TemperatureSeries series;
+            for (std::size_t i = 0; i < m_rows.size(); ++i) {
+                if (const auto value = m.number(m_rows[i], column)) {
+                    series.times.push_back(m_times[i]);
+                    series.temperatures.push_back(*value);
+                    m.setRole(m_rows[i], column, CellRole::positive);
+                }
+            }
+            if (series.times.empty())
+                continue;
+            // The editions speak of the environment.
+            const bool ofAir = sensor.measures == SensorMeasures::air;
+            air = air || ofAir;
+            const auto gradient = ofAir ? gradientPerHour(series) : std::nullopt;
+            if (gradient)
+                m.result.gradientPerHour = std::max(m.result.gradientPerHour.value_or(0), *gradient);
+            m.remark(RemarkGrade::assumption,
+                     {REPORT_TEXT("report", "Sensor “%1”: read as the temperature of the %2."),
+                      {excerpt(sensor.position),
+                       sensor.measures == SensorMeasures::air          ? REPORT_TEXT("report", "air")
+                       : sensor.measures == SensorMeasures::instrument ? REPORT_TEXT("report", "instrument")
+                                                                       : REPORT_TEXT("report", "machine")}});
+            sensor.series = std::move(series);
+            m.result.sensors.push_back(std::move(sensor));
+        }
+        if (m.result.gradientPerHour)
+            m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Largest change within an hour: %1."),
+                                         {Number{*m.result.gradientPerHour, Quantity::gradient, 2}}});
+        else
+            m.remark(RemarkGrade::note,
+                     {air ? REPORT_TEXT("report", "The series is shorter than an hour: no gradient per hour.")
+                          : REPORT_TEXT("report", "No sensor is of the air: no gradient per hour.")});
+    }
+
+    void readDrift() {
+        const TableColumn &column = m.body.columns[m_values.front()];
+        DriftMeasurement drift;
+        std::vector<double> values;
+        std::size_t missing = 0;
+        for (std::size_t i = 0; i < m_rows.size(); ++i) {
+            const auto value = m.number(m_rows[i], m_values.front());
+            if (!value) {
+                ++missing;
+                continue;
+            }
+            drift.times.push_back(m_times[i]);
+            values.push_back(*value);
+            m.setRole(m_rows[i], m_values.front(), CellRole::positive);
+        }
+        if (values.empty())
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "there are no readings in it; expected times and deviations")});
+        if (missing > 0)
+            m.remark(RemarkGrade::problem,
+                     {REPORT_TEXT("report", "Points without a number were left out: %1."),
+                      {Number{static_cast<double>(missing), Quantity::count}}});
+        const auto [low, high] = std::ranges::minmax(values);
+        const Unit *stated = column.unit ? column.unit : m.notes.unit;
+        const bool known = stated && (stated->kind == UnitKind::length || stated->kind == UnitKind::angle);
+        const bool rotary = m.choices.isChosen("motion") ? m.choices.chosen("motion") == "rotary"
+                                                         : known && stated->kind == UnitKind::angle;
+        const char *guess = rotary ? "arcsec" : std::max(std::abs(low), std::abs(high)) < 0.5 ? "mm" : "um";
+        const auto choice = m.choices.settle("unit", known ? stated->word : guess,
+                                             known ? Origin::recognised : Origin::guessed);
+        const Unit *unit = unitOf(choice.value);
+        if (choice.origin == Origin::guessed)
+            m.remark(
+                RemarkGrade::assumption,
+                {REPORT_TEXT(
+                     "report",
+                     "Unit of the deviations: nothing in the file says it; read as %1 after their size."),
+                 {std::string(unit->sign)}},
+                0, "unit");
+        for (const double value : values)
+            drift.deviations.push_back(unit->toBase(value));
+        drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
+        drift.axis.name = m.choices.settle("axis", m.notes.axis, Origin::recognised).value;
+        m.remark(RemarkGrade::note,
+                 {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
+                  {Number{static_cast<double>(drift.times.size()), Quantity::count},
+                   Number{drift.times.back() - drift.times.front(), Quantity::time}}});
+        Test test;
+        test.measurement = std::move(drift);
+        m.result.test = std::move(test);
+    }
+
+    TableReading &m;
+    bool m_temperatures;
+    std::optional<std::size_t> m_clock;
+    std::size_t m_time = 0;
+    std::vector<std::size_t> m_values;
+    std::optional<std::size_t> m_date;
+    std::optional<std::size_t> m_names; ///< of process variables
+    std::string m_series;
+    std::optional<Message> m_question;
+    bool m_isDated = false;
+    std::vector<std::uint32_t> m_rows;
+    std::vector<double> m_times;
+};
+
+} // namespace
+
+void readSeries(TableReading &reading, bool temperatures) {
+    SeriesReader(reading, temperatures).read();
+}
+
+} // namespace palmer

@@ -1,0 +1,90 @@
+#include "import/layouts/columnsearch.h"
+
+#include "tables/folded.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+class SignOfColumns : ColumnStep {
+public:
+    explicit SignOfColumns(ColumnSearch &search)
+        : ColumnStep(search) {}
+
+    void takeHints() {
+        bool up = false;
+        bool down = false;
+        for (const std::size_t c : m_result.values) {
+            const auto direction = words(c).direction ? words(c).direction : words(c).hint;
+            up |= direction == Direction::positive;
+            down |= direction == Direction::negative;
+        }
+        const bool paired = up && down;
+        bool allSigns = true;
+        for (const std::size_t c : m_result.values) {
+            ImportColumn &column = m_result.columns[c];
+            column.number = words(c).number.value_or(0);
+            column.direction = words(c).direction;
+            if (!column.direction && paired && words(c).hint) {
+                column.direction = words(c).hint;
+                m_result.hasHints = true;
+            }
+            // "Dev + 1" beside "Dev - 1": signs, and no dash between words.
+            allSigns = allSigns && folded(m_heads[c].heading).find_first_of("+-") != std::string::npos;
+        }
+        m_result.hasHints = m_result.hasHints && !allSigns;
+    }
+
+    /// Deviation = actual − target, or the opposite: where both stand there, the numbers say which.
+    void proveSign() {
+        if (m_search.positions.empty() || m_search.positions.size() != m_result.values.size() ||
+            !m_result.target)
+            return;
+        double same = 0;
+        double opposite = 0;
+        double size = 0;
+        for (std::size_t k = 0; k < m_search.positions.size(); ++k) {
+            const Unit *unit = m_heads[m_result.values[k]].unit;
+            const Unit *base = m_heads[m_search.positions[k]].unit;
+            if (!unit || !base)
+                return;
+            for (const TableBlock &block : m.body.blocks) {
+                for (const std::uint32_t row : block.rows) {
+                    const TableCell *t = m.cell(row, *m_result.target);
+                    const TableCell *a = m.cell(row, m_search.positions[k]);
+                    const TableCell *d = m.cell(row, m_result.values[k]);
+                    if (!t || !a || !d || !t->isNumber() || !a->isNumber() || !d->isNumber())
+                        continue;
+                    const double difference = base->toBase(a->value) - base->toBase(t->value);
+                    same = std::max(same, std::abs(unit->toBase(d->value) - difference));
+                    opposite = std::max(opposite, std::abs(unit->toBase(d->value) + difference));
+                    size = std::max(size, std::abs(difference));
+                }
+            }
+        }
+        constexpr double part = 0.05; // of the largest difference: decimals of the positions
+        if (same < part * size)
+            m_result.sign = "actualMinusTarget";
+        else if (opposite < part * size)
+            m_result.sign = "targetMinusActual";
+        else
+            ask({REPORT_TEXT(
+                "report", "Columns: the deviations are not the differences of actual and target positions; "
+                          "the deviations are read.")});
+    }
+};
+
+} // namespace
+
+void takeDirectionsOfHeadings(ColumnSearch &search) {
+    SignOfColumns(search).takeHints();
+}
+
+void proveSign(ColumnSearch &search) {
+    SignOfColumns(search).proveSign();
+}
+
+} // namespace palmer

@@ -1,0 +1,401 @@
+#include "import/layouts/tablebody.h"
+
+#include "document/documenterror.h"
+#include "import/layouts/tableheadings.h"
+#include "tables/dates.h"
+
+#include <algorithm>
+#include <map>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::size_t widestTable = 100'000; ///< columns
+
+bool isNumeric(const TableCell &cell) {
+    return cell.kind == CellKind::number || cell.kind == CellKind::missing ||
+           cell.kind == CellKind::grouped || cell.kind == CellKind::broken;
+}
+
+/// Signs of direction are no missing readings where the column is one of directions.
+bool isDirectionCell(const CellTable &table, const TableCell &cell) {
+    return (cell.kind == CellKind::text || cell.kind == CellKind::missing || cell.kind == CellKind::broken) &&
+           directionOf(table.text(cell)).has_value();
+}
+
+/// "X" stands for a missing reading among numbers, for an axis among axes.
+bool isAxisLetter(const CellTable &table, const TableCell &cell) {
+    const std::string_view text = table.text(cell);
+    return text == "X" || text == "x";
+}
+
+std::size_t numberCount(std::span<const TableCell> cells) {
+    return static_cast<std::size_t>(std::ranges::count_if(cells, &TableCell::isNumber));
+}
+
+/// The number of columns under which most numbers stand.
+std::size_t widthOf(const CellTable &table) {
+    std::map<std::size_t, std::size_t> numbers;
+    for (const TableRow &row : table.rows()) {
+        if (!row.comment)
+            numbers[row.count] += numberCount(table.cells(row));
+    }
+    std::size_t width = 0;
+    std::size_t most = 0;
+    for (const auto &[count, sum] : numbers) {
+        if (sum >= most && sum > 0) {
+            most = sum;
+            width = count;
+        }
+    }
+    return width;
+}
+
+std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
+    struct Count {
+        std::size_t numbers = 0;
+        std::size_t directions = 0;
+        std::size_t senses = 0;
+        std::size_t clocks = 0;
+        std::size_t dates = 0;
+        std::size_t words = 0;
+    };
+    std::vector<Count> counts(width);
+    for (const TableRow &row : table.rows()) {
+        const auto cells = table.cells(row);
+        if (row.comment || cells.size() != width || numberCount(cells) == 0)
+            continue;
+        for (std::size_t c = 0; c < width; ++c) {
+            Count &count = counts[c];
+            if (cells[c].kind == CellKind::empty)
+                continue;
+            if (cells[c].isNumber() || cells[c].kind == CellKind::grouped)
+                ++count.numbers;
+            else if (isDirectionCell(table, cells[c]))
+                ++count.directions;
+            else if (isDate(table.text(cells[c])))
+                ++count.dates;
+            else if (isNumeric(cells[c]) &&
+                     !(cells[c].kind == CellKind::missing && isAxisLetter(table, cells[c])))
+                ++count.numbers;
+            else if (senseIn(table.text(cells[c])))
+                ++count.senses;
+            else if (clockTime(table.text(cells[c])))
+                ++count.clocks;
+            else
+                ++count.words;
+        }
+    }
+    std::vector<TableColumn> columns(width);
+    for (std::size_t c = 0; c < width; ++c) {
+        const Count &count = counts[c];
+        const std::size_t others = count.directions + count.senses + count.clocks + count.dates + count.words;
+        if (count.numbers > 0 && count.numbers >= others)
+            columns[c].kind = ColumnKind::numbers;
+        else if (others == 0)
+            columns[c].kind = ColumnKind::empty;
+        else if (2 * count.directions >= others)
+            columns[c].kind = ColumnKind::directions;
+        else if (2 * count.senses >= others)
+            columns[c].kind = ColumnKind::senses;
+        else if (2 * count.clocks >= others)
+            columns[c].kind = ColumnKind::clock;
+        else if (2 * count.dates >= others)
+            columns[c].kind = ColumnKind::dates;
+        else
+            columns[c].kind = ColumnKind::words;
+    }
+    return columns;
+}
+
+/// Sorts rows into blocks, headings and notes.
+class Sorter {
+public:
+    Sorter(const CellTable &table, TableBody &body)
+        : m_table(table)
+        , m_body(body) {
+        const auto numbers = body.numberColumns();
+        m_firstNumber = numbers.front();
+        m_numberColumns = numbers.size();
+        m_directions = body.columnOf(ColumnKind::directions);
+        m_senses = body.columnOf(ColumnKind::senses);
+        m_clock = body.columnOf(ColumnKind::clock);
+    }
+
+    void sort() {
+        const bool gapsCount = gapsSeparate();
+        std::uint32_t lastLine = 0;
+        std::vector<std::uint32_t> heads;
+        std::optional<std::uint32_t> numericHead;
+        TableBlock block;
+        const auto finish = [&] {
+            if (!block.rows.empty())
+                m_body.blocks.push_back(std::move(block));
+            block = {};
+        };
+        for (std::uint32_t i = 0; i < m_table.rows().size(); ++i) {
+            const TableRow &row = m_table.rows()[i];
+            if (isRule(row)) {
+                lastLine = row.line;
+                continue;
+            }
+            if (!row.comment && isBodyRow(row) && hasNumbersBeyond(row)) {
+                remarkUnread(row); // "50,1,234.5": which number is whose cannot be known
+                lastLine = row.line;
+                continue;
+            }
+            if (row.comment || !isBodyRow(row)) {
+                if (!row.comment && isNumericHead(row)) {
+                    if (!block.rows.empty() && !sameAsHead(row, numericHead)) {
+                        remarkUnread(row);
+                        continue;
+                    }
+                    numericHead = i;
+                } else if (!row.comment &&
+                           looksLikeData(row, !m_body.blocks.empty() || !block.rows.empty())) {
+                    remarkUnread(row);
+                    continue;
+                }
+                finish();
+                heads.push_back(i);
+                lastLine = row.line;
+                continue;
+            }
+            if (gapsCount && !block.rows.empty() && row.line > lastLine + 1)
+                finish();
+            if (block.rows.empty()) {
+                block.heads = std::move(heads);
+                heads.clear();
+                block.numericHead = numericHead;
+            }
+            block.rows.push_back(i);
+            lastLine = row.line;
+        }
+        finish();
+        m_body.notes = std::move(heads); // behind the last block
+    }
+
+private:
+    [[nodiscard]] bool isBodyRow(const TableRow &row) const {
+        const auto cells = m_table.cells(row);
+        if (cells.size() <= m_firstNumber || !isNumeric(cells[m_firstNumber]))
+            return false;
+        if (m_directions &&
+            (cells.size() <= *m_directions || !isDirectionCell(m_table, cells[*m_directions])))
+            return false;
+        if (m_senses && (cells.size() <= *m_senses || !senseIn(m_table.text(cells[*m_senses]))))
+            return false;
+        if (m_clock && (cells.size() <= *m_clock || !clockTime(m_table.text(cells[*m_clock]))))
+            return false;
+        // Words among the numbers: a heading that begins with a number, not a row with a remark in it.
+        std::size_t numbers = 0;
+        std::size_t words = 0;
+        for (std::size_t c = 0; c < std::min(cells.size(), m_body.columns.size()); ++c) {
+            if (m_body.columns[c].kind != ColumnKind::numbers)
+                continue;
+            numbers += isNumeric(cells[c]) ? 1 : 0;
+            words += cells[c].kind == CellKind::text ? 1 : 0;
+        }
+        return words <= numbers && (m_numberColumns > 2 || words == 0 || words < numbers);
+    }
+
+    /// "| --- | :---: |" of Markdown, or a line of dashes.
+    [[nodiscard]] bool isRule(const TableRow &row) const {
+        std::size_t dashes = 0;
+        for (const TableCell &cell : m_table.cells(row)) {
+            const std::string_view text = m_table.text(cell);
+            if (text.find_first_not_of("-:=_+ ") != std::string_view::npos)
+                return false;
+            dashes += text.find("--") != std::string_view::npos ? 1 : 0;
+        }
+        return dashes > 0 && 2 * dashes >= m_table.cells(row).size();
+    }
+
+    /// A row that is none of the body, but has its numbers: below it, unless it begins with what is computed.
+    [[nodiscard]] bool looksLikeData(const TableRow &row, bool inBody) const {
+        const auto cells = m_table.cells(row);
+        const std::size_t numbers = numberCount(cells);
+        if (numbers == 0 || !inBody)
+            return false;
+        if (wordCount(row) == 0)
+            return true;
+        if (2 * numbers < m_numberColumns || (m_numberColumns <= 2 && numbers < m_numberColumns))
+            return false;
+        const auto isComputed = [&](const TableCell &cell) {
+            const Meaning meaning =
+                cell.kind == CellKind::text ? readHeading(m_table.text(cell)).meaning : Meaning::unknown;
+            return meaning == Meaning::statistic || meaning == Meaning::other ||
+                   meaning == Meaning::temperature;
+        };
+        return std::ranges::none_of(cells, isComputed);
+    }
+
+    /// Numbers to the right of the last column.
+    [[nodiscard]] bool hasNumbersBeyond(const TableRow &row) const {
+        const auto cells = m_table.cells(row);
+        return cells.size() > m_body.columns.size() && numberCount(cells.subspan(m_body.columns.size())) > 0;
+    }
+
+    /// A row like those of the body, but with a word or nothing where their first number stands.
+    [[nodiscard]] bool isNumericHead(const TableRow &row) const {
+        const auto cells = m_table.cells(row);
+        const std::size_t numbers = numberCount(cells);
+        return numbers >= 2 && 2 * numbers >= m_numberColumns && wordCount(row) <= 2 &&
+               numbers + 2 >= trimmed(cells).size();
+    }
+
+    [[nodiscard]] std::size_t wordCount(const TableRow &row) const {
+        return static_cast<std::size_t>(
+            std::ranges::count(m_table.cells(row), CellKind::text, &TableCell::kind));
+    }
+
+    [[nodiscard]] bool sameAsHead(const TableRow &row, std::optional<std::uint32_t> head) const {
+        if (!head)
+            return true;
+        const auto a = m_table.cells(row);
+        const auto b = m_table.cells(m_table.rows()[*head]);
+        return std::ranges::equal(a, b, {}, &TableCell::value, &TableCell::value);
+    }
+
+    void remarkUnread(const TableRow &row) {
+        m_body.remarks.push_back(
+            {RemarkGrade::problem,
+             {REPORT_TEXT("report", "This line is not like the others and was not read.")},
+             row.line,
+             0,
+             "unread"});
+    }
+
+    /// Empty lines part blocks, unless they stand everywhere.
+    [[nodiscard]] bool gapsSeparate() const {
+        std::size_t gaps = 0;
+        std::size_t rows = 0;
+        std::uint32_t last = 0;
+        for (const TableRow &row : m_table.rows()) {
+            if (row.comment || !isBodyRow(row))
+                continue;
+            gaps += rows > 0 && row.line > last + 1 ? 1 : 0;
+            ++rows;
+            last = row.line;
+        }
+        return 3 * gaps < rows;
+    }
+
+    const CellTable &m_table;
+    TableBody &m_body;
+    std::size_t m_firstNumber = 0;
+    std::size_t m_numberColumns = 0;
+    std::optional<std::size_t> m_directions;
+    std::optional<std::size_t> m_senses;
+    std::optional<std::size_t> m_clock;
+};
+
+/// Whether the columns of two sections mean the same, but for directions and numbers of runs.
+bool areAlike(const std::vector<TableColumn> &a, const std::vector<TableColumn> &b) {
+    const auto meaningOf = [](const TableColumn &column) {
+        return column.meaning == Meaning::place ? Meaning::target : column.meaning;
+    };
+    return std::ranges::equal(a, b, [&](const TableColumn &x, const TableColumn &y) {
+        const bool understood = x.words.unknownWords == 0 && y.words.unknownWords == 0;
+        return x.kind != ColumnKind::numbers ||
+               (meaningOf(x) == meaningOf(y) && x.unit == y.unit && x.words.axis == y.words.axis &&
+                (understood || x.words.stem == y.words.stem));
+    });
+}
+
+/// Keeps the blocks of the columns that most numbers stand under; the others are other tables.
+void keepLargestTable(const CellTable &table, TableBody &body) {
+    constexpr std::size_t mostKinds = 50; // a report of more is none to be read as a whole
+    struct Kind {
+        std::size_t section;
+        std::size_t rows;
+    };
+    std::vector<Kind> kinds;
+    std::vector<std::size_t> kindOf;
+    for (std::size_t s = 0; s < body.sections.size(); ++s) {
+        const auto found = std::ranges::find_if(
+            kinds, [&](const Kind &kind) { return areAlike(body.sections[kind.section], body.sections[s]); });
+        kindOf.push_back(static_cast<std::size_t>(found - kinds.begin()));
+        if (found == kinds.end() && kinds.size() < mostKinds)
+            kinds.push_back({s, 0});
+    }
+    for (const TableBlock &block : body.blocks) {
+        if (kindOf[block.section] < kinds.size())
+            kinds[kindOf[block.section]].rows += block.rows.size();
+    }
+    const auto best =
+        static_cast<std::size_t>(std::ranges::max_element(kinds, {}, &Kind::rows) - kinds.begin());
+    std::erase_if(body.blocks, [&](const TableBlock &block) {
+        const bool other = kindOf[block.section] != best;
+        if (other)
+            body.remarks.push_back(
+                {RemarkGrade::problem,
+                 {REPORT_TEXT("report", "Here a table with other columns begins, which was not read.")},
+                 table.rows()[block.rows.front()].line,
+                 0,
+                 "unread"});
+        return other;
+    });
+    body.columns = body.sections[kinds[best].section];
+}
+
+} // namespace
+
+std::size_t TableBody::rowCount() const {
+    std::size_t rows = 0;
+    for (const TableBlock &block : blocks)
+        rows += block.rows.size();
+    return rows;
+}
+
+std::vector<std::size_t> TableBody::numberColumns() const {
+    std::vector<std::size_t> result;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        if (columns[c].kind == ColumnKind::numbers)
+            result.push_back(c);
+    }
+    return result;
+}
+
+std::optional<std::size_t> TableBody::columnOf(Meaning meaning) const {
+    const auto found = std::ranges::find(columns, meaning, &TableColumn::meaning);
+    return found == columns.end() ? std::nullopt
+                                  : std::optional(static_cast<std::size_t>(found - columns.begin()));
+}
+
+std::optional<std::size_t> TableBody::columnOf(ColumnKind kind) const {
+    const auto found = std::ranges::find(columns, kind, &TableColumn::kind);
+    return found == columns.end() ? std::nullopt
+                                  : std::optional(static_cast<std::size_t>(found - columns.begin()));
+}
+
+TableBody bodyOf(const CellTable &table) {
+    TableBody body;
+    const std::size_t width = widthOf(table);
+    const Error noNumbers(
+        Error::Kind::content,
+        {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and "
+                               "readings, points of a circle, or values over time")});
+    if (width == 0)
+        throw noNumbers;
+    if (width > widestTable)
+        throw Error(Error::Kind::tooLarge,
+                    {REPORT_TEXT("report", "more rows or cells than a table of readings can have")});
+    body.columns = columnsOf(table, width);
+    if (body.numberColumns().empty())
+        throw noNumbers;
+    Sorter(table, body).sort();
+    if (body.blocks.empty())
+        throw noNumbers;
+    findSections(table, body);
+    for (const TableBlock &block : body.blocks)
+        body.notes.insert(body.notes.end(), block.heads.begin(), block.heads.end());
+    std::erase_if(body.notes,
+                  [&](std::uint32_t index) { return std::ranges::binary_search(body.columnHeads, index); });
+    std::ranges::sort(body.notes);
+    keepLargestTable(table, body);
+    return body;
+}
+
+} // namespace palmer

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "import/layouts/headings.h"
+#include "import/remark.h"
+#include "tables/table.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+enum class ColumnKind { empty, numbers, directions, senses, clock, dates, words };
+
+struct TableColumn {
+    ColumnKind kind = ColumnKind::empty;
+    std::string heading; ///< all rows of the heading joined
+    HeadingWords words;  ///< what it says
+    Meaning meaning = Meaning::unknown;
+    const Unit *unit = nullptr; ///< of the heading, or null
+};
+
+/// Rows of numbers that belong together, and the words above them. Indexes of rows of the table.
+struct TableBlock {
+    std::vector<std::uint32_t> rows;
+    std::vector<std::uint32_t> heads;         ///< since the block before
+    std::optional<std::uint32_t> numericHead; ///< a heading of numbers: "Run; 0; 150; 300"
+    std::size_t section = 0;                  ///< whose headings hold for it
+};
+
+/// The rows of a table sorted into what is measured and what is said about it.
+struct TableBody {
+    std::vector<TableColumn> columns;               ///< of the first section
+    std::vector<std::vector<TableColumn>> sections; ///< alike but for directions and numbers of runs
+    std::vector<TableBlock> blocks;
+    std::vector<std::uint32_t> notes;       ///< comments and lines that are no heading
+    std::vector<std::uint32_t> columnHeads; ///< rows that the headings are made of
+    std::vector<Remark> remarks;
+
+    [[nodiscard]] std::size_t rowCount() const;
+    /// Columns of numbers, from the left.
+    [[nodiscard]] std::vector<std::size_t> numberColumns() const;
+    [[nodiscard]] std::optional<std::size_t> columnOf(Meaning meaning) const;
+    [[nodiscard]] std::optional<std::size_t> columnOf(ColumnKind kind) const;
+};
+
+/// Blocks whose columns are others than those of most rows are not among them: a remark says so. Throws
+/// Error(content) where there are no rows of numbers.
+[[nodiscard]] TableBody bodyOf(const CellTable &table);
+
+} // namespace palmer

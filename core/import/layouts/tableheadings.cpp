@@ -1,0 +1,176 @@
+#include "import/layouts/tableheadings.h"
+
+#include "tables/folded.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::size_t headingRows = 3;
+
+/// "Forward", "Rev", "Run 2": what stands above several columns.
+bool namesRuns(const HeadingWords &heading) {
+    return heading.direction || (heading.unknownWords == 0 &&
+                                 (heading.hint || (heading.meaning == Meaning::run && heading.number)));
+}
+
+/// Whether a row above the body says something about its columns.
+bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
+    if (row.comment)
+        return false;
+    const auto cells = trimmed(table.cells(row));
+    std::size_t filled = 0;
+    std::size_t words = 0;
+    std::size_t directions = 0;
+    for (const TableCell &cell : cells) {
+        filled += cell.kind != CellKind::empty ? 1 : 0;
+        words += cell.kind == CellKind::text ? 1 : 0;
+        const std::string_view text = table.text(cell);
+        directions += !text.empty() && (namesRuns(readHeading(text)) || senseIn(text)) ? 1 : 0;
+    }
+    if (filled == 0 || cells.size() > width + 1)
+        return false;
+    if (directions >= 2 && words >= 2)
+        return true;
+    const bool isTitle = filled == 1 && width > 1 && cells.front().kind != CellKind::empty;
+    return !isTitle && 2 * filled >= width && (words > 0 || directions > 0) && (width <= 2 || filled > 1);
+}
+
+/// Whether a row above headings that name every column adds to them: groups, directions, axes, and no label
+/// with its value.
+bool addsToHeadings(const CellTable &table, const TableRow &row) {
+    std::size_t known = 0;
+    for (const TableCell &cell : table.cells(row)) {
+        if (cell.kind == CellKind::empty || cell.kind == CellKind::number)
+            continue;
+        const std::string_view text = table.text(cell);
+        const HeadingWords heading = readHeading(text);
+        if (text.ends_with(':') || (heading.unknownWords > 0 && !senseIn(text)))
+            return false;
+        ++known;
+    }
+    return known > 1 || (known == 1 && trimmed(table.cells(row)).size() > 1);
+}
+
+/// "# angle; x; y": as many words as there are columns.
+void takeFromComment(const CellTable &table, const TableRow &row, std::vector<TableColumn> &columns) {
+    const std::string_view text = table.text(table.cells(row).front());
+    TableOptions options;
+    options.delimiter = table.delimiter.value;
+    options.decimalMark = table.decimalMark.value;
+    const CellTable line = readTable(std::string(text), options);
+    if (line.rows().empty() || columns.size() < 2)
+        return;
+    const auto cells = line.cells(line.rows().front());
+    // "#;Target;…": the mark itself is the heading of a counter.
+    const std::size_t first = cells.size() > 1 && cells.size() + 1 == columns.size() ? 1 : 0;
+    if (cells.size() + first != columns.size())
+        return;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        columns[c + first].heading = line.text(cells[c]);
+}
+
+/// Whether a row of the heading says units: a dash in it stands for none.
+bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
+    const auto isUnit = [&](const TableCell &cell) {
+        const std::string_view text = table.text(cell);
+        const HeadingWords heading = readHeading(text);
+        return unitIn(text) && heading.meaning == Meaning::unknown && !heading.direction && !heading.number &&
+               heading.unknownWords == 0 && heading.words <= 1;
+    };
+    return std::ranges::any_of(cells, isUnit);
+}
+
+/// The rows directly above a block that are the headings of its columns, from above.
+std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBlock &block,
+                                         const std::vector<TableColumn> &columns) {
+    std::vector<std::uint32_t> rows;
+    bool complete = false;
+    for (auto at = block.heads.rbegin(); at != block.heads.rend() && rows.size() < headingRows; ++at) {
+        const TableRow &row = table.rows()[*at];
+        if (rows.empty() && row.comment)
+            continue; // the title of the block
+        // Numbers of runs stand below what they number: "Forward;;Reverse;" over "1;2;1;2".
+        if (*at != block.numericHead && !isHeading(table, row, columns.size()))
+            break;
+        if (complete && !addsToHeadings(table, row))
+            break;
+        const auto cells = table.cells(row);
+        complete |= *at != block.numericHead && cells.size() >= columns.size() &&
+                    !isRowOfUnits(table, cells) &&
+                    std::ranges::all_of(cells.first(columns.size()),
+                                        [](const TableCell &cell) { return cell.kind != CellKind::empty; });
+        rows.push_back(*at);
+    }
+    std::ranges::reverse(rows);
+    return rows;
+}
+
+/// The headings that rows make, joined from above.
+void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &rows,
+                     std::vector<TableColumn> &columns) {
+    for (const std::uint32_t index : rows) {
+        const auto cells = trimmed(table.cells(table.rows()[index]));
+        // "Forward;;;Reverse": a heading over several columns; workbooks leave the last cells away.
+        const auto filled = cells.size() - static_cast<std::size_t>(
+                                               std::ranges::count(cells, CellKind::empty, &TableCell::kind));
+        const bool spans = filled + 1 < columns.size() && index != rows.back();
+        const bool hasUnits = isRowOfUnits(table, cells);
+        std::string_view last;
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            std::string_view text = c < cells.size() ? table.text(cells[c]) : std::string_view();
+            if (hasUnits && folded(text) == "-")
+                continue;
+            if (!text.empty())
+                last = text;
+            else if (spans && c > 0)
+                text = last;
+            std::string &heading = columns[c].heading;
+            if (!text.empty())
+                heading += (heading.empty() ? "" : " ") + std::string(text);
+        }
+    }
+}
+
+void readHeadings(std::vector<TableColumn> &columns) {
+    for (TableColumn &column : columns) {
+        column.words = readHeading(column.heading);
+        column.meaning = column.words.meaning;
+        column.unit = unitIn(column.heading);
+        // "Point (mm)" is no counter.
+        if (column.meaning == Meaning::index && column.unit &&
+            (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle))
+            column.meaning = Meaning::place;
+    }
+}
+
+} // namespace
+
+std::span<const TableCell> trimmed(std::span<const TableCell> cells) {
+    while (!cells.empty() && cells.back().kind == CellKind::empty)
+        cells = cells.first(cells.size() - 1);
+    return cells;
+}
+
+void findSections(const CellTable &table, TableBody &body) {
+    const std::vector<TableColumn> bare = body.columns;
+    for (TableBlock &block : body.blocks) {
+        const std::vector<std::uint32_t> rows = headingRowsOf(table, block, bare);
+        std::vector<TableColumn> columns = bare;
+        if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment)
+            takeFromComment(table, table.rows()[block.heads.back()], columns); // the headings themselves
+        composeHeadings(table, rows, columns);
+        const bool named =
+            std::ranges::any_of(columns, [](const TableColumn &column) { return !column.heading.empty(); });
+        if (named || body.sections.empty()) {
+            readHeadings(columns);
+            body.sections.push_back(std::move(columns));
+        }
+        block.section = body.sections.size() - 1;
+        body.columnHeads.insert(body.columnHeads.end(), rows.begin(), rows.end());
+    }
+}
+
+} // namespace palmer

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "import/layouts/tablebody.h"
+
+#include <span>
+
+namespace palmer {
+
+/// Cells without the empty ones at the end.
+[[nodiscard]] std::span<const TableCell> trimmed(std::span<const TableCell> cells);
+
+/// Finds the headings of the columns: above each block of rows those that stand over it, joined from above.
+/// Blocks without headings of their own belong to the section before them.
+void findSections(const CellTable &table, TableBody &body);
+
+} // namespace palmer

@@ -1,0 +1,108 @@
+#include "import/layouts/tablereading.h"
+
+#include "document/place.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+TableReading::TableReading(Imported &imported, Choices &chosen)
+    : result(imported)
+    , choices(chosen)
+    , body(bodyOf(imported.table))
+    , notes(notesOf(imported.table, body)) {
+    std::size_t cells = 0;
+    for (const TableRow &each : result.table.rows())
+        cells = each.first + each.count;
+    result.roles.assign(cells, CellRole::ignored);
+    for (const std::uint32_t head : body.columnHeads) {
+        for (std::size_t c = 0; c < row(head).count; ++c)
+            setRole(head, c, CellRole::head);
+    }
+    result.remarks.insert(result.remarks.end(), body.remarks.begin(), body.remarks.end());
+}
+
+const TableCell *TableReading::cell(std::uint32_t index, std::size_t column) const {
+    const auto cells = table().cells(row(index));
+    return column < cells.size() ? &cells[column] : nullptr;
+}
+
+std::string_view TableReading::cellText(std::uint32_t index, std::size_t column) const {
+    const TableCell *found = cell(index, column);
+    return found ? table().text(*found) : std::string_view();
+}
+
+std::optional<double> TableReading::number(std::uint32_t index, std::size_t column) {
+    const TableCell *found = cell(index, column);
+    if (!found || found->kind == CellKind::empty)
+        return {};
+    if (found->isNumber())
+        return found->value;
+    if (found->kind == CellKind::missing) {
+        if (++m_missingWords == 1)
+            remark(RemarkGrade::note,
+                   {REPORT_TEXT("report", "“%1” is read as a missing reading."),
+                    {excerpt(table().text(*found))}},
+                   row(index).line);
+        return {};
+    }
+    result.remarks.push_back(
+        {RemarkGrade::problem,
+         {found->kind == CellKind::grouped
+              ? REPORT_TEXT(
+                    "report",
+                    "“%1” has another decimal mark or thousands separators. The reading stays missing.")
+              : REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
+          {excerpt(table().text(*found))}},
+         row(index).line,
+         column + 1,
+         "unread"});
+    return {};
+}
+
+void TableReading::setRole(std::uint32_t index, std::size_t column, CellRole role) {
+    if (column < row(index).count)
+        result.roles[row(index).first + column] = role;
+}
+
+void TableReading::remark(RemarkGrade grade, Message message, std::size_t line, std::string choice) {
+    result.remarks.push_back({grade, std::move(message), line, 0, std::move(choice)});
+}
+
+std::string TableReading::titleOf(const TableBlock &block) const {
+    std::string title;
+    for (const std::uint32_t head : block.heads) {
+        if (std::ranges::binary_search(body.columnHeads, head))
+            continue;
+        for (const TableCell &each : table().cells(row(head))) {
+            if (each.size > 0)
+                title += (title.empty() ? "" : " ") + std::string(table().text(each));
+        }
+    }
+    return title;
+}
+
+bool isCounter(const TableReading &reading, std::size_t column) {
+    // Some instruments count on over the blocks, some begin again.
+    std::size_t rows = 0;
+    for (const TableBlock &block : reading.body.blocks) {
+        std::optional<double> last;
+        for (const std::uint32_t row : block.rows) {
+            const TableCell *cell = reading.cell(row, column);
+            if (!cell || !cell->isNumber())
+                return false;
+            const bool begins =
+                !last && cell->value >= 0 &&
+                cell->value == static_cast<double>(static_cast<long long>(std::min(cell->value, 1e9)));
+            if (!(begins || (last && cell->value == *last + 1)))
+                return false;
+            if (rows == 0 && cell->value > 1)
+                return false;
+            last = cell->value;
+            ++rows;
+        }
+    }
+    return rows > 1;
+}
+
+} // namespace palmer

@@ -1,0 +1,155 @@
+#include "import/layouts/columnsearch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+bool isStrictlyMonotone(const std::vector<double> &values) {
+    return values.size() > 1 &&
+           (std::ranges::adjacent_find(values, std::ranges::greater_equal()) == values.end() ||
+            std::ranges::adjacent_find(values, std::ranges::less_equal()) == values.end());
+}
+
+class TargetColumn : ColumnStep {
+public:
+    explicit TargetColumn(ColumnSearch &search)
+        : ColumnStep(search) {}
+
+    void findTarget() {
+        placeBareList();
+        if (m_search.targets.empty())
+            findTargetByHeading();
+        if (m_search.targets.empty())
+            return;
+        m_result.target = m_search.targets.front();
+        role(m_search.targets.front()) = ColumnRole::target;
+        findPositions();
+    }
+
+private:
+    /// A list without headings: the reading is the last number of a line, the target that with the largest
+    /// range, a column that stays the same from line to line the number of the run.
+    void placeBareList() {
+        std::vector<std::size_t> columns = m.body.numberColumns();
+        const bool isBare =
+            std::ranges::all_of(m_heads, [](const TableColumn &head) { return head.heading.empty(); });
+        if (!isBare || !m_result.direction || columns.size() < 3)
+            return;
+        role(columns.back()) = ColumnRole::run;
+        columns.pop_back();
+        const auto rangeOf = [&](std::size_t c) {
+            const std::vector<double> values = valuesOf(c);
+            if (values.empty())
+                return -1.0;
+            const auto [low, high] = std::ranges::minmax(values);
+            return high - low;
+        };
+        std::size_t target = columns.front();
+        for (const std::size_t c : columns)
+            target = rangeOf(c) >= rangeOf(target) ? c : target;
+        m_search.targets = {target};
+        for (const std::size_t c : columns) {
+            const std::vector<double> values = valuesOf(c);
+            std::size_t same = 0;
+            for (std::size_t i = 1; i < values.size(); ++i)
+                same += values[i] == values[i - 1] ? 1 : 0;
+            if (c != target && 2 * same > values.size() && !isCounter(m, c))
+                role(c) = ColumnRole::number;
+        }
+    }
+
+    void findTargetByHeading() {
+        const std::array<std::function<bool(std::size_t)>, 6> sorts{
+            [&](std::size_t c) { return m_heads[c].meaning == Meaning::target; },
+            [&](std::size_t c) {
+                return m_heads[c].meaning == Meaning::place && !words(c).direction && !words(c).number;
+            },
+            [&](std::size_t c) {
+                return m_heads[c].meaning == Meaning::angle || m_heads[c].meaning == Meaning::place;
+            },
+            [&](std::size_t c) { return isCalledByAxis(c); },
+            [&](std::size_t c) { return m_heads[c].meaning == Meaning::index && !isCounter(m, c); },
+            [&](std::size_t c) { return isUnnamed(c); }};
+        for (const auto &sort : sorts) {
+            for (std::size_t c = 0; c < m_heads.size(); ++c) {
+                if (isNumeric(c) && role(c) != ColumnRole::number && !hasOtherAxis(c) && sort(c))
+                    m_search.targets.push_back(c);
+            }
+            if (!m_search.targets.empty())
+                break;
+        }
+        dropCounter();
+    }
+
+    void findPositions() {
+        // "Position" beside "Target": where it follows the target, the actual position.
+        for (std::size_t c = 0; c < m_heads.size(); ++c) {
+            if (c != m_search.targets.front() && isNumeric(c) && role(c) == ColumnRole::ignored &&
+                m_heads[c].meaning == Meaning::place)
+                role(c) = followsTarget(c)  ? ColumnRole::actual
+                          : words(c).number ? ColumnRole::run
+                                            : ColumnRole::ignored;
+        }
+    }
+
+    /// The axis that the user chose wants its own targets.
+    [[nodiscard]] bool hasOtherAxis(std::size_t c) const {
+        const std::string_view chosen = m.choices.chosen("axis");
+        return chosen.size() == 1 && words(c).axis != 0 && words(c).axis != chosen[0] && isTwoAxes();
+    }
+    [[nodiscard]] bool isTwoAxes() const {
+        char first = 0;
+        for (const TableColumn &head : m_heads) {
+            if (head.kind != ColumnKind::numbers || head.words.axis == 0 ||
+                head.meaning == Meaning::statistic)
+                continue;
+            if (first != 0 && head.words.axis != first)
+                return true;
+            first = head.words.axis;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool isCalledByAxis(std::size_t c) const {
+        const HeadingWords &heading = words(c);
+        return heading.axis != 0 && heading.words == 1 && m_heads[c].meaning != Meaning::statistic;
+    }
+
+    [[nodiscard]] bool isUnnamed(std::size_t c) const {
+        return m_heads[c].meaning == Meaning::unknown && !words(c).direction && !words(c).number;
+    }
+
+    /// A first column that counts, and an axis beside it.
+    void dropCounter() {
+        if (m_search.targets.size() < 2 || m_heads[m_search.targets.front()].meaning == Meaning::target ||
+            !isCounter(m, m_search.targets.front()))
+            return;
+        const bool named = !m_heads[m_search.targets.front()].heading.empty();
+        if (m_search.targets.size() > 2 ? isAxisLike(m_search.targets[1], m_search.targets[2]) : named)
+            m_search.targets.erase(m_search.targets.begin());
+    }
+
+    /// Whether a column rises or falls strictly and by more than the values beside it.
+    [[nodiscard]] bool isAxisLike(std::size_t column, std::size_t beside) const {
+        const std::vector<double> values = valuesOf(column);
+        const std::vector<double> others = valuesOf(beside);
+        if (!isStrictlyMonotone(values) || others.empty())
+            return false;
+        const auto [low, high] = std::ranges::minmax(others);
+        const double length = std::abs(values.back() - values.front());
+        return length > 2 * std::max(std::abs(low), std::abs(high)) ||
+               (high - low > 0 && std::abs(values.back() - others.back()) < 0.1 * length);
+    }
+};
+
+} // namespace
+
+void findTargetColumn(ColumnSearch &search) {
+    TargetColumn(search).findTarget();
+}
+
+} // namespace palmer

@@ -1,0 +1,381 @@
+#include "import/layouts/placedpass.h"
+#include "import/layouts/positioningcolumns.h"
+
+#include "document/documenterror.h"
+#include "document/place.h"
+
+#include <algorithm>
+#include <map>
+
+namespace palmer {
+
+namespace {
+
+/// Rows in which the targets only rise or only fall: one pass of every column.
+struct Piece {
+    std::size_t section = 0;
+    std::vector<std::uint32_t> rows;
+    std::optional<Direction> direction;
+    std::optional<Direction> hint; ///< of a title with other words in it
+};
+
+bool isStrictlyMonotone(std::span<const double> values) {
+    if (values.size() < 2)
+        return true;
+    const bool up = values[1] > values[0];
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        if (up ? values[i] <= values[i - 1] : values[i] >= values[i - 1])
+            return false;
+    }
+    return true;
+}
+
+class TargetsDownReader {
+public:
+    explicit TargetsDownReader(TableReading &reading)
+        : m(reading)
+        , m_columns(positioningColumns(reading)) {}
+
+    FoundPasses read() {
+        m_found.content = m_columns.content;
+        m_found.sign = m_columns.sign;
+        m_found.unit = m_columns.unit;
+        m_found.positionUnit = m_columns.columns[*m_columns.target].unit;
+        m_found.hasHints = m_columns.hasHints;
+        m_target = *m_columns.target;
+        chooseAxis();
+        if (m_columns.direction || m_columns.number)
+            readLines();
+        else
+            readPieces();
+        m.result.columns = std::move(m_columns.columns);
+        return std::move(m_found);
+    }
+
+private:
+    [[nodiscard]] ImportColumn columnIn(std::size_t section, std::size_t column) const {
+        ImportColumn result = m_columns.columns[column];
+        // Blocks with headings of their own: the second has those of the other direction.
+        if (m.body.sections.size() > 1 && !m.choices.isChosen("columns")) {
+            const HeadingWords &words = m.body.sections[section][column].words;
+            result.direction = words.direction ? words.direction : result.direction;
+            result.number = words.number.value_or(result.number);
+        }
+        return result;
+    }
+
+    /// The target of a row; a row without one is data that were not read.
+    std::optional<double> targetOf(std::uint32_t row) {
+        const TableCell *cell = m.cell(row, m_target);
+        if (cell && cell->isNumber())
+            return cell->value;
+        m.remark(RemarkGrade::problem,
+                 {REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
+                  {excerpt(m.cellText(row, m_target))}},
+                 m.row(row).line, "unread");
+        return {};
+    }
+
+    void add(PlacedPass &placed, std::uint32_t row, double target, std::size_t column) {
+        placed.pass.readings.push_back({target, m.number(row, column), m.row(row).line});
+        placed.places.emplace_back(row, column);
+        m.setRole(row, m_target, CellRole::position);
+    }
+
+    // ---- several axes: a column that names them, or titles of blocks
+
+    void chooseAxis() {
+        for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
+            const TableColumn &column = m.body.columns[c];
+            if (column.kind == ColumnKind::words && column.meaning == Meaning::axis)
+                m_axisColumn = c;
+        }
+        std::vector<std::string> axes;
+        const auto collect = [&](const std::string &axis) {
+            if (!axis.empty() && axes.size() < 20 && std::ranges::find(axes, axis) == axes.end())
+                axes.push_back(axis);
+        };
+        for (const TableBlock &block : m.body.blocks) {
+            if (!m_axisColumn) {
+                collect(axisOfBlock(block));
+                continue;
+            }
+            for (const std::uint32_t row : block.rows)
+                collect(std::string(m.cellText(row, *m_axisColumn)));
+        }
+        if (!axes.empty() && m.axisFound.empty() && (m_axisColumn || axes.size() > 1))
+            m.axisFound = axes.front();
+        if (axes.size() < 2) {
+            m_axisColumn.reset();
+            return;
+        }
+        const std::string chosen(m.choices.chosen("axis"));
+        m_axis = std::ranges::find(axes, chosen) != axes.end() ? chosen : axes.front();
+        m.axisFound = m_axis;
+        m.result.remarks.push_back(askForAxis(axes, m_axis));
+    }
+
+    [[nodiscard]] std::string axisOfBlock(const TableBlock &block) const {
+        for (auto head = block.heads.rbegin(); head != block.heads.rend(); ++head) {
+            if (std::ranges::binary_search(m.body.columnHeads, *head))
+                continue;
+            std::string line;
+            for (const TableCell &cell : m.table().cells(m.row(*head)))
+                line += ' ' + std::string(m.table().text(cell));
+            const HeadingWords heading = readHeading(line);
+            const bool says = heading.meaning == Meaning::axis || heading.words == 1;
+            if (says && heading.axis != 0)
+                return {1, heading.axis};
+        }
+        return {};
+    }
+
+    [[nodiscard]] bool isOfOtherAxis(const TableBlock &block) {
+        if (m_axis.empty() || m_axisColumn)
+            return false;
+        if (const std::string axis = axisOfBlock(block); !axis.empty())
+            m_blockAxis = axis; // holds until another is named
+        return m_blockAxis != m_axis;
+    }
+    [[nodiscard]] bool isOfOtherAxis(std::uint32_t row) const {
+        return m_axisColumn && m.cellText(row, *m_axisColumn) != m_axis;
+    }
+
+    // ---- a column says the direction or the number of the run of each line
+
+    void readLines() {
+        for (const TableBlock &block : m.body.blocks) {
+            if (isOfOtherAxis(block))
+                continue;
+            m_titled = directionOfBlock(m, block).stated;
+            for (const std::uint32_t row : block.rows) {
+                if (!isOfOtherAxis(row))
+                    readLine(block.section, row);
+            }
+        }
+        m_found.hasHints |= m_codesAreGuessed;
+        for (Line &line : m_lines)
+            m_found.passes.push_back(std::move(line.placed));
+        const bool stated = std::ranges::all_of(
+            m_found.passes, [](const PlacedPass &placed) { return placed.direction.has_value(); });
+        if (!stated)
+            directionsFromOrder();
+    }
+
+    void readLine(std::size_t section, std::uint32_t row) {
+        const auto target = targetOf(row);
+        if (!target)
+            return;
+        const std::optional<Direction> stated = directionOfRow(row);
+        unsigned number = 0;
+        if (m_columns.number) {
+            const auto value = m.number(row, *m_columns.number);
+            number = value && *value >= 0 && *value < 1e6 ? static_cast<unsigned>(*value) : 0;
+        }
+        for (const std::size_t column : m_columns.values) {
+            const ImportColumn what = columnIn(section, column);
+            const auto direction = what.direction ? what.direction : stated ? stated : m_titled;
+            const int side = direction ? static_cast<int>(*direction) : 2;
+            // The same target again in one run: the next pass.
+            const std::size_t time = m_times[{column, number, side, *target}]++;
+            const auto [place, isNew] = m_passes.try_emplace({column, number, side, time}, m_lines.size());
+            if (isNew)
+                m_lines.push_back({{direction, what.number > 0 ? what.number : number, {}, {}}});
+            add(m_lines[place->second].placed, row, *target, column);
+        }
+        if (stated)
+            m.setRole(row, *m_columns.direction,
+                      *stated == Direction::positive ? CellRole::positive : CellRole::negative);
+    }
+
+    [[nodiscard]] std::optional<Direction> directionOfRow(std::uint32_t row) {
+        if (!m_columns.direction)
+            return {};
+        const TableCell *cell = m.cell(row, *m_columns.direction);
+        if (!cell || !cell->isNumber())
+            return directionOf(m.cellText(row, *m_columns.direction));
+        if (m_codes.empty())
+            m_codes = codesOfDirection();
+        m_codesAreGuessed |= !m_codes.contains(-1);
+        return m_codes.rbegin()->first == cell->value && m_codes.contains(-1)  ? Direction::positive
+               : m_codes.contains(-1) || m_codes.begin()->first != cell->value ? Direction::negative
+                                                                               : Direction::positive;
+    }
+
+    /// +1 and −1 say it; of 0 and 1, or 1 and 2, the first is taken as ↑, which is asked.
+    [[nodiscard]] std::map<double, int> codesOfDirection() const {
+        std::map<double, int> codes;
+        for (const TableBlock &block : m.body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                const TableCell *cell = m.cell(row, *m_columns.direction);
+                if (cell && cell->isNumber())
+                    ++codes[cell->value];
+            }
+        }
+        return codes;
+    }
+
+    /// A run with rising targets is ↑, with falling ones ↓; where all rise, nothing says it.
+    void directionsFromOrder() {
+        bool falls = false;
+        for (PlacedPass &placed : m_found.passes) {
+            const auto &readings = placed.pass.readings;
+            const bool down = readings.size() > 1 && readings.back().position < readings.front().position;
+            placed.direction = down ? Direction::negative : Direction::positive;
+            falls |= down;
+        }
+        if (!falls) {
+            for (PlacedPass &placed : m_found.passes)
+                placed.direction.reset();
+        }
+    }
+
+    // ---- targets down, runs across
+
+    void readPieces() {
+        bool shuffled = false;
+        for (const TableBlock &block : m.body.blocks) {
+            if (!isOfOtherAxis(block))
+                cut(block, shuffled);
+        }
+        completeDirections(shuffled);
+        if (shuffled)
+            m.remark(RemarkGrade::note,
+                     {REPORT_TEXT("report", "The targets stand in no order; they were sorted.")});
+        m_found.isBlockwise = m_pieces.size() > 1;
+        for (const std::size_t column : m_columns.values) {
+            for (const Piece &piece : m_pieces) {
+                const ImportColumn what = columnIn(piece.section, column);
+                PlacedPass placed{what.direction ? what.direction : piece.direction, what.number, {}, {}};
+                placed.pass.readings.reserve(piece.rows.size());
+                placed.places.reserve(piece.rows.size());
+                for (const std::uint32_t row : piece.rows)
+                    add(placed, row, m.cell(row, m_target)->value, column);
+                // A column that is not continued in a second block is no run there.
+                const bool hasValue = std::ranges::any_of(
+                    placed.pass.readings, [](const PassReading &r) { return r.value.has_value(); });
+                if (m_pieces.size() == 1 || hasValue)
+                    m_found.passes.push_back(std::move(placed));
+            }
+        }
+    }
+
+    void cut(const TableBlock &block, bool &shuffled) {
+        auto pieces = piecesOf(block, shuffled);
+        const BlockDirection titled = directionOfBlock(m, block);
+        const auto falls = [&](const std::vector<std::uint32_t> &rows) {
+            return rows.size() > 1 &&
+                   m.cell(rows.back(), m_target)->value < m.cell(rows.front(), m_target)->value;
+        };
+        const bool turns = pieces.size() > 1 && std::ranges::any_of(pieces, falls);
+        for (auto &rows : pieces) {
+            std::optional<Direction> direction = titled.stated;
+            const bool down = falls(rows);
+            if (turns)
+                direction = down ? Direction::negative : Direction::positive;
+            else if (!direction && down && m.body.blocks.size() > 1 && !shuffled)
+                direction = Direction::negative;
+            m_pieces.push_back({block.section, std::move(rows), direction, titled.hint});
+        }
+    }
+
+    [[nodiscard]] bool anyPiece(std::optional<Direction> Piece::*says, Direction wanted) const {
+        return std::ranges::any_of(m_pieces, [&](const Piece &piece) { return piece.*says == wanted; });
+    }
+
+    /// Titles that say a direction among other words count where two say the opposite. Where some pieces say
+    /// a direction the others have the other one: blocks come in pairs, and where they do not it is asked.
+    void completeDirections(bool shuffled) {
+        bool up = anyPiece(&Piece::direction, Direction::positive);
+        bool down = anyPiece(&Piece::direction, Direction::negative);
+        if (!up && !down && anyPiece(&Piece::hint, Direction::positive) &&
+            anyPiece(&Piece::hint, Direction::negative)) {
+            for (Piece &piece : m_pieces)
+                piece.direction = piece.hint;
+            m_found.hasHints = true;
+            up = down = true;
+        }
+        if (m_pieces.size() < 2 || !(up || down))
+            return;
+        const bool completed =
+            std::ranges::any_of(m_pieces, [](const Piece &piece) { return !piece.direction; });
+        for (Piece &piece : m_pieces) {
+            if (piece.direction)
+                continue;
+            const bool rises = !shuffled && piece.rows.size() > 1;
+            const Direction other = down && !up ? Direction::positive : Direction::negative;
+            m_found.hasHints |= piece.hint || !(rises && down && !up);
+            piece.direction = piece.hint.value_or(other);
+        }
+        const auto upward = std::ranges::count(m_pieces, Direction::positive,
+                                               [](const Piece &piece) { return *piece.direction; });
+        m_found.hasHints |= completed && 2 * static_cast<std::size_t>(upward) != m_pieces.size();
+    }
+
+    std::vector<std::vector<std::uint32_t>> piecesOf(const TableBlock &block, bool &shuffled) {
+        std::vector<std::vector<std::uint32_t>> pieces;
+        std::vector<std::uint32_t> rows;
+        std::vector<double> positions;
+        for (const std::uint32_t row : block.rows) {
+            if (isOfOtherAxis(row))
+                continue;
+            if (const auto target = targetOf(row)) {
+                rows.push_back(row);
+                positions.push_back(*target);
+            }
+        }
+        if (rows.empty())
+            return pieces;
+        const bool isOrdered = isStrictlyMonotone(positions);
+        std::vector<double> sorted;
+        if (!isOrdered) {
+            sorted = positions;
+            std::ranges::sort(sorted);
+        }
+        if (isOrdered || std::ranges::adjacent_find(sorted) == sorted.end()) {
+            shuffled |= !isOrdered;
+            pieces.push_back(std::move(rows));
+            return pieces;
+        }
+        int direction = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const double step = i > 0 ? positions[i] - positions[i - 1] : 0;
+            const int now = step > 0 ? 1 : step < 0 ? -1 : 0;
+            if (i == 0 || now == 0 || (direction != 0 && now != direction)) {
+                pieces.emplace_back();
+                direction = 0;
+            } else {
+                direction = now;
+            }
+            pieces.back().push_back(rows[i]);
+        }
+        return pieces;
+    }
+
+    struct Line {
+        PlacedPass placed;
+    };
+
+    TableReading &m;
+    PositioningColumns m_columns;
+    FoundPasses m_found;
+    std::size_t m_target = 0;
+    std::vector<Piece> m_pieces;
+    std::vector<Line> m_lines;
+    std::map<std::tuple<std::size_t, unsigned, int, std::size_t>, std::size_t> m_passes;
+    std::map<std::tuple<std::size_t, unsigned, int, double>, std::size_t> m_times;
+    std::map<double, int> m_codes;
+    std::optional<Direction> m_titled;
+    std::optional<std::size_t> m_axisColumn;
+    std::string m_axis;
+    std::string m_blockAxis;
+    bool m_codesAreGuessed = false;
+};
+
+} // namespace
+
+FoundPasses readTargetsDown(TableReading &reading) {
+    return TargetsDownReader(reading).read();
+}
+
+} // namespace palmer

@@ -1,0 +1,192 @@
+#include "import/readers.h"
+
+#include "document/documenterror.h"
+#include "import/layouts/tablereading.h"
+#include "tables/decodetext.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::array encodings{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252", "GB18030"};
+constexpr std::array delimiters{"tab", "semicolon", "comma", "bar", "blanks"};
+constexpr std::array marks{"point", "comma"};
+
+template <class Enumeration, std::size_t size>
+std::optional<Enumeration> chosenOf(const std::array<const char *, size> &words, std::string_view word) {
+    for (std::size_t i = 0; i < size; ++i) {
+        if (words[i] == word)
+            return static_cast<Enumeration>(i);
+    }
+    return {};
+}
+
+/// Temperatures or a drift, where a column says the times. Without a word a log of positions is more likely.
+std::string seriesKindOf(const TableBody &body, Origin &origin) {
+    const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
+    const bool temperature = std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return column.meaning == Meaning::temperature ||
+               (column.unit && column.unit->kind == UnitKind::temperature);
+    });
+    const bool length = std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return column.unit && (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle);
+    });
+    const bool readings = length || has(Meaning::deviation) || has(Meaning::actual) ||
+                          has(Meaning::reading) || has(Meaning::place);
+    if (!temperature && !readings)
+        origin = Origin::guessed;
+    return temperature && !readings ? "temperatures" : "drift";
+}
+
+/// Kind of measurement that the columns show.
+std::string kindOf(const TableReading &reading, Origin &origin) {
+    const TableBody &body = reading.body;
+    origin = Origin::recognised;
+    const std::vector<std::size_t> columns = body.numberColumns();
+    const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
+    // Arrows and words for the directions of an axis: angles are those of its targets. So they are where the
+    // deviations are angles, too.
+    const bool approached = std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        const bool turns =
+            column.meaning == Meaning::deviation && column.unit && column.unit->kind == UnitKind::angle;
+        return turns || (column.words.isTarget && column.meaning != Meaning::nominal) ||
+               (column.words.direction.has_value() && !senseIn(column.heading));
+    });
+    if (approached || body.columnOf(ColumnKind::directions))
+        return "positioning";
+    if (has(Meaning::angle) && !(has(Meaning::run) && !has(Meaning::radius)))
+        return "circular";
+    if (has(Meaning::x) && has(Meaning::y) && !has(Meaning::deviation) && !has(Meaning::place))
+        return "circular";
+    if (body.columnOf(ColumnKind::senses))
+        return "circular";
+    const bool positions = has(Meaning::run) || has(Meaning::direction);
+    const bool times = std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return column.kind == ColumnKind::clock ||
+               (column.kind == ColumnKind::numbers &&
+                (column.meaning == Meaning::time || (column.unit && column.unit->kind == UnitKind::time)));
+    });
+    if (times && !positions && !(has(Meaning::place) && !body.columnOf(ColumnKind::clock)))
+        return seriesKindOf(body, origin);
+    if (positions || has(Meaning::place) || has(Meaning::angle) || body.blocks.front().numericHead)
+        return "positioning";
+    // Two columns without a word (three with a counter): points of a circle, if they are many.
+    std::vector<std::size_t> data = columns;
+    if (data.size() == 3 && isCounter(reading, data.front()))
+        data.erase(data.begin());
+    constexpr std::size_t fewPoints = 30;
+    if (data.size() == 2 && body.rowCount() >= fewPoints) {
+        origin = Origin::guessed;
+        if (areOnCircle(reading, data[0], data[1]))
+            return "circular";
+        double low = INFINITY;
+        double high = -INFINITY;
+        for (const TableBlock &block : body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                const TableCell *cell = reading.cell(row, data[0]);
+                if (cell && cell->isNumber()) {
+                    low = std::min(low, cell->value);
+                    high = std::max(high, cell->value);
+                }
+            }
+        }
+        if (high - low >= 85 && high - low <= 800 && high <= 800 && low >= -800)
+            return "circular";
+    }
+    return "positioning";
+}
+
+} // namespace
+
+std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported) {
+    DecodedText decoded = decodeText(bytes, chosenOf<Encoding>(encodings, choices.chosen("encoding")));
+    choices.settle("encoding", encodings[static_cast<std::size_t>(decoded.encoding.value)],
+                   decoded.encoding.origin);
+    if (decoded.encoding.origin == Origin::guessed)
+        imported.remarks.push_back(
+            {RemarkGrade::assumption,
+             {decoded.encoding.value == Encoding::gb18030
+                  ? REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Chinese (GB18030).")
+                  : REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
+             0,
+             0,
+             "encoding"});
+    return std::move(decoded.text);
+}
+
+bool isAnything(QByteArrayView) {
+    return true;
+}
+
+void readMeasurementTable(Choices &choices, Imported &imported) {
+    TableReading reading(imported, choices);
+    Origin origin = Origin::recognised;
+    const std::string found = kindOf(reading, origin);
+    const auto kind = choices.settle("kind", found, origin);
+    if (kind.origin == Origin::guessed)
+        reading.remark(
+            RemarkGrade::assumption,
+            {kind.value == "circular"
+                 ? REPORT_TEXT("report", "Kind: nothing in the file says it; read as a circular test.")
+             : kind.value == "drift"
+                 ? REPORT_TEXT("report", "Kind: nothing in the file says it; read as a drift test.")
+                 : REPORT_TEXT("report", "Kind: nothing in the file says it; read as a positioning test.")},
+            0, "kind");
+    if (kind.value == "circular")
+        readCircles(reading);
+    else if (kind.value == "positioning")
+        readPositioning(reading);
+    else
+        readSeries(reading, kind.value == "temperatures");
+    const FileNotes &notes = reading.notes;
+    imported.machine.name = notes.machine;
+    imported.machine.serialNumber = notes.serialNumber;
+    imported.operatorName = notes.operatorName;
+    if (imported.test)
+        imported.sensors.insert(imported.sensors.end(), notes.sensors.begin(), notes.sensors.end());
+    if (imported.test) {
+        imported.test->date = notes.date;
+        if (!notes.dateText.empty() && !notes.date) {
+            imported.test->remarks = notes.dateText;
+            reading.remark(
+                RemarkGrade::note,
+                {REPORT_TEXT("report",
+                             "The date %1 can be read in several ways; it stays as text in the remarks."),
+                 {notes.dateText}});
+        }
+    }
+    if (notes.ignored > 0)
+        reading.remark(RemarkGrade::note, {REPORT_TEXT("report", "Lines of text that were not used: %1."),
+                                           {Number{static_cast<double>(notes.ignored), Quantity::count}}});
+}
+
+void readTextTable(const ImportSource &source, Choices &choices, Imported &imported) {
+    std::string text = decodedText(source.bytes, choices, imported);
+    TableOptions options;
+    options.delimiter = chosenOf<Delimiter>(delimiters, choices.chosen("delimiter"));
+    options.decimalMark = chosenOf<DecimalMark>(marks, choices.chosen("decimalMark"));
+    imported.table = readTable(std::move(text), options);
+    const CellTable &table = imported.table;
+    choices.settle("delimiter", delimiters[static_cast<std::size_t>(table.delimiter.value)],
+                   table.delimiter.origin);
+    choices.settle("decimalMark", marks[static_cast<std::size_t>(table.decimalMark.value)],
+                   table.decimalMark.origin);
+    if (table.decimalMark.origin == Origin::guessed || table.delimiter.origin == Origin::guessed)
+        imported.remarks.push_back(
+            {RemarkGrade::assumption,
+             {table.decimalMark.value == DecimalMark::comma
+                  ? REPORT_TEXT("report", "Decimal mark: the numbers can be read in several ways; the comma "
+                                          "is taken as decimal mark.")
+                  : REPORT_TEXT("report", "Decimal mark: the numbers can be read in several ways; the point "
+                                          "is taken as decimal mark.")},
+             0,
+             0,
+             "decimalMark"});
+    readMeasurementTable(choices, imported);
+}
+
+} // namespace palmer

@@ -1,0 +1,91 @@
+#include "import/layouts/zipfile.h"
+
+#include "document/documenterror.h"
+
+#include <zip.h>
+
+#include <memory>
+
+namespace palmer {
+
+namespace {
+
+constexpr qint64 memberLimit = qint64(256) << 20;
+constexpr qint64 allLimit = qint64(512) << 20;
+constexpr qint64 ratioLimit = 1000; // of text in a workbook: below 100
+constexpr qint64 blockSize = 1 << 16;
+
+[[noreturn]] void refuseDamaged() {
+    throw Error(
+        Error::Kind::content,
+        {REPORT_TEXT("report",
+                     "the workbook is damaged or was cut off; save it again, or export the sheet as CSV")});
+}
+
+[[noreturn]] void refuseBomb() {
+    throw Error(Error::Kind::tooLarge,
+                {REPORT_TEXT("report", "the workbook unpacks to more than a table of readings can be")});
+}
+
+} // namespace
+
+ZipFile::ZipFile(QByteArrayView bytes) {
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t *source =
+        zip_source_buffer_create(bytes.data(), static_cast<zip_uint64_t>(bytes.size()), 0, &error);
+    zip_t *archive = source ? zip_open_from_source(source, ZIP_RDONLY, &error) : nullptr;
+    zip_error_fini(&error);
+    if (!archive) {
+        if (source)
+            zip_source_free(source);
+        refuseDamaged();
+    }
+    m_archive = archive;
+}
+
+ZipFile::~ZipFile() {
+    zip_discard(static_cast<zip_t *>(m_archive));
+}
+
+bool ZipFile::contains(const char *name) const {
+    return zip_name_locate(static_cast<zip_t *>(m_archive), name, 0) >= 0;
+}
+
+QByteArray ZipFile::member(const QString &name) {
+    auto *archive = static_cast<zip_t *>(m_archive);
+    const zip_int64_t index = zip_name_locate(archive, name.toUtf8().constData(), 0);
+    if (index < 0)
+        return {};
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    if (zip_stat_index(archive, static_cast<zip_uint64_t>(index), 0, &stat) != 0)
+        refuseDamaged();
+    const qint64 packed = (stat.valid & ZIP_STAT_COMP_SIZE) ? static_cast<qint64>(stat.comp_size) : 0;
+    const qint64 most =
+        std::min({memberLimit, allLimit - m_unpacked, std::max<qint64>(packed, 1024) * ratioLimit});
+    if ((stat.valid & ZIP_STAT_SIZE) && stat.size > static_cast<zip_uint64_t>(most))
+        refuseBomb(); // what it says of itself; what it is, is counted below
+    const std::unique_ptr<zip_file_t, int (*)(zip_file_t *)> file(
+        zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0), zip_fclose);
+    if (!file)
+        refuseDamaged();
+    QByteArray bytes;
+    for (;;) {
+        const qsizetype size = bytes.size();
+        bytes.resize(size + blockSize);
+        const zip_int64_t read =
+            zip_fread(file.get(), bytes.data() + size, static_cast<zip_uint64_t>(blockSize));
+        if (read < 0)
+            refuseDamaged();
+        bytes.resize(size + static_cast<qsizetype>(read));
+        if (read == 0)
+            break;
+        if (bytes.size() > most)
+            refuseBomb();
+    }
+    m_unpacked += bytes.size();
+    return bytes;
+}
+
+} // namespace palmer

@@ -1,0 +1,114 @@
+#include "tables/dates.h"
+
+#include "tables/folded.h"
+
+#include <QDate>
+#include <QRegularExpression>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+/// The first letters of the months, folded, in five languages; the longest that are needed to tell them
+/// apart.
+constexpr std::array<std::array<std::string_view, 5>, 12> months{{
+    {"jan", "janv", "gen", "ene", "janner"},
+    {"feb", "fev", "febr", "feb", "feb"},
+    {"mar", "mars", "marz", "maerz", "marzo"},
+    {"apr", "avr", "abr", "apr", "apr"},
+    {"may", "mai", "mag", "may", "mayo"},
+    {"jun", "juin", "giu", "jun", "juni"},
+    {"jul", "juil", "lug", "jul", "juli"},
+    {"aug", "aout", "ago", "aug", "agosto"},
+    {"sep", "sept", "set", "sep", "sep"},
+    {"oct", "okt", "ott", "oct", "oct"},
+    {"nov", "nov", "nov", "nov", "nov"},
+    {"dec", "dez", "dic", "dec", "dic"},
+}};
+
+int monthOf(const QString &name) {
+    const std::string low = folded(name.toStdString());
+    int found = 0;
+    std::size_t longest = 2;
+    for (std::size_t m = 0; m < months.size(); ++m) {
+        for (const std::string_view word : months[m]) {
+            if (word.size() > longest && low.starts_with(word)) {
+                found = static_cast<int>(m) + 1;
+                longest = word.size();
+            }
+        }
+    }
+    return found;
+}
+
+std::optional<std::string> validDate(int year, int month, int day) {
+    const QDate date(year < 100 ? 2000 + year : year, month, day);
+    return date.isValid() ? std::optional(date.toString(Qt::ISODate).toStdString()) : std::nullopt;
+}
+
+const QRegularExpression &numericDate() {
+    static const QRegularExpression pattern(QStringLiteral(
+        R"((?<![\d.])(?:(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})|(\d{1,2})([-/.])(\d{1,2})\5(\d{4}))(?![\d.]))"));
+    return pattern;
+}
+
+} // namespace
+
+std::optional<std::string> isoDate(std::string_view text) {
+    const QString line = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    if (const auto match = numericDate().match(line); match.hasMatch()) {
+        if (!match.captured(1).isEmpty())
+            return validDate(match.captured(1).toInt(), match.captured(2).toInt(), match.captured(3).toInt());
+        const int first = match.captured(4).toInt();
+        const int second = match.captured(6).toInt();
+        const int year = match.captured(7).toInt();
+        if (match.captured(5) == QLatin1StringView(".") || first > 12 || first == second)
+            return validDate(year, second, first);
+        return second > 12 ? validDate(year, first, second) : std::nullopt;
+    }
+    static const QRegularExpression named(
+        QStringLiteral(R"((?<!\d)(\d{1,2})\.?\s+(?:de\s+)?(\p{L}{3,})\.?\s+(?:de\s+)?(\d{4})(?!\d))"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    if (const auto match = named.match(line); match.hasMatch()) {
+        if (const int month = monthOf(match.captured(2)))
+            return validDate(match.captured(3).toInt(), month, match.captured(1).toInt());
+    }
+    return {};
+}
+
+bool isDate(std::string_view cell) {
+    if (cell.size() < 8 || cell.size() > 10)
+        return false;
+    std::array<std::size_t, 3> digits{};
+    std::size_t part = 0;
+    char separator = 0;
+    for (const char c : cell) {
+        if (c >= '0' && c <= '9') {
+            ++digits[part];
+        } else if ((c == '-' || c == '.' || c == '/') && (separator == 0 || c == separator) && part < 2) {
+            separator = c;
+            ++part;
+        } else {
+            return false;
+        }
+    }
+    const bool isIso = digits[0] == 4 && digits[2] <= 2;
+    const bool isLocal = digits[0] <= 2 && digits[0] > 0 && digits[2] == 4;
+    return part == 2 && digits[1] > 0 && digits[1] <= 2 && (isIso || isLocal);
+}
+
+std::optional<long> dayOf(std::string_view cell) {
+    if (cell.size() < 8 || cell[0] < '0' || cell[0] > '9')
+        return {};
+    const std::size_t end = cell.find_first_not_of("0123456789-/");
+    std::string date(cell.substr(0, end));
+    if (!isDate(date) || (date[4] != '-' && date[4] != '/'))
+        return {};
+    for (char &c : date)
+        c = c == '/' ? '-' : c;
+    const QDate day = QDate::fromString(QString::fromStdString(date), QStringLiteral("yyyy-M-d"));
+    return day.isValid() ? std::optional(static_cast<long>(day.toJulianDay() - 2440588)) : std::nullopt;
+}
+
+} // namespace palmer

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace palmer {
+
+/// Lower case without accents: "Écart Rückwärts" → "ecart ruckwarts".
+[[nodiscard]] std::string folded(std::string_view text);
+
+} // namespace palmer

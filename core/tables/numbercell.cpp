@@ -1,0 +1,310 @@
+#include "tables/numbercell.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <string>
+
+namespace palmer {
+
+namespace {
+
+// Exact in double: a whole number below 2^53 times or by one of these is rounded once.
+constexpr std::array powersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr std::uint64_t exactWhole = std::uint64_t(1) << 53U;
+constexpr std::ptrdiff_t mostScale = powersOfTen.size() - 1;
+constexpr std::ptrdiff_t mostDigits = 18; // fit 64 bits whatever they are
+constexpr std::size_t longestNumber = 400;
+
+// U+2212 minus, en dash, hyphens, and the small and full-width ones.
+constexpr std::array<std::string_view, 6> minusSigns{"\u2212", "\u2013", "\u2010",
+                                                     "\u2011", "\uFE63", "\uFF0D"};
+
+// No-break space, narrow no-break space, thin space, figure space.
+constexpr std::array<std::string_view, 4> wideBlanks{"\u00A0", "\u202F", "\u2009", "\u2007"};
+
+constexpr std::array<std::string_view, 23> missingWords{
+    "na",     "n/a",    "n.a.",   "null", "none", "nil", "missing", "manquant", "-",   "--",  "---", "\u2013",
+    "\u2014", "\u2212", "\u2026", "...",  "*",    "?",   "x",       "#n/a",     "#nv", "#na", "void"};
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::size_t signLength(std::string_view text, bool &negative) {
+    negative = false;
+    if (text.empty())
+        return 0;
+    if (text[0] == '-' || text[0] == '+') {
+        negative = text[0] == '-';
+        return 1;
+    }
+    if (static_cast<unsigned char>(text[0]) < 0x80)
+        return 0;
+    for (const std::string_view sign : minusSigns) {
+        if (text.starts_with(sign)) {
+            negative = true;
+            return sign.size();
+        }
+    }
+    return 0;
+}
+
+// Whether a text without meaning is made of what numbers are made of.
+bool looksLikeNumber(std::string_view text) {
+    bool digit = false;
+    for (std::size_t i = 0; i < text.size();) {
+        const char c = text[i];
+        if (isDigit(c)) {
+            digit = true;
+            ++i;
+        } else if (c == '.' || c == ',' || c == '\'' || c == ' ' || c == '+' || c == '-' ||
+                   ((c == 'e' || c == 'E') && digit)) {
+            ++i;
+        } else {
+            const std::string_view rest = text.substr(i);
+            const auto begins = [&](std::string_view sign) { return rest.starts_with(sign); };
+            const auto *const sign = std::ranges::find_if(minusSigns, begins);
+            const auto *const blank = std::ranges::find_if(wideBlanks, begins);
+            if (sign == minusSigns.end() && blank == wideBlanks.end())
+                return false;
+            i += sign != minusSigns.end() ? sign->size() : blank->size();
+        }
+    }
+    return digit;
+}
+
+// Digits in groups of three, or a number with the other mark: what another convention would read.
+bool isGrouped(std::string_view text, DecimalMark mark) {
+    const DecimalMark other = mark == DecimalMark::point ? DecimalMark::comma : DecimalMark::point;
+    if (leadingNumber(text, other).size == text.size())
+        return true;
+    std::string joined;
+    std::size_t groups = 0;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::string_view rest = text.substr(i);
+        const auto *const blank =
+            std::ranges::find_if(wideBlanks, [&](std::string_view wide) { return rest.starts_with(wide); });
+        const std::size_t separator = blank != wideBlanks.end() ? blank->size()
+                                      : std::string_view(".,' ").find(rest[0]) != std::string_view::npos ? 1
+                                                                                                         : 0;
+        const bool group = separator > 0 && rest.size() >= separator + 3 && !joined.empty() &&
+                           isDigit(joined.back()) &&
+                           std::all_of(rest.begin() + static_cast<std::ptrdiff_t>(separator),
+                                       rest.begin() + static_cast<std::ptrdiff_t>(separator) + 3, isDigit) &&
+                           (rest.size() == separator + 3 || !isDigit(rest[separator + 3]));
+        if (group) {
+            joined.append(rest.substr(separator, 3));
+            i += separator + 3;
+            ++groups;
+        } else {
+            joined += rest[0];
+            ++i;
+        }
+    }
+    if (groups == 0)
+        return false;
+    return leadingNumber(joined, mark).size == joined.size() ||
+           leadingNumber(joined, other).size == joined.size();
+}
+
+} // namespace
+
+bool sameWord(std::string_view a, std::string_view b) {
+    return a.size() == b.size() &&
+           std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::string_view withoutBlanks(std::string_view text) {
+    const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+    for (bool again = true; again;) {
+        again = false;
+        while (!text.empty() && isBlank(text.front()))
+            text.remove_prefix(1);
+        while (!text.empty() && isBlank(text.back()))
+            text.remove_suffix(1);
+        if (text.empty() || (static_cast<unsigned char>(text.front()) < 0x80 &&
+                             static_cast<unsigned char>(text.back()) < 0x80))
+            return text;
+        for (const std::string_view blank : wideBlanks) {
+            if (text.starts_with(blank)) {
+                text.remove_prefix(blank.size());
+                again = true;
+            }
+            if (text.ends_with(blank)) {
+                text.remove_suffix(blank.size());
+                again = true;
+            }
+        }
+    }
+    return text;
+}
+
+namespace {
+
+// A number of any length, whose digits and signs are known to be in order. NaN beyond the range of double.
+double valueOf(std::string_view number, char point, bool large) {
+    std::array<char, longestNumber> plain{};
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < number.size();) {
+        bool minus = false;
+        const std::size_t sign = signLength(number.substr(i), minus);
+        if (sign > 0) { // of the exponent
+            if (minus)
+                plain[size++] = '-';
+            i += sign;
+        } else {
+            plain[size++] = number[i] == point ? '.' : number[i];
+            ++i;
+        }
+    }
+    double value = 0;
+    const auto read = std::from_chars(plain.data(), plain.data() + size, value);
+    if (read.ec == std::errc() && std::isfinite(value))
+        return value;
+    // Too near to zero is zero.
+    return read.ec == std::errc::result_out_of_range && !large ? 0 : std::nan("");
+}
+
+} // namespace
+
+namespace {
+
+constexpr std::ptrdiff_t blockSize = 8;
+
+struct DigitBlock {
+    std::uint64_t value;
+    std::ptrdiff_t count; // digits at the beginning of the eight bytes
+};
+
+// The digits that eight bytes begin with, all at once (little endian: the first byte is the lowest).
+inline DigitBlock digitBlock(const char *text) {
+    constexpr std::uint64_t each = 0x0101010101010101U;
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, text, blockSize);
+    bytes ^= '0' * each;
+    // The high bit of the first byte that is above 9; what the sum carries reaches later bytes only.
+    const std::uint64_t others = ((bytes + (0x80U - 10U) * each) | bytes) & (0x80U * each);
+    const int bits = std::countr_zero(others) & ~7; // of the digits
+    if (bits == 0)
+        return {0, 0};
+    bytes <<= 64 - bits; // as many zeros before them as there were other bytes
+    bytes = (bytes * 10 + (bytes >> 8U)) & 0x00FF00FF00FF00FFU;
+    bytes = (bytes * 100 + (bytes >> 16U)) & 0x0000FFFF0000FFFFU;
+    bytes = (bytes * 10000 + (bytes >> 32U)) & 0xFFFFFFFFU;
+    return {bytes, bits / 8};
+}
+
+// Most numbers: at most seven digits before the mark and after it, no exponent. Size 0: it is to be read
+// digit by digit. `text` has more bytes than such a number.
+inline LeadingNumber plainNumber(const char *text, char point) {
+    const bool negative = *text == '-';
+    const char *at = text + (negative ? 1 : 0);
+    const DigitBlock whole = digitBlock(at);
+    at += whole.count;
+    DigitBlock decimals{0, 0};
+    if (*at == point) {
+        ++at;
+        decimals = digitBlock(at);
+        at += decimals.count;
+    }
+    if (whole.count == blockSize || decimals.count == blockSize || whole.count + decimals.count == 0 ||
+        *at == 'e' || *at == 'E')
+        return {};
+    constexpr std::array<std::uint64_t, blockSize> scales{1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
+    const auto places = static_cast<std::size_t>(decimals.count);
+    const double value = static_cast<double>(whole.value * scales[places] + decimals.value) /
+                         powersOfTen[places]; // both exact
+    return {negative ? -value : value, static_cast<std::size_t>(at - text)};
+}
+
+} // namespace
+
+LeadingNumber leadingNumber(std::string_view text, DecimalMark mark) {
+    const char point = mark == DecimalMark::point ? '.' : ',';
+    constexpr std::size_t longestPlain = 1 + 2 * blockSize + 2; // with sign, mark and what follows
+    if constexpr (std::endian::native == std::endian::little) {
+        if (text.size() >= longestPlain) {
+            const LeadingNumber number = plainNumber(text.data(), point);
+            if (number.size > 0)
+                return number;
+        }
+    }
+    const char *const begin = text.data();
+    const char *const end = begin + text.size();
+    const char *at = begin;
+    bool negative = false;
+    if (at != end && !isDigit(*at))
+        at += signLength(text, negative);
+    const char *const first = at;
+    std::uint64_t whole = 0; // may overflow, then it is not used
+    for (; at != end && isDigit(*at); ++at)
+        whole = whole * 10 + static_cast<std::uint64_t>(*at - '0');
+    std::ptrdiff_t digits = at - first;
+    const std::ptrdiff_t wholes = digits;
+    std::ptrdiff_t decimals = 0;
+    if (at != end && *at == point) {
+        const char *const firstDecimal = ++at;
+        for (; at != end && isDigit(*at); ++at)
+            whole = whole * 10 + static_cast<std::uint64_t>(*at - '0');
+        decimals = at - firstDecimal;
+        digits += decimals;
+    }
+    if (digits == 0)
+        return {};
+    std::ptrdiff_t exponent = 0;
+    if (at != end && (*at == 'e' || *at == 'E')) {
+        bool down = false;
+        const char *digit = at + 1;
+        digit += signLength(text.substr(static_cast<std::size_t>(digit - begin)), down);
+        if (digit != end && isDigit(*digit)) {
+            for (at = digit; at != end && isDigit(*at); ++at)
+                exponent = std::min<std::ptrdiff_t>(exponent * 10 + (*at - '0'), 100'000);
+            exponent = down ? -exponent : exponent;
+        }
+    }
+    const std::ptrdiff_t scale = exponent - decimals;
+    double value = 0;
+    if (digits <= mostDigits && whole <= exactWhole && scale <= mostScale && scale >= -mostScale) {
+        value = static_cast<double>(whole);
+        value = scale < 0 ? value / powersOfTen[static_cast<std::size_t>(-scale)]
+                          : value * powersOfTen[static_cast<std::size_t>(scale)];
+    } else {
+        if (at - first > static_cast<std::ptrdiff_t>(longestNumber))
+            return {};
+        value = valueOf({first, static_cast<std::size_t>(at - first)}, point, exponent + wholes > 0);
+        if (std::isnan(value))
+            return {};
+    }
+    return {negative ? -value : value, static_cast<std::size_t>(at - begin)};
+}
+
+CellValue readCell(std::string_view cell, DecimalMark mark) {
+    cell = withoutBlanks(cell);
+    if (cell.empty())
+        return {CellKind::empty};
+    const LeadingNumber number = leadingNumber(cell, mark);
+    if (number.size == cell.size())
+        return {CellKind::number, number.value};
+    if (std::ranges::any_of(missingWords, [&](std::string_view word) { return sameWord(cell, word); }))
+        return {CellKind::missing};
+    for (const std::string_view word :
+         {"nan", "-nan", "inf", "-inf", "+inf", "infinity", "-infinity", "\u221E", "-\u221E"}) {
+        if (sameWord(cell, word))
+            return {CellKind::broken};
+    }
+    if (!looksLikeNumber(cell))
+        return {CellKind::text};
+    return {isGrouped(cell, mark) ? CellKind::grouped : CellKind::broken};
+}
+
+} // namespace palmer

@@ -1,0 +1,508 @@
+#include "tables/table.h"
+
+#include "document/documenterror.h"
+#include "tables/dates.h"
+#include "tables/decodetext.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace palmer {
+
+namespace {
+
+constexpr std::size_t rowLimit = 10'000'000;
+constexpr std::size_t cellLimit = 10'000'000;
+constexpr std::size_t longestCell = std::numeric_limits<std::uint16_t>::max();
+constexpr std::size_t quoteReach = 4096; ///< a quotation mark that is not closed within is a character
+constexpr std::size_t sampleRows = 300;
+
+bool isLineEnd(char c) {
+    return c == '\n' || c == '\r';
+}
+
+char character(Delimiter delimiter) {
+    switch (delimiter) {
+    case Delimiter::tab:
+        return '\t';
+    case Delimiter::semicolon:
+        return ';';
+    case Delimiter::comma:
+        return ',';
+    case Delimiter::bar:
+        return '|';
+    case Delimiter::blanks:
+        return ' ';
+    }
+    return ' ';
+}
+
+// "#N/A" in the first cell is a value, no comment.
+std::size_t commentMark(std::string_view line) {
+    if (line.starts_with("//"))
+        return 2;
+    if (line.starts_with('%'))
+        return 1;
+    if (!line.starts_with('#'))
+        return 0;
+    for (const std::string_view word :
+         {"#N/A", "#n/a", "#NV", "#NA", "#REF!", "#DIV/0!", "#VALUE!", "#VALEUR!"}) {
+        if (line.starts_with(word))
+            return 0;
+    }
+    return 1;
+}
+
+[[noreturn]] void refuseSize(std::size_t line) {
+    throw Error(Error::Kind::tooLarge,
+                {REPORT_TEXT("report", "more rows or cells than a table of readings can have")},
+                std::to_string(line) + ":1");
+}
+
+/// Bytes of a cell that are kept: never half a character.
+std::uint16_t keptSize(std::string_view cell) {
+    std::size_t size = std::min(cell.size(), longestCell);
+    while (size < cell.size() && size > 0 && (static_cast<unsigned char>(cell[size]) & 0xC0U) == 0x80U)
+        --size;
+    return static_cast<std::uint16_t>(size);
+}
+
+/// One pass over a text.
+class Scanner {
+public:
+    Scanner(std::string_view text, Delimiter delimiter, DecimalMark mark, bool comments)
+        : m_text(text)
+        , m_delimiter(character(delimiter))
+        , m_blanks(delimiter == Delimiter::blanks)
+        , m_mark(mark)
+        , m_comments(comments) {}
+
+    std::vector<TableRow> rows;
+    std::vector<TableCell> cells;
+
+    void scan(std::size_t mostRows) {
+        while (m_at < m_text.size() && rows.size() < mostRows)
+            scanLine();
+    }
+
+    /// Where the next line begins.
+    [[nodiscard]] std::size_t at() const { return m_at; }
+
+private:
+    [[nodiscard]] bool atLineEnd() const { return m_at == m_text.size() || isLineEnd(m_text[m_at]); }
+    [[nodiscard]] bool isBlank(char c) const {
+        return c == ' ' || (c == '\t' && m_delimiter != '\t') || c == '\f';
+    }
+
+    void skipBlanks() {
+        while (m_at < m_text.size() && isBlank(m_text[m_at]))
+            ++m_at;
+    }
+
+    void scanLine() {
+        const std::size_t begin = m_at;
+        TableRow row{static_cast<std::uint32_t>(cells.size()), 0, m_line, false};
+        skipBlanks();
+        const std::size_t mark = m_comments ? commentMark(m_text.substr(m_at, 8)) : 0;
+        if (mark > 0) {
+            row.comment = true;
+            m_at += mark;
+            const std::size_t end = std::min(m_text.find_first_of("\r\n", m_at), m_text.size());
+            addText(m_at, end);
+            m_at = end;
+        } else if (!atLineEnd()) {
+            if (!m_blanks)
+                m_at = begin;
+            scanCells();
+        }
+        skipLineEnd();
+        row.count = static_cast<std::uint32_t>(cells.size() - row.first);
+        const bool empty = std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(row.first), cells.end(),
+                                       [](const TableCell &cell) { return cell.kind == CellKind::empty; });
+        if (empty) {
+            cells.resize(row.first);
+            return;
+        }
+        rows.push_back(row);
+        if (rows.size() > rowLimit || cells.size() > cellLimit)
+            refuseSize(row.line);
+    }
+
+    void skipLineEnd() {
+        if (m_at == m_text.size())
+            return;
+        if (m_text[m_at] == '\r' && m_at + 1 < m_text.size() && m_text[m_at + 1] == '\n')
+            ++m_at;
+        ++m_at;
+        ++m_line;
+    }
+
+    void scanCells() {
+        for (;;) {
+            scanCell();
+            if (atLineEnd())
+                return;
+            if (m_blanks) {
+                skipBlanks();
+                if (atLineEnd())
+                    return;
+                continue;
+            }
+            ++m_at; // the delimiter
+        }
+    }
+
+    /// Stops at a delimiter or at the end of the line.
+    void scanCell() {
+        skipBlanks();
+        // Numbers, which tables are made of, in one pass.
+        const LeadingNumber number = leadingNumber(m_text.substr(m_at, 64), m_mark);
+        if (number.size > 0) {
+            const std::size_t begin = m_at;
+            const std::size_t end = begin + number.size;
+            std::size_t next = end;
+            while (!m_blanks && next < m_text.size() && isBlank(m_text[next]))
+                ++next;
+            if (next == m_text.size() || isLineEnd(m_text[next]) || m_text[next] == m_delimiter ||
+                (m_blanks && isBlank(m_text[next]))) {
+                cells.push_back({number.value, static_cast<std::uint32_t>(begin),
+                                 static_cast<std::uint16_t>(end - begin), CellKind::number});
+                m_at = next;
+                return;
+            }
+        }
+        if (m_at < m_text.size() && m_text[m_at] == '"' && scanQuoted())
+            return;
+        const std::size_t begin = m_at;
+        while (!atLineEnd() && m_text[m_at] != m_delimiter && !(m_blanks && isBlank(m_text[m_at])))
+            ++m_at;
+        addText(begin, m_at);
+    }
+
+    bool scanQuoted() {
+        const std::size_t begin = m_at + 1;
+        const std::size_t last = std::min(m_text.size(), begin + quoteReach);
+        for (std::size_t i = begin; i < last; ++i) {
+            if (m_text[i] != '"')
+                continue;
+            if (i + 1 < m_text.size() && m_text[i + 1] == '"') {
+                ++i;
+                continue;
+            }
+            std::size_t next = i + 1;
+            while (next < m_text.size() && isBlank(m_text[next]))
+                ++next;
+            const bool closes = next == m_text.size() || isLineEnd(m_text[next]) ||
+                                m_text[next] == m_delimiter || (m_blanks && next > i + 1);
+            if (!closes)
+                return false;
+            addText(begin, i);
+            for (std::size_t j = begin; j < i; ++j)
+                m_line += m_text[j] == '\n' || (m_text[j] == '\r' && m_text[j + 1] != '\n') ? 1 : 0;
+            m_at = m_blanks ? i + 1 : next;
+            return true;
+        }
+        return false;
+    }
+
+    void addText(std::size_t begin, std::size_t end) {
+        const std::string_view whole = m_text.substr(begin, end - begin);
+        const std::string_view bare = withoutBlanks(whole);
+        const CellValue value = readCell(bare, m_mark);
+        const auto at = static_cast<std::size_t>(bare.data() - m_text.data());
+        cells.push_back(
+            {value.value, static_cast<std::uint32_t>(bare.empty() ? begin : at), keptSize(bare), value.kind});
+    }
+
+    std::string_view m_text;
+    std::size_t m_at = 0;
+    std::uint32_t m_line = 1;
+    char m_delimiter;
+    bool m_blanks;
+    DecimalMark m_mark;
+    bool m_comments;
+};
+
+/// How a sample of the text reads under a delimiter and a decimal mark.
+struct Reading {
+    Delimiter delimiter = Delimiter::tab;
+    DecimalMark mark = DecimalMark::point;
+    double score = 0;
+    double rival = 0;            ///< the score before the reading was put behind others
+    bool hasMark = false;        ///< a number with decimals
+    std::size_t columns = 0;     ///< of most rows
+    std::vector<double> numbers; ///< of the rows that are alike
+};
+
+// Whole numbers written as "05" are the decimals of something.
+bool isTorn(std::string_view number) {
+    return number.size() > 1 && number[0] == '0' && number[1] >= '0' && number[1] <= '9';
+}
+
+// Several numbers in one cell: the delimiter is another one.
+bool isUncut(std::string_view text) {
+    return text.find_first_of("0123456789") != std::string_view::npos &&
+           text.find_first_of(";|,\t") != std::string_view::npos &&
+           text.find_first_not_of("0123456789.,;|\t+-eE ") == std::string_view::npos;
+}
+
+Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mark, bool comments) {
+    Scanner scanner(sample, delimiter, mark, comments);
+    scanner.scan(sampleRows);
+    Reading result{delimiter, mark, 0, 0, false, 0, {}};
+    struct Row {
+        std::size_t count;
+        std::vector<double> numbers;
+    };
+    std::vector<Row> rows;
+    std::map<std::size_t, std::size_t> numbersUnder; // a number of columns
+    double broken = 0;
+    double torn = 0;
+    bool words = false;
+    bool spaced = false;
+    for (const TableRow &row : scanner.rows) {
+        if (row.comment)
+            continue;
+        Row read{row.count, {}};
+        for (std::size_t i = 0; i < row.count; ++i) {
+            const TableCell &cell = scanner.cells[row.first + i];
+            const std::string_view text = sample.substr(cell.begin, cell.size);
+            if (cell.isNumber()) {
+                read.numbers.push_back(cell.value);
+                result.hasMark |= text.find(mark == DecimalMark::point ? '.' : ',') != std::string_view::npos;
+                torn += isTorn(text) ? 1 : 0;
+                spaced |= i > 0 && cell.begin > 0 && sample[cell.begin - 1] == ' ';
+            } else if ((cell.kind == CellKind::grouped || cell.kind == CellKind::broken || isUncut(text)) &&
+                       !isDate(text)) {
+                ++broken;
+            }
+        }
+        numbersUnder[row.count] += read.numbers.size();
+        words |= read.numbers.empty() && row.count > 1;
+        if (!read.numbers.empty())
+            rows.push_back(std::move(read));
+    }
+    if (rows.empty()) {
+        result.score = -std::numeric_limits<double>::infinity();
+        return result;
+    }
+    std::size_t most = 0;
+    for (const auto &[count, numbers] : numbersUnder) {
+        if (numbers > most) {
+            most = numbers;
+            result.columns = count;
+        }
+    }
+    std::size_t alike = 0;
+    std::size_t all = 0;
+    for (const Row &row : rows) {
+        all += row.numbers.size();
+        if (row.count != result.columns)
+            continue;
+        ++alike;
+        result.numbers.insert(result.numbers.end(), row.numbers.begin(), row.numbers.end());
+    }
+    result.score = static_cast<double>(alike) / static_cast<double>(rows.size()) *
+                   (static_cast<double>(all) - 2 * broken);
+    result.rival = torn > 0 ? 0 : result.score;
+    // A comma between whole numbers, and nothing that says it is no decimal mark.
+    const bool decimals = result.columns < 3 && !words && !spaced;
+    if (delimiter == Delimiter::comma && !result.hasMark && (decimals || torn > 0))
+        result.score = std::min(result.score, 0.0);
+    return result;
+}
+
+/// The beginning of the text, and a piece from its middle, each of whole lines.
+std::string sampleOf(std::string_view text) {
+    constexpr std::size_t piece = 40'000;
+    const auto lineAfter = [&](std::size_t at) {
+        const std::size_t end = text.find_first_of("\r\n", at);
+        return end == std::string_view::npos ? text.size() : end + 1;
+    };
+    if (text.size() <= 2 * piece)
+        return std::string(text);
+    std::size_t line = 0;
+    std::size_t rows = 0;
+    while (rows < sampleRows / 2 && line < piece) {
+        line = lineAfter(line);
+        ++rows;
+    }
+    std::string sample(text.substr(0, std::min(line, 4 * piece)));
+    sample += '\n';
+    const std::size_t middle = lineAfter(std::max(line, text.size() / 2));
+    sample += text.substr(middle,
+                          std::min(lineAfter(std::min(middle + piece / 2, text.size())) - middle, 2 * piece));
+    return sample;
+}
+
+void settleForm(CellTable &table, std::string_view text, const TableOptions &options) {
+    const std::string sample = sampleOf(text);
+    Reading best;
+    std::vector<Reading> readings;
+    for (const Delimiter delimiter :
+         {Delimiter::tab, Delimiter::semicolon, Delimiter::bar, Delimiter::comma, Delimiter::blanks}) {
+        for (const DecimalMark mark : {DecimalMark::point, DecimalMark::comma}) {
+            if (delimiter == Delimiter::comma && mark == DecimalMark::comma &&
+                !(options.delimiter == delimiter && options.decimalMark == mark))
+                continue;
+            if (options.delimiter.value_or(delimiter) != delimiter ||
+                options.decimalMark.value_or(mark) != mark)
+                continue;
+            readings.push_back(readSample(sample, delimiter, mark, options.comments));
+            // Blanks stand between words, too: another delimiter that parts nearly as many numbers is the
+            // one.
+            constexpr double nearly = 0.6;
+            if (delimiter == Delimiter::blanks && best.columns > 1 &&
+                best.score > nearly * readings.back().score)
+                continue;
+            if (readings.size() == 1 || readings.back().score > best.score)
+                best = readings.back();
+        }
+    }
+    const bool doubtful = std::ranges::any_of(readings, [&](const Reading &reading) {
+        return reading.rival > 0.5 * best.score && reading.numbers != best.numbers;
+    });
+    const Origin origin = doubtful ? Origin::guessed : Origin::recognised;
+    table.delimiter = {best.delimiter, options.delimiter ? Origin::chosen : origin};
+    table.decimalMark = {best.mark, options.decimalMark ? Origin::chosen : origin};
+}
+
+/// A hint: long tables in large pages, whose first use costs less than that of many small ones.
+template <class Element>
+void inLargePages([[maybe_unused]] std::vector<Element> &reserved) {
+#ifdef MADV_HUGEPAGE
+    constexpr std::uintptr_t page = std::uintptr_t(2) << 20U;
+    const auto begin = reinterpret_cast<std::uintptr_t>(reserved.data());
+    const std::uintptr_t from = (begin + page - 1) / page * page;
+    const std::uintptr_t to = (begin + reserved.capacity() * sizeof(Element)) / page * page;
+    if (from < to)
+        madvise(reinterpret_cast<void *>(from), to - from, MADV_HUGEPAGE);
+#endif
+}
+
+} // namespace
+
+namespace {
+
+/// Before anything is read: a line of that length is no row of a table.
+void demandLines(std::string_view text) {
+    constexpr std::size_t longestLine = std::size_t(1) << 20U;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= text.size(); ++i) {
+        if (i < text.size() && !isLineEnd(text[i]))
+            continue;
+        if (i - begin > longestLine)
+            throw Error(Error::Kind::tooLarge,
+                        {REPORT_TEXT("report", "a line is longer than 1 MiB; expected a table of readings")},
+                        lineAndColumn(text, begin));
+        begin = i + 1;
+    }
+}
+
+} // namespace
+
+CellTable readTable(std::string text, const TableOptions &options) {
+    demandLines(text);
+    CellTable table;
+    table.m_text = std::move(text);
+    settleForm(table, table.m_text, options);
+    Scanner scanner(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
+    // Exact enough for tables, whose lines are alike.
+    scanner.scan(sampleRows);
+    if (scanner.at() < table.m_text.size()) {
+        const std::size_t times = table.m_text.size() / scanner.at() + 1;
+        scanner.rows.reserve(std::min(rowLimit, scanner.rows.size() * times * 9 / 8));
+        scanner.cells.reserve(std::min(cellLimit, scanner.cells.size() * times * 9 / 8));
+        inLargePages(scanner.rows);
+        inLargePages(scanner.cells);
+        scanner.scan(std::numeric_limits<std::size_t>::max());
+    }
+    table.m_rows = std::move(scanner.rows);
+    table.m_cells = std::move(scanner.cells);
+    return table;
+}
+
+std::size_t CellTable::column(const TableCell &cell) const {
+    std::size_t begin = cell.begin;
+    while (begin > 0 && !isLineEnd(m_text[begin - 1]))
+        --begin;
+    return 1 + static_cast<std::size_t>(
+                   std::count_if(m_text.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 m_text.begin() + static_cast<std::ptrdiff_t>(cell.begin),
+                                 [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+void TableBuilder::beginRow(std::size_t line) {
+    if (m_table.m_rows.size() >= rowLimit)
+        refuseSize(line);
+    if (!m_table.m_rows.empty())
+        m_table.m_text += '\n';
+    m_table.m_rows.push_back(
+        {static_cast<std::uint32_t>(m_table.m_cells.size()), 0, static_cast<std::uint32_t>(line), false});
+}
+
+TableCell &TableBuilder::append(std::string_view cell) {
+    TableRow &row = m_table.m_rows.back();
+    constexpr std::size_t textLimit = std::size_t(1) << 28U;
+    constexpr std::size_t builtLimit = 10'000'000; // cells of a sheet that is nearly empty, too
+    if (m_table.m_cells.size() >= builtLimit || m_table.m_text.size() > textLimit)
+        refuseSize(row.line);
+    if (row.count++ > 0)
+        m_table.m_text += '\t';
+    cell = withoutBlanks(cell);
+    cell = cell.substr(0, keptSize(cell));
+    const auto begin = static_cast<std::uint32_t>(m_table.m_text.size());
+    for (const char c : cell)
+        m_table.m_text += c == '\t' || isLineEnd(c) ? ' ' : c;
+    m_table.m_cells.push_back({0, begin, static_cast<std::uint16_t>(cell.size()), CellKind::empty});
+    return m_table.m_cells.back();
+}
+
+void TableBuilder::add(std::string_view cell) {
+    const CellValue value = readCell(cell, DecimalMark::point);
+    TableCell &added = append(cell);
+    added.kind = value.kind;
+    added.value = value.value;
+    if (value.kind != CellKind::text && value.kind != CellKind::empty)
+        m_texts.push_back(m_table.m_cells.size() - 1);
+}
+
+void TableBuilder::add(double number, std::string_view shown) {
+    TableCell &added = append(shown);
+    added.kind = CellKind::number;
+    added.value = number;
+}
+
+CellTable TableBuilder::take(std::optional<DecimalMark> mark) {
+    std::array<std::size_t, 2> marked{}; // numbers with decimals under either mark
+    for (const std::size_t i : m_texts) {
+        const std::string_view text = m_table.text(m_table.m_cells[i]);
+        for (const DecimalMark each : {DecimalMark::point, DecimalMark::comma}) {
+            const char sign = each == DecimalMark::point ? '.' : ',';
+            if (text.find(sign) != std::string_view::npos && readCell(text, each).kind == CellKind::number)
+                ++marked[static_cast<std::size_t>(each)];
+        }
+    }
+    const bool comma = marked[1] > marked[0];
+    m_table.decimalMark = {comma ? DecimalMark::comma : DecimalMark::point,
+                           marked[0] > 0 && marked[1] > 0 ? Origin::guessed : Origin::recognised};
+    if (mark)
+        m_table.decimalMark = {*mark, Origin::chosen};
+    if (m_table.decimalMark.value == DecimalMark::comma) {
+        for (const std::size_t i : m_texts) {
+            const CellValue value = readCell(m_table.text(m_table.m_cells[i]), DecimalMark::comma);
+            m_table.m_cells[i].kind = value.kind;
+            m_table.m_cells[i].value = value.value;
+        }
+    }
+    return std::move(m_table);
+}
+
+} // namespace palmer

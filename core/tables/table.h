@@ -1,0 +1,95 @@
+#pragma once
+
+#include "tables/choice.h"
+#include "tables/numbercell.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palmer {
+
+/// What stands between the cells of a line.
+enum class Delimiter { tab, semicolon, comma, bar, blanks };
+
+/// A cell of a table; where it stands in the text of the table, without quotation marks and outer blanks.
+struct TableCell {
+    double value = 0; ///< of a number, else 0
+    std::uint32_t begin = 0;
+    std::uint16_t size = 0; ///< bytes, cut off at 65 535
+    CellKind kind = CellKind::empty;
+
+    [[nodiscard]] bool isNumber() const { return kind == CellKind::number; }
+};
+
+/// A line of a table: its cells from `first` on. Lines without a cell are no rows.
+struct TableRow {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t line = 1; ///< of the text, from 1
+    bool comment = false;   ///< begins with # % or //: one cell, the line without the mark
+};
+
+struct TableOptions {
+    std::optional<Delimiter> delimiter;
+    std::optional<DecimalMark> decimalMark;
+    bool comments = true; ///< whether lines that begin with # % or // are comments
+};
+
+/// A text taken apart into rows and cells. Immutable; the cells refer to the text it holds.
+class CellTable {
+public:
+    CellTable() = default;
+
+    [[nodiscard]] const std::string &text() const { return m_text; }
+    [[nodiscard]] std::span<const TableRow> rows() const { return m_rows; }
+    [[nodiscard]] std::span<const TableCell> cells(const TableRow &row) const {
+        return std::span(m_cells).subspan(row.first, row.count);
+    }
+    /// What a cell says, without quotation marks; "" inside a quoted cell stays doubled.
+    [[nodiscard]] std::string_view text(const TableCell &cell) const {
+        return std::string_view(m_text).substr(cell.begin, cell.size);
+    }
+    /// From 1; the column counts characters of the line.
+    [[nodiscard]] std::size_t column(const TableCell &cell) const;
+
+    Choice<Delimiter> delimiter;
+    Choice<DecimalMark> decimalMark;
+
+private:
+    friend CellTable readTable(std::string text, const TableOptions &options);
+    friend class TableBuilder;
+
+    std::string m_text;
+    std::vector<TableRow> m_rows;
+    std::vector<TableCell> m_cells;
+};
+
+/// The table a text says: UTF-8, lines ended by CR, LF or both. Cells may be quoted ("…", doubled inside).
+/// What the options leave open is taken from the text: the delimiter and decimal mark under which most cells
+/// are numbers and the rows are alike; `guessed` where another reading of the numbers is as likely.
+/// Throws Error(tooLarge) for more than 10⁷ cells and for a line of more than 1 MiB, with the line. Linear in
+/// the text.
+[[nodiscard]] CellTable readTable(std::string text, const TableOptions &options = {});
+
+/// A table from cells that are taken apart already, as those of a workbook; numbers with a point.
+class TableBuilder {
+public:
+    void beginRow(std::size_t line);
+    void add(std::string_view cell); ///< a text, which may be a number that was typed as text
+    void add(double number, std::string_view shown);
+    /// Numbers among the texts have the mark given, else that which most of them can have.
+    [[nodiscard]] CellTable take(std::optional<DecimalMark> mark = {});
+
+private:
+    std::vector<std::size_t> m_texts; ///< cells that are no numbers of the workbook
+    TableCell &append(std::string_view cell);
+
+    CellTable m_table;
+};
+
+} // namespace palmer

@@ -1,0 +1,111 @@
+#include "tables/units.h"
+
+#include "tables/numbercell.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace palmer {
+
+namespace {
+
+struct Spelling {
+    std::string_view text;
+    const char *word;
+    bool bracketsOnly = false;
+};
+
+// After µ and its likes have become u.
+constexpr std::array spellings{
+    Spelling{"mm", "mm"},           Spelling{"millimetre", "mm"},  Spelling{"millimeter", "mm"},
+    Spelling{"um", "um"},           Spelling{"micron", "um"},      Spelling{"microns", "um"},
+    Spelling{"micrometre", "um"},   Spelling{"micrometer", "um"},  Spelling{"micromètre", "um"},
+    Spelling{"nm", "nm"},           Spelling{"m", "m", true},      Spelling{"in", "in", true},
+    Spelling{"inch", "in"},         Spelling{"inches", "in"},      Spelling{"uin", "uin"},
+    Spelling{"uinch", "uin"},       Spelling{"deg", "deg"},        Spelling{"degree", "deg"},
+    Spelling{"degrees", "deg"},     Spelling{"degrés", "deg"},     Spelling{"grad", "deg", true},
+    Spelling{"°", "deg"},           Spelling{"arcmin", "arcmin"},  Spelling{"arcsec", "arcsec"},
+    Spelling{"arc-sec", "arcsec"},  Spelling{"arcsecs", "arcsec"}, Spelling{"″", "arcsec"},
+    Spelling{"\"", "arcsec", true}, Spelling{"′", "arcmin"},       Spelling{"rad", "rad"},
+    Spelling{"mrad", "mrad"},       Spelling{"urad", "urad"},      Spelling{"s", "s", true},
+    Spelling{"sec", "s"},           Spelling{"seconds", "s"},      Spelling{"secondes", "s"},
+    Spelling{"min", "min", true},   Spelling{"minutes", "min"},    Spelling{"h", "h", true},
+    Spelling{"heures", "h"},        Spelling{"hours", "h"},        Spelling{"ms", "ms"},
+    Spelling{"c", "C", true},       Spelling{"°c", "C"},           Spelling{"degc", "C"},
+    Spelling{"deg c", "C", true},
+};
+
+std::string plain(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+        bool micro = false;
+        for (const std::string_view sign : {"Âµ", "µ", "μ"}) {
+            if (!micro && text.substr(i).starts_with(sign)) {
+                result += 'u';
+                i += sign.size();
+                micro = true;
+            }
+        }
+        if (!micro)
+            result += text[i++];
+    }
+    return result;
+}
+
+const Unit *spelled(std::string_view text, bool inBrackets) {
+    for (const Spelling &row : spellings) {
+        if ((inBrackets || !row.bracketsOnly) && sameWord(row.text, text))
+            return unitOf(row.word);
+    }
+    return nullptr;
+}
+
+constexpr std::string_view openings = "([{";
+constexpr std::string_view closings = ")]}";
+
+/// What stands in the first brackets, from opening to closing; empty if there is none.
+std::string_view bracketed(std::string_view text) {
+    const std::size_t open = text.find_first_of(openings);
+    if (open == std::string_view::npos)
+        return {};
+    const std::size_t close = text.find_first_of(closings, open);
+    return close == std::string_view::npos ? std::string_view() : text.substr(open, close - open + 1);
+}
+
+} // namespace
+
+const Unit *unitIn(std::string_view text) {
+    const std::string bare = plain(text.substr(0, 500));
+    for (std::string_view rest = bare;;) {
+        const std::string_view inside = bracketed(rest);
+        if (inside.empty())
+            break;
+        if (const Unit *unit = spelled(withoutBlanks(inside.substr(1, inside.size() - 2)), true))
+            return unit;
+        rest = rest.substr(static_cast<std::size_t>(inside.data() - rest.data()) + 1);
+    }
+    const Unit *last = nullptr;
+    constexpr std::string_view separators = " \t:=;,/_()[]{}|";
+    for (std::size_t begin = 0; begin < bare.size();) {
+        const std::size_t end = std::min(bare.find_first_of(separators, begin), bare.size());
+        if (end > begin) {
+            if (const Unit *unit = spelled(std::string_view(bare).substr(begin, end - begin), false))
+                last = unit;
+        }
+        begin = end + 1;
+    }
+    return last;
+}
+
+std::string withoutUnit(std::string_view text) {
+    const std::string_view inside = bracketed(text);
+    if (inside.empty() || !unitIn(inside))
+        return std::string(withoutBlanks(text));
+    const auto at = static_cast<std::size_t>(inside.data() - text.data());
+    std::string result(text.substr(0, at));
+    result += text.substr(at + inside.size());
+    return std::string(withoutBlanks(result));
+}
+
+} // namespace palmer

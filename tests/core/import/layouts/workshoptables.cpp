@@ -1,0 +1,163 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "core/import/importpicture.h"
+#include "core/import/layouts/workshoptable.h"
+#include "import/importmeasurement.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace palmer;
+
+namespace {
+
+bool sameRun(const Run &run, const std::vector<double> &micrometres) {
+    if (run.deviations.size() != micrometres.size())
+        return false;
+    for (std::size_t i = 0; i < micrometres.size(); ++i) {
+        // What the decimals of the file say, to the last bits.
+        if (!run.deviations[i] || std::abs(*run.deviations[i] - micrometres[i] / 1000) > 1e-12)
+            return false;
+    }
+    return true;
+}
+
+bool isRight(const Imported &imported, const testdata::WorkshopTable &table) {
+    const auto *read =
+        imported.test ? std::get_if<PositioningMeasurement>(&imported.test->measurement) : nullptr;
+    if (!read || read->targets != table.targets ||
+        read->runs.size() != table.positive.size() + table.negative.size())
+        return false;
+    std::size_t up = 0;
+    std::size_t down = 0;
+    for (const Run &run : read->runs) {
+        const bool positive = run.approach == Direction::positive;
+        const auto &side = positive ? table.positive : table.negative;
+        std::size_t &next = positive ? up : down;
+        if (next >= side.size() || !sameRun(run, side[next++]))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+/// Random tables with known truth: nearly all are read right, and none wrong without a question.
+class WorkshopTablesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void areReadRightOrAsked_data() {
+        QTest::addColumn<unsigned>("seed");
+        for (const unsigned seed : {20240312U, 1U, 2U})
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void areReadRightOrAsked() {
+        QFETCH(unsigned, seed);
+        constexpr int tables = 600;
+        constexpr int mostWrong = tables * 5 / 100;
+        std::mt19937 random(seed);
+        int wrong = 0;
+        int silent = 0;
+        for (int i = 0; i < tables; ++i) {
+            const testdata::WorkshopTable table = testdata::workshopTable(random);
+            QString outcome;
+            bool asked = true; // a refusal is said
+            try {
+                const Imported imported = importMeasurement(table.bytes, "x.csv");
+                if (isRight(imported, table))
+                    continue;
+                asked = std::ranges::any_of(imported.questions, isAboutThisFile);
+                outcome = testdata::picture(imported) + '\n' + testdata::questions(imported);
+            } catch (const Error &error) {
+                outcome = Language(Language::Id::english).sentence(error.message);
+            }
+            ++wrong;
+            silent += asked ? 0 : 1;
+            qInfo("%d %s\n%s\n%s", i, qPrintable(table.description), qPrintable(table.text.left(600)),
+                  qPrintable(outcome));
+        }
+        qInfo("%d of %d tables wrong, %d of them silently", wrong, tables, silent);
+        QCOMPARE(silent, 0);
+        QVERIFY(wrong <= mostWrong);
+    }
+
+    /// Columns in another order, one more that says nothing, another delimiter, the other mark: the same
+    /// numbers.
+    void theFormChangesNoNumber() {
+        std::mt19937 random(7);
+        static const QStringList further{"Wxyz",   "B",         "s",         "Mean",
+                                         "Remark", "Tolerance", "Temp (°C)", "Batch 7"};
+        for (int trial = 0; trial < 200; ++trial) {
+            const testdata::PlainTable table = testdata::plainTable(random);
+            const QString expected = numbersOf(written(table.rows, u';', false));
+            QVERIFY(!expected.isEmpty());
+            for (const QChar delimiter : {u'\t', u'|', u',', u';'})
+                QCOMPARE(numbersOf(written(table.rows, delimiter, false)), expected);
+            for (const QChar delimiter : {u'\t', u'|', u';'})
+                QCOMPARE(numbersOf(written(table.rows, delimiter, true)), expected);
+            std::vector<qsizetype> order(static_cast<std::size_t>(table.rows.front().size()));
+            std::iota(order.begin(), order.end(), 0);
+            std::shuffle(order.begin(), order.end(), random);
+            std::vector<QStringList> permuted;
+            for (const QStringList &row : table.rows) {
+                permuted.emplace_back();
+                for (const qsizetype c : order)
+                    permuted.back() << row[c];
+            }
+            QCOMPARE(numbersOf(written(permuted, u';', false)), expected);
+            const auto at = static_cast<qsizetype>(random() % order.size());
+            for (std::size_t i = 0; i < permuted.size(); ++i)
+                permuted[i].insert(at, i == 0
+                                           ? further[static_cast<qsizetype>(random() % 8)]
+                                           : QString::number(static_cast<double>(random() % 70) / 10 + 18));
+            QCOMPARE(numbersOf(written(permuted, u';', false)), expected);
+        }
+    }
+
+    void textThatIsNoTableIsAskedAbout() {
+        std::mt19937 random(11);
+        int read = 0;
+        for (int trial = 0; trial < 3000; ++trial) {
+            const QByteArray text = testdata::randomText(random);
+            try {
+                const Imported imported = importMeasurement(text, "x.txt");
+                ++read;
+                QVERIFY2(std::ranges::any_of(imported.questions, isAboutThisFile), text.constData());
+            } catch (const Error &error) {
+                QVERIFY(!error.message.text.empty());
+            }
+        }
+        QVERIFY(read > 50); // else nothing was tried
+    }
+
+private:
+    static QByteArray written(const std::vector<QStringList> &rows, QChar delimiter, bool comma) {
+        QString text;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            QString line = rows[i].join(delimiter);
+            text += (comma && i > 0 ? line.replace('.', ',') : line) + '\n';
+        }
+        return text.toUtf8();
+    }
+
+    /// Targets and runs; empty for what cannot be read.
+    static QString numbersOf(const QByteArray &text) {
+        try {
+            return testdata::picture(importMeasurement(text, "x.csv"));
+        } catch (const Error &) {
+            return {};
+        }
+    }
+
+    /// Sign and correction to 20 °C are asked of every file: they say nothing about a doubt.
+    static bool isAboutThisFile(const Question &question) {
+        return question.id != "sign" && question.id != "correctionTo20";
+    }
+};
+
+QTEST_GUILESS_MAIN(WorkshopTablesTest)
+#include "workshoptables.moc"

@@ -1,0 +1,30 @@
+#include "ui/model/background.h"
+
+namespace palmer::ui {
+
+void Background::Job::tell(std::function<void()> hear) const {
+    QMetaObject::invokeMethod(
+        &m_place,
+        [stop = m_stop, hear = std::move(hear)] {
+            if (!stop.stop_requested())
+                hear();
+        },
+        Qt::QueuedConnection);
+}
+
+Background::Background() {
+    m_thread.setMaxThreadCount(1);
+}
+
+Background::~Background() {
+    cancel();
+    wait();
+}
+
+void Background::cancel() {
+    m_stop.request_stop();
+    m_stop = {};
+    m_open = 0;
+}
+
+} // namespace palmer::ui
