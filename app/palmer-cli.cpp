@@ -99,7 +99,7 @@ int main(int argc, char *argv[]) {
         printError(QStringLiteral("-"), error, language);
         return cannotRead;
     } catch (const std::bad_alloc &) {
-        printError(language.text(REPORT_TEXT("report", "not enough memory for this")));
+        printError(language.sentence(notEnoughMemory().message));
         return cannotRead;
     }
 }

@@ -2302,10 +2302,6 @@
         <translation>une figure comme image</translation>
     </message>
     <message>
-        <source>the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf</source>
-        <translation>le PDF à écrire&#x202f;; pour deux langues OUT.fr.pdf et OUT.en.pdf</translation>
-    </message>
-    <message>
         <source>language of the report; without it those the file asks for</source>
         <translation>langue du rapport&#x202f;; sans elle, celles que le fichier demande</translation>
     </message>
@@ -5040,10 +5036,6 @@
         <translation>Ici − indiqué</translation>
     </message>
     <message>
-        <source>the picture to write, or its points; the ending says which</source>
-        <translation>la figure à écrire, ou ses points&#xa0;: l’extension dit lequel</translation>
-    </message>
-    <message>
         <source>The instrument’s program states %1 (%2); the result here differs by %3.</source>
         <translation>Le programme de l’instrument indique %1 (%2)&#x202f;; le résultat obtenu ici s’en écarte de %3.</translation>
     </message>
@@ -5619,10 +5611,6 @@
     <message>
         <source>%1 questions are open: nothing was imported; answer them with --set, or take what is proposed with --accept</source>
         <translation>%1 questions sont ouvertes&#xa0;: rien n’a été importé&#x202f;; répondez-y par --set, ou acceptez ce qui est proposé par --accept</translation>
-    </message>
-    <message>
-        <source>a choice of the import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …); may stand several times</source>
-        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …)&#x202f;; peut être répété</translation>
     </message>
     <message>
         <source>take what is proposed for every question about the file</source>
@@ -6998,6 +6986,122 @@
     <message>
         <source>no display is there to open a window on; palmer-cli works without one</source>
         <translation>aucun écran n’est disponible pour ouvrir une fenêtre&#x202f;; palmer-cli s’en passe</translation>
+    </message>
+    <message>
+        <source>“%1” is no path of a test file, as machine.name or tests[0].limits.A.value</source>
+        <translation>« %1 » n’est pas un chemin d’un fichier d’essai, comme machine.name ou tests[0].limits.A.value</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>Accordance</source>
+        <translation>Conformité à l’édition</translation>
+    </message>
+    <message>
+        <source>in accordance</source>
+        <translation>conforme à l’édition</translation>
+    </message>
+    <message>
+        <source>findings as JSON; of several files one object a line</source>
+        <translation>constats en JSON ; pour plusieurs fichiers, un objet par ligne</translation>
+    </message>
+    <message>
+        <source>one table of all files: a row per parameter with value, U, limit and both statements</source>
+        <translation>un seul tableau pour tous les fichiers : une ligne par paramètre, avec valeur, U, limite et les deux énoncés</translation>
+    </message>
+    <message>
+        <source>--%1 and --%2 do not go together</source>
+        <translation>--%1 et --%2 s’excluent</translation>
+    </message>
+    <message>
+        <source>which test of the file, from 1; without it all</source>
+        <translation>essai du fichier, à partir de 1 ; par défaut tous</translation>
+    </message>
+    <message>
+        <source>the command %1 takes a file and a parameter</source>
+        <translation>la commande %1 prend un fichier et un paramètre</translation>
+    </message>
+    <message>
+        <source>unknown parameter %1; known: %2</source>
+        <translation>paramètre inconnu %1 ; connus : %2</translation>
+    </message>
+    <message>
+        <source>Test %1</source>
+        <translation>Essai %1</translation>
+    </message>
+    <message>
+        <source>how a value follows from the readings: formula with the numbers put in, clause, ruling targets</source>
+        <translation>comment une valeur découle des relevés : formule avec les nombres, paragraphe, points visés déterminants</translation>
+    </message>
+    <message>
+        <source>the picture to write, or its points; the ending says which; of several files the folder they go into</source>
+        <translation>l’image à écrire, ou ses points ; l’extension l’indique ; pour plusieurs fichiers, le dossier qui les reçoit</translation>
+    </message>
+    <message>
+        <source>the kind of picture, of several files</source>
+        <translation>le type d’image, pour plusieurs fichiers</translation>
+    </message>
+    <message>
+        <source>the pictures of several files go into a folder; choose their kind with --%1 svg, png, pdf or csv</source>
+        <translation>les images de plusieurs fichiers vont dans un dossier ; choisir leur type par --%1 svg, png, pdf ou csv</translation>
+    </message>
+    <message>
+        <source>there is no test file or report in the folder</source>
+        <translation>le dossier ne contient ni fichier d’essai ni rapport</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>le dossier ne peut être lu</translation>
+    </message>
+    <message>
+        <source>files worked on at a time; without it one per processor</source>
+        <translation>nombre de fichiers traités à la fois ; par défaut un par processeur</translation>
+    </message>
+    <message>
+        <source>%1 and %2 would both be written as %3; call the command for each</source>
+        <translation>%1 et %2 seraient tous deux écrits sous %3 ; appeler la commande pour chacun</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be made</source>
+        <translation>le dossier %1 ne peut être créé</translation>
+    </message>
+    <message>
+        <source>the template %1 cannot be used</source>
+        <translation>le modèle %1 ne peut être utilisé</translation>
+    </message>
+    <message>
+        <source>--set %1: %2</source>
+        <translation>--set %1 : %2</translation>
+    </message>
+    <message>
+        <source>take machine, instrument, laboratory, limits or conditions from a template; may stand several times</source>
+        <translation>reprend machine, instrument, laboratoire, limites ou conditions d’un modèle ; peut figurer plusieurs fois</translation>
+    </message>
+    <message>
+        <source>editions to print side by side, without verdicts</source>
+        <translation>éditions à imprimer côte à côte, sans verdict</translation>
+    </message>
+    <message>
+        <source>the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf; of several files the folder they go into</source>
+        <translation>le PDF à écrire ; pour deux langues OUT.fr.pdf et OUT.en.pdf ; pour plusieurs fichiers, le dossier qui les reçoit</translation>
+    </message>
+    <message>
+        <source>the reports of several files go into a folder; %1 is none</source>
+        <translation>les rapports de plusieurs fichiers vont dans un dossier ; %1 n’en est pas un</translation>
+    </message>
+    <message>
+        <source>as --json, always one object a line, of one file too</source>
+        <translation>comme --json, toujours un objet par ligne, même pour un seul fichier</translation>
+    </message>
+    <message>
+        <source>a choice of the import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …), or a field of the test file by its path (machine.name=DMU 50, limits.A.value=0.020: of every test, tests[0].title=…); may stand several times</source>
+        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …), ou un champ du fichier d’essai par son chemin (machine.name=DMU 50, limits.A.value=0.020 : de chaque essai, tests[0].title=…) ; peut figurer plusieurs fois</translation>
     </message>
 </context>
 </TS>

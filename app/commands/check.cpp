@@ -1,37 +1,54 @@
 #include "commands/check.h"
 
-#include "commands/eachfile.h"
+#include "commands/inputs.h"
+#include "commands/preparation.h"
+#include "commands/streams.h"
 #include "document/evaluateddocument.h"
+#include "export/resultsjson.h"
 #include "report/plaintext.h"
 #include "report/results.h"
 
 #include <algorithm>
+#include <array>
 
 namespace palmer {
 
 namespace {
 
+constexpr std::array options{
+    Option{"json", "", REPORT_TEXT("report", "findings as JSON; of several files one object a line")},
+    jsonLinesOption,
+    jobsOption,
+    preparationOptions[0],
+    foreignOptions[0],
+    foreignOptions[1],
+    foreignOptions[2],
+};
+
 int run(const Invocation &invocation) {
-    const bool several = invocation.arguments.size() > 1;
-    return eachFile(invocation, [&, first = true](const QString &file, Document document) mutable {
+    const Inputs inputs = inputsOf(invocation);
+    const auto form = jsonForm(invocation, inputs.several);
+    const auto work = [&](const Input &input, Document document) -> JobResult {
         const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(std::move(document)));
-        const QString head =
-            several ? (first ? QString() : QStringLiteral("\n")) + file + QStringLiteral("\n\n") : QString();
-        printOut(head + plainText(composeFindings(evaluated, invocation.language)));
-        first = false;
+        if (form)
+            printOut(findingsJson(evaluated, input.file, namesLanguage(invocation), *form));
+        else
+            printOut((inputs.several ? input.file + QStringLiteral("\n\n") : QString()) +
+                     plainText(composeFindings(evaluated, invocation.language)));
         const bool allMet = std::ranges::all_of(evaluated.tests, [](const TestEvaluationPointer &test) {
             return test->accordance() != Accordance::no;
         });
-        return allMet ? done : difference;
-    });
+        return {allMet ? done : difference, {}};
+    };
+    return eachDocument(invocation, inputs, work, form ? Between::nothing : Between::emptyLine);
 }
 
 } // namespace
 
 Command checkCommand() {
-    return {"check", "FILE…",
-            REPORT_TEXT("report", "findings only: what the edition asks for and the test lacks"),
-            foreignOptions, run};
+    return {"check", "FILE|FOLDER…",
+            REPORT_TEXT("report", "findings only: what the edition asks for and the test lacks"), options,
+            run};
 }
 
 } // namespace palmer

@@ -2,6 +2,7 @@
 
 #include "commands/check.h"
 #include "commands/evaluate.h"
+#include "commands/explain.h"
 #include "commands/export.h"
 #include "commands/feed.h"
 #include "commands/figure.h"
@@ -103,7 +104,7 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
 } // namespace
 
 int worse(int a, int b) {
-    return std::max(a, b); // the codes ascend in their rank; wrong usage never comes from a file
+    return std::max(a, b); // the codes ascend in their rank
 }
 
 bool Invocation::has(QLatin1StringView option) const {
@@ -116,8 +117,9 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(),      reportCommand(),  verifyCommand(),
-                                  figureCommand(),   importCommand(),     exportCommand(),  targetsCommand(),
+    static const std::array table{evaluateCommand(), checkCommand(),      reportCommand(),
+                                  verifyCommand(),   figureCommand(),     explainCommand(),
+                                  importCommand(),   exportCommand(),     targetsCommand(),
                                   feedCommand(),     synthesizeCommand(), selftestCommand()};
     return table;
 }

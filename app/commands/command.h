@@ -12,7 +12,7 @@
 
 namespace palmer {
 
-/// Exit codes of the program; of several files the worst wins: cannotRead, difference, done.
+/// Exit codes of the program; of several files the worst wins: cannotRead, wrongUsage, difference, done.
 enum ExitCode : int {
     done = 0,
     difference = 1, ///< a verdict other than "conforms", an unmet requirement, a value that does not agree

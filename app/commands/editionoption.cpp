@@ -41,9 +41,11 @@ std::string listed(const std::vector<const Edition *> &list) {
 
 const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> kind) {
     const auto word = invocation.value(QLatin1StringView("edition"));
-    if (!word)
-        return nullptr;
-    const QString asked = bare(*word);
+    return word ? editionCalled(*word, kind) : nullptr;
+}
+
+const Edition *editionCalled(const QString &word, std::optional<Kind> kind) {
+    const QString asked = bare(word);
     std::vector<const Edition *> known;
     std::ranges::copy_if(editions(), std::back_inserter(known),
                          [kind](const Edition *edition) { return !kind || edition->kind == *kind; });
@@ -59,9 +61,9 @@ const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> ki
         return found.front();
     if (found.empty())
         throw UsageError(
-            {REPORT_TEXT("report", "unknown edition %1; known: %2"), {word->toStdString(), listed(known)}});
+            {REPORT_TEXT("report", "unknown edition %1; known: %2"), {word.toStdString(), listed(known)}});
     throw UsageError({REPORT_TEXT("report", "the edition %1 may be one of these: %2"),
-                      {word->toStdString(), listed(found)}});
+                      {word.toStdString(), listed(found)}});
 }
 
 } // namespace palmer

@@ -7,6 +7,9 @@
 
 namespace palmer {
 
+/// The edition of this designation, as editionAsked(). Throws UsageError.
+[[nodiscard]] const Edition *editionCalled(const QString &word, std::optional<Kind> kind = {});
+
 /// The edition that --edition asks for, null without the option: its designation, or as much of it as leaves
 /// no choice, in any case and with or without blanks ("2006", "iso230-4:2005", "VDI"). Throws UsageError with
 /// the editions that it may be, of the kind if there is one.

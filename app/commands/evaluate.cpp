@@ -1,65 +1,148 @@
 #include "commands/evaluate.h"
 
-#include "commands/eachfile.h"
 #include "commands/editionoption.h"
+#include "commands/inputs.h"
+#include "commands/optionvalues.h"
+#include "commands/preparation.h"
 #include "commands/rejection.h"
 #include "commands/simulations.h"
+#include "commands/streams.h"
 #include "export/resultsjson.h"
 #include "report/plaintext.h"
 #include "report/results.h"
+#include "report/summary.h"
 
-#include <algorithm>
 #include <array>
 
 namespace palmer {
 
 namespace {
 
+constexpr const char *tableOption = "table";
+
 constexpr std::array options{
     Option{
         "edition", "E",
         REPORT_TEXT("report", "evaluate the tests of its kind under another edition (a view: no verdicts)")},
     Option{"json", "", REPORT_TEXT("report", "results as JSON; of several files one object a line")},
+    jsonLinesOption,
+    Option{
+        tableOption, "csv|text",
+        REPORT_TEXT("report",
+                    "one table of all files: a row per parameter with value, U, limit and both statements")},
+    jobsOption,
     simulationCommandOptions[0],
     simulationCommandOptions[1],
     simulationCommandOptions[2],
     simulationCommandOptions[3],
+    preparationOptions[0],
     foreignOptions[0],
     foreignOptions[1],
     foreignOptions[2],
 };
 
-int run(const Invocation &invocation) {
-    const Edition *asked = editionAsked(invocation);
-    const std::string edition = asked ? asked->word : "";
-    const bool json = invocation.has(QLatin1StringView("json"));
-    const SimulationChoices choices = simulationChoices(invocation);
-    const bool several = invocation.arguments.size() > 1;
-    // Scripts read the same names everywhere, unless they ask for others.
-    const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
-    return eachFile(invocation, [&, first = true](const QString &file, Document document) mutable {
-        choose(document, choices);
+/// Cells and rows on their way from the process that made them.
+constexpr QChar cellEnd(0x1F);
+constexpr QChar rowEnd(0x1E);
+
+QByteArray packed(const std::vector<QStringList> &rows) {
+    QString text;
+    for (const QStringList &row : rows)
+        text += row.join(cellEnd) + rowEnd;
+    return text.toUtf8();
+}
+
+std::vector<QStringList> unpacked(const QByteArray &bytes) {
+    std::vector<QStringList> rows;
+    for (const QString &row : QString::fromUtf8(bytes).split(rowEnd, Qt::SkipEmptyParts))
+        rows.push_back(row.split(cellEnd));
+    return rows;
+}
+
+/// The form of the table asked for; null: none. Throws UsageError.
+std::optional<SummaryForm> tableForm(const Invocation &invocation) {
+    const auto word = invocation.value(QLatin1StringView(tableOption));
+    if (!word)
+        return {};
+    if (*word == QLatin1StringView("csv"))
+        return SummaryForm::csv;
+    if (*word != QLatin1StringView("text"))
+        refuse(tableOption, *word);
+    return SummaryForm::text;
+}
+
+class Evaluation {
+public:
+    explicit Evaluation(const Invocation &invocation)
+        : m_invocation(invocation)
+        , m_inputs(inputsOf(invocation))
+        , m_choices(simulationChoices(invocation))
+        , m_json(jsonForm(invocation, m_inputs.several))
+        , m_table(tableForm(invocation)) {
+        if (const Edition *asked = editionAsked(invocation))
+            m_edition = asked->word;
+        if (m_json && m_table)
+            throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
+                              {std::string("json"), std::string(tableOption)}});
+    }
+
+    int run() {
+        const auto work = [this](const Input &input, Document document) {
+            return result(input, std::move(document));
+        };
+        if (!m_table)
+            return eachDocument(m_invocation, m_inputs, work, m_json ? Between::nothing : Between::emptyLine);
+        std::vector<QStringList> rows; // of a table in columns: all widths have to be known
+        const QStringList head = summaryHead(*m_table, m_invocation.language);
+        if (*m_table == SummaryForm::csv)
+            printOut(summaryCsv({head}));
+        const int code =
+            eachDocument(m_invocation, m_inputs, work, Between::nothing, [&](const JobResult &done) {
+                std::vector<QStringList> more = unpacked(done.rows);
+                if (*m_table == SummaryForm::csv)
+                    printOut(summaryCsv(more));
+                else
+                    rows.insert(rows.end(), more.begin(), more.end());
+            });
+        if (*m_table == SummaryForm::text)
+            printOut(summaryText(head, rows));
+        return code;
+    }
+
+private:
+    [[nodiscard]] JobResult result(const Input &input, Document document) const {
+        choose(document, m_choices);
         const EvaluatedDocument evaluated =
-            simulated(evaluate(std::make_shared<const Document>(std::move(document)), nullptr, edition),
-                      SimulateWhich::monteCarloOnly, choices.threads, invocation.language);
-        if (json) {
-            printOut(resultsJson(evaluated, file, names, several ? JsonForm::oneLine : JsonForm::pretty));
-        } else {
-            const QString head =
-                several ? (first ? QString() : QStringLiteral("\n")) + file + QStringLiteral("\n\n")
-                        : QString();
-            printOut(head + plainText(composeResults(evaluated, invocation.language)));
-        }
-        first = false;
-        return hasRejection(evaluated) ? difference : done;
-    });
+            simulated(evaluate(std::make_shared<const Document>(std::move(document)), nullptr, m_edition),
+                      SimulateWhich::monteCarloOnly, m_choices.threads, m_invocation.language);
+        const int code = hasRejection(evaluated) ? difference : done;
+        if (m_table)
+            return {code, packed(summaryRows(evaluated, input.file, *m_table, m_invocation.language))};
+        if (m_json)
+            printOut(resultsJson(evaluated, input.file, namesLanguage(m_invocation), *m_json));
+        else
+            printOut((m_inputs.several ? input.file + QStringLiteral("\n\n") : QString()) +
+                     plainText(composeResults(evaluated, m_invocation.language)));
+        return {code, {}};
+    }
+
+    const Invocation &m_invocation;
+    Inputs m_inputs;
+    SimulationChoices m_choices;
+    std::optional<JsonForm> m_json;
+    std::optional<SummaryForm> m_table;
+    std::string m_edition;
+};
+
+int run(const Invocation &invocation) {
+    return Evaluation(invocation).run();
 }
 
 } // namespace
 
 Command evaluateCommand() {
-    return {"evaluate", "FILE…", REPORT_TEXT("report", "results of the tests as a table or as JSON"), options,
-            run};
+    return {"evaluate", "FILE|FOLDER…", REPORT_TEXT("report", "results of the tests as a table or as JSON"),
+            options, run};
 }
 
 } // namespace palmer

@@ -1,6 +1,8 @@
 #include "commands/figure.h"
 
+#include "commands/inputs.h"
 #include "commands/outputfile.h"
+#include "commands/preparation.h"
 #include "commands/streams.h"
 #include "document/evaluateddocument.h"
 #include "figures/budgetfigure.h"
@@ -20,12 +22,19 @@ namespace palmer {
 
 namespace {
 
+constexpr const char *asOption = "as";
+
 constexpr std::array options{
     Option{"o", "OUT.svg|png|pdf|csv",
-           REPORT_TEXT("report", "the picture to write, or its points; the ending says which")},
+           REPORT_TEXT("report",
+                       "the picture to write, or its points; the ending says which; of several files "
+                       "the folder they go into")},
+    Option{asOption, "svg|png|pdf|csv", REPORT_TEXT("report", "the kind of picture, of several files")},
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
     Option{"figure", "deviation|circle|counterclockwise|clockwise|budget",
            REPORT_TEXT("report", "which figure; without it that of the test")},
+    jobsOption,
+    preparationOptions[0],
     foreignOptions[0],
     foreignOptions[1],
     foreignOptions[2],
@@ -123,45 +132,57 @@ QByteArray picture(const Figure &figure, const QString &title, const QString &en
     return ui::figureAsPdf(figure, title);
 }
 
+constexpr std::array endings{"svg", "png", "pdf", "csv"};
+
+/// Of several files: the kind of picture by --as, into a folder.
+QString endingOf(const Invocation &invocation, const QString &output, bool several) {
+    const QString ending = several ? invocation.value(QLatin1StringView(asOption)).value_or(QString())
+                                   : QFileInfo(output).suffix().toLower();
+    if (std::ranges::any_of(endings, [&](const char *known) { return ending == QLatin1StringView(known); }))
+        return ending;
+    if (several)
+        throw UsageError(
+            {REPORT_TEXT("report", "the pictures of several files go into a folder; choose their kind with "
+                                   "--%1 svg, png, pdf or csv"),
+             {std::string(asOption)}});
+    throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
+                      {std::string("figure"), std::string("-o OUT.svg|png|pdf|csv")}});
+}
+
 int run(const Invocation &invocation) {
-    const auto output = invocation.value(QLatin1StringView("o"));
-    const QString ending = QFileInfo(output.value_or(QString())).suffix().toLower();
-    if (ending != QLatin1StringView("svg") && ending != QLatin1StringView("png") &&
-        ending != QLatin1StringView("pdf") && ending != QLatin1StringView("csv"))
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("figure"), std::string("-o OUT.svg|png|pdf|csv")}});
-    if (invocation.arguments.size() != 1)
-        throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("figure")}});
-    demandOutput(invocation, *output, {"svg", "png", "pdf", "csv"});
+    const Inputs inputs = inputsOf(invocation);
+    const QString output = invocation.value(QLatin1StringView("o")).value_or(QString());
+    const QString ending = endingOf(invocation, output, inputs.several);
     const auto wanted = invocation.value(QLatin1StringView("figure"));
     checkWord(wanted);
-    const QString file = invocation.arguments.front();
-    try {
-        std::optional<Document> document = documentFrom(file, invocation);
-        if (!document)
-            return cannotRead; // questions about it are open
+    QStringList outputs{output};
+    if (inputs.several)
+        outputs = outputsInFolder(output, inputs, u'.' + ending);
+    else
+        demandOutput(invocation, output, {"svg", "png", "pdf", "csv"});
+    return eachDocument(invocation, inputs, [&](const Input &input, Document document) -> JobResult {
         const EvaluatedDocument evaluated =
-            evaluate(std::make_shared<const Document>(std::move(*document)), nullptr, {});
+            evaluate(std::make_shared<const Document>(std::move(document)), nullptr, {});
         const std::size_t index = testIndex(invocation, evaluated.tests.size());
         const Test &test = *evaluated.document->tests[index];
         const NamedFigure named = figureOf(test, *evaluated.tests[index], index, wanted, invocation.language);
+        const QString target = outputs.at(static_cast<qsizetype>(&input - inputs.list.data()));
         try {
-            writeOutput(picture(named.figure, named.title, ending), *output);
+            if (inputs.several)
+                makeFolderOf(target);
+            writeOutput(picture(named.figure, named.title, ending), target);
         } catch (const Error &error) {
-            printError(*output, error, invocation.language);
-            return cannotRead;
+            printError(target, error, invocation.language);
+            return {cannotRead, {}};
         }
-        return done;
-    } catch (const Error &error) {
-        printError(file, error, invocation.language);
-        return cannotRead;
-    }
+        return {done, {}};
+    });
 }
 
 } // namespace
 
 Command figureCommand() {
-    return {"figure", "FILE", REPORT_TEXT("report", "one figure as a picture"), options, run, true};
+    return {"figure", "FILE|FOLDER…", REPORT_TEXT("report", "one figure as a picture"), options, run, true};
 }
 
 } // namespace palmer

@@ -1,6 +1,7 @@
 #include "commands/import.h"
 
 #include "commands/outputfile.h"
+#include "commands/preparation.h"
 #include "commands/streams.h"
 #include "document/savedocument.h"
 #include "import/importmeasurement.h"
@@ -17,6 +18,7 @@ constexpr std::array options{
     foreignOptions[0],
     foreignOptions[1],
     foreignOptions[2],
+    preparationOptions[0],
     Option{"keep-original", "", REPORT_TEXT("report", "keep the bytes of the files in the test file")},
     forceOption,
 };
@@ -66,7 +68,7 @@ int run(const Invocation &invocation) {
         }
     }
     try {
-        writeOutput(bytesToSave(document), *output);
+        writeOutput(bytesToSave(prepared(std::move(document), invocation)), *output);
     } catch (const Error &error) {
         printError(*output, error, invocation.language);
         return cannotRead;

@@ -3,10 +3,12 @@
 #include "commands/streams.h"
 #include "document/savedocument.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <string_view>
 
 namespace palmer {
@@ -80,6 +82,38 @@ void demandOutput(const Invocation &invocation, const QString &file,
     throw UsageError({REPORT_TEXT("report", "%1 has the ending of another kind of file; expected %2 (--force "
                                             "writes it all the same)"),
                       {file.toStdString(), expected}});
+}
+
+QStringList outputsInFolder(const QString &output, const Inputs &inputs, const QString &ending) {
+    QStringList result;
+    std::map<QString, QString> inputOf;
+    for (const Input &input : inputs.list) {
+        const QFileInfo below(input.file == QLatin1StringView("-") ? QStringLiteral("report") : input.below);
+        const QString folder = below.path() == QLatin1StringView(".") ? QString() : below.path() + u'/';
+        const QString file = QDir(output).filePath(folder + below.completeBaseName() + ending);
+        const auto [other, isNew] = inputOf.emplace(file, input.file);
+        if (!isNew)
+            throw UsageError(
+                {REPORT_TEXT("report", "%1 and %2 would both be written as %3; call the command for each"),
+                 {other->second.toStdString(), input.file.toStdString(), file.toStdString()}});
+        result << file;
+    }
+    for (const QString &file : result) {
+        const auto read = std::ranges::find_if(
+            inputs.list, [&](const Input &input) { return isSameFile(file, input.file); });
+        if (read != inputs.list.end())
+            throw UsageError({REPORT_TEXT("report", "%1 is a file to read and would be lost; choose another "
+                                                    "name for what is written"),
+                              {file.toStdString()}});
+    }
+    return result;
+}
+
+void makeFolderOf(const QString &file) {
+    const QString folder = QFileInfo(file).path();
+    if (!QDir().mkpath(folder))
+        throw Error(Error::Kind::unwritable,
+                    {REPORT_TEXT("report", "the folder %1 cannot be made"), {folder.toStdString()}, {}});
 }
 
 void writeOutput(const QByteArray &bytes, const QString &file) {

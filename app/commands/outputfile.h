@@ -1,6 +1,7 @@
 #pragma once
 
 #include "commands/command.h"
+#include "commands/inputs.h"
 #include "document/savefiles.h"
 
 #include <QByteArray>
@@ -19,6 +20,13 @@ constexpr Option forceOption{
 /// free), unless --force is given. To be asked before anything is read.
 void demandOutput(const Invocation &invocation, const QString &file,
                   std::initializer_list<const char *> endings);
+
+/// Where the output of each of several inputs goes: into the folder `output`, under the path it was found
+/// under, with another ending. Throws UsageError where two would go into one file, or one over an input.
+[[nodiscard]] QStringList outputsInFolder(const QString &output, const Inputs &inputs, const QString &ending);
+
+/// Makes the folder of a file that is to be written there. Throws Error(unwritable).
+void makeFolderOf(const QString &file);
 
 /// Writes to the file of that name, "-" is standard output. Throws Error(unwritable).
 void writeOutput(const QByteArray &bytes, const QString &file);

@@ -1,6 +1,9 @@
 #include "commands/report.h"
 
+#include "commands/editionoption.h"
+#include "commands/inputs.h"
 #include "commands/outputfile.h"
+#include "commands/preparation.h"
 #include "commands/rejection.h"
 #include "commands/simulations.h"
 #include "commands/streams.h"
@@ -20,13 +23,21 @@ namespace {
 constexpr const char *originalsOption = "with-originals";
 
 constexpr std::array options{
-    Option{"o", "OUT.pdf",
-           REPORT_TEXT("report", "the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf")},
+    Option{"o", "OUT.pdf|FOLDER",
+           REPORT_TEXT("report",
+                       "the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf; of several files the "
+                       "folder they go into")},
     Option{"language", "fr|en|fr,en",
            REPORT_TEXT("report", "language of the report; without it those the file asks for")},
     Option{originalsOption, "",
            REPORT_TEXT("report", "the test file inside the PDF keeps the bytes of the instrument files that "
                                  "it was imported from; without it only their names and fingerprints")},
+    Option{
+        "edition", "E",
+        REPORT_TEXT("report", "evaluate the tests of its kind under another edition (a view: no verdicts)")},
+    preparationOptions[0],
+    preparationOptions[1],
+    jobsOption,
     foreignOptions[0],
     foreignOptions[1],
     foreignOptions[2],
@@ -68,38 +79,59 @@ void refuseUnknownLanguage(const Invocation &invocation) {
     }
 }
 
-int run(const Invocation &invocation) {
-    const auto output = invocation.value(QLatin1StringView("o"));
-    if (!output)
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("report"), std::string("-o OUT.pdf")}});
-    if (invocation.arguments.size() != 1)
-        throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("report")}});
-    refuseUnknownLanguage(invocation);
-    demandOutput(invocation, *output, {"pdf"});
-    const QString file = invocation.arguments.front();
-    try {
-        std::optional<Document> document = documentFrom(file, invocation);
-        if (!document)
-            return cannotRead; // questions about it are open
+/// Composes and writes the reports of a document; each target by language.
+class Reports {
+public:
+    explicit Reports(const Invocation &invocation)
+        : m_invocation(invocation)
+        , m_inputs(inputsOf(invocation)) {
+        const auto output = invocation.value(QLatin1StringView("o"));
+        if (!output)
+            throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
+                              {std::string("report"), std::string("-o OUT.pdf")}});
+        refuseUnknownLanguage(invocation);
+        if (const Edition *asked = editionAsked(invocation))
+            m_edition = asked->word;
+        if (m_inputs.several) {
+            m_outputs = outputsInFolder(*output, m_inputs, QStringLiteral(".pdf"));
+            if (QFileInfo(*output).exists() && !QFileInfo(*output).isDir())
+                throw UsageError(
+                    {REPORT_TEXT("report", "the reports of several files go into a folder; %1 is none"),
+                     {output->toStdString()}});
+        } else {
+            demandOutput(invocation, *output, {"pdf"});
+            m_outputs = {*output};
+        }
+        m_selfTest = selfTest(); // once for all
+    }
+
+    int run() {
+        return eachDocument(m_invocation, m_inputs,
+                            [this](const Input &input, Document document) -> JobResult {
+                                const auto index = static_cast<qsizetype>(&input - m_inputs.list.data());
+                                return {report(std::move(document), m_outputs.at(index)), {}};
+                            });
+    }
+
+private:
+    [[nodiscard]] int report(Document document, const QString &output) const {
         const EvaluatedDocument evaluated =
-            simulated(evaluate(std::make_shared<const Document>(std::move(*document)), nullptr, {}),
-                      SimulateWhich::allWithBudget, 0, invocation.language);
-        const QStringList languages = languagesOf(invocation, *evaluated.document);
-        const bool toStandardOutput = *output == QLatin1StringView("-");
-        if (toStandardOutput && languages.size() > 1)
+            simulated(evaluate(std::make_shared<const Document>(std::move(document)), nullptr, m_edition),
+                      SimulateWhich::allWithBudget, m_inputs.several ? 1 : 0, m_invocation.language);
+        const QStringList languages = languagesOf(m_invocation, *evaluated.document);
+        if (output == QLatin1StringView("-") && languages.size() > 1)
             throw UsageError(
                 {REPORT_TEXT("report", "standard output takes one report; choose --language"), {}});
         const ReportOptions reportOptions{
             QStringLiteral("Palmer " PALMER_VERSION),
-            selfTest(),
-            invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut,
+            m_selfTest,
+            m_invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut,
             {}};
         const auto targetOf = [&](const QString &name) {
-            return languages.size() > 1 ? withLanguage(*output, name) : *output;
+            return languages.size() > 1 ? withLanguage(output, name) : output;
         };
         for (const QString &name : languages)
-            demandOutput(invocation, targetOf(name), {"pdf"});
+            demandOutput(m_invocation, targetOf(name), {"pdf"});
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
             QBuffer pdf;
@@ -109,22 +141,31 @@ int run(const Invocation &invocation) {
             reports.push_back({pdf.data(), targetOf(name)});
         }
         try {
+            if (m_inputs.several)
+                makeFolderOf(output);
             writeOutputs(reports);
         } catch (const UnsavedFile &error) {
-            printError(error.path, error, invocation.language);
+            printError(error.path, error, m_invocation.language);
             return cannotRead;
         }
         return hasRejection(evaluated) ? difference : done;
-    } catch (const Error &error) {
-        printError(file, error, invocation.language);
-        return cannotRead;
     }
+
+    const Invocation &m_invocation;
+    Inputs m_inputs;
+    QStringList m_outputs; ///< by input
+    std::string m_edition;
+    bool m_selfTest = false;
+};
+
+int run(const Invocation &invocation) {
+    return Reports(invocation).run();
 }
 
 } // namespace
 
 Command reportCommand() {
-    return {"report", "FILE", REPORT_TEXT("report", "the printed report as PDF"), options, run, true};
+    return {"report", "FILE|FOLDER…", REPORT_TEXT("report", "the printed report as PDF"), options, run, true};
 }
 
 } // namespace palmer

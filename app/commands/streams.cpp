@@ -1,5 +1,6 @@
 #include "commands/streams.h"
 
+#include "commands/preparation.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
@@ -51,6 +52,22 @@ void printOut(const QByteArray &bytes) {
 
 void printOut(const QString &text) {
     printOut(text.toUtf8());
+}
+
+std::optional<JsonForm> jsonForm(const Invocation &invocation, bool several) {
+    if (invocation.has(QLatin1StringView(jsonLinesOption.name)))
+        return JsonForm::oneLine;
+    if (!invocation.has(QLatin1StringView("json")))
+        return {};
+    return several ? JsonForm::oneLine : JsonForm::pretty;
+}
+
+Language namesLanguage(const Invocation &invocation) {
+    return invocation.languageChosen ? invocation.language : Language(Language::Id::english);
+}
+
+Error notEnoughMemory() {
+    return Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "not enough memory for this"), {}, {}});
 }
 
 void printError(const QString &text) {
@@ -136,7 +153,8 @@ ImportOptions chosenOptions(const Invocation &invocation) {
         if (mark < 1)
             throw UsageError(
                 {REPORT_TEXT("report", "“%1” is no choice; expected key=value"), {setting.toStdString()}});
-        chosen[setting.left(mark).toStdString()] = setting.mid(mark + 1).toStdString();
+        if (findImportKey(setting.left(mark).toStdString())) // else it is a path of the test file
+            chosen[setting.left(mark).toStdString()] = setting.mid(mark + 1).toStdString();
     }
     try {
         demandKnown(chosen);
@@ -199,15 +217,15 @@ Document withTests(Document document) {
 std::optional<Document> documentFrom(const QString &file, const Invocation &invocation) {
     const QByteArray bytes = bytesFrom(file);
     if (isPdf(bytes))
-        return readDocument(readReportPdf(bytes).testFile);
+        return prepared(readDocument(readReportPdf(bytes).testFile), invocation);
     if (isTestFile(bytes, file))
-        return withTests(readDocument(bytes));
+        return prepared(withTests(readDocument(bytes)), invocation);
     auto imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);
     if (!imported)
         return {};
     Document document;
     addImported(document, std::move(*imported), bytes, file, false);
-    return document;
+    return prepared(std::move(document), invocation);
 }
 
 } // namespace palmer

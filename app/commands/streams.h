@@ -3,6 +3,7 @@
 #include "commands/command.h"
 #include "document/document.h"
 #include "document/documenterror.h"
+#include "export/resultsjson.h"
 #include "import/imported.h"
 #include "language/language.h"
 
@@ -15,6 +16,19 @@ namespace palmer {
 /// Writes to standard output (UTF-8, whatever the locale). Throws Error(unwritable) when it cannot.
 void printOut(const QString &text);
 void printOut(const QByteArray &bytes);
+
+/// Of commands that print JSON.
+inline constexpr Option jsonLinesOption{
+    "json-lines", "", REPORT_TEXT("report", "as --json, always one object a line, of one file too")};
+
+/// What --json and --json-lines ask for; null: no JSON.
+[[nodiscard]] std::optional<JsonForm> jsonForm(const Invocation &invocation, bool several);
+
+/// The language of names in files for scripts: the same everywhere, unless they ask for another.
+[[nodiscard]] Language namesLanguage(const Invocation &invocation);
+
+/// What to say where the memory does not suffice.
+[[nodiscard]] Error notEnoughMemory();
 
 /// One line on standard error: `palmer-cli: text`; control characters are shown as spaces.
 void printError(const QString &text);
@@ -33,7 +47,9 @@ inline constexpr std::array foreignOptions{
     Option{"profile", "NAME", REPORT_TEXT("report", "the choices kept under this name")},
     Option{"set", "key=value",
            REPORT_TEXT("report", "a choice of the import (unit=um, decimalMark=comma, axis=X, "
-                                 "columns=target,run+,run-, …); may stand several times"),
+                                 "columns=target,run+,run-, …), or a field of the test file by its path "
+                                 "(machine.name=DMU 50, limits.A.value=0.020: of every test, "
+                                 "tests[0].title=…); may stand several times"),
            true},
     Option{"accept", "", REPORT_TEXT("report", "take what is proposed for every question about the file")},
 };

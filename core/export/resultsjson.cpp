@@ -52,22 +52,8 @@ const char *word(State state) {
     return state == State::unmet ? "unmet" : "undeclared";
 }
 
-const char *word(Accordance accordance) {
-    constexpr std::array words{"notChecked", "no", "notShown", "partly", "yes"};
-    return words.at(static_cast<std::size_t>(accordance));
-}
-
 Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
-/// Of a test: how it stands to its limits, apart from its accordance.
-const char *limitsWord(std::optional<Verdict> verdict) {
-    if (!verdict)
-        return "noneAgreed";
-    return *verdict == Verdict::conforms    ? "respected"
-           : *verdict == Verdict::notProven ? "notProven"
-                                            : "exceeded";
 }
 
 Json verdictWord(std::optional<Verdict> verdict) {
@@ -87,10 +73,6 @@ Json ruling(const Parameter &parameter) {
                  {"approach", rules->approach ? Json(fileWord(*rules->approach)) : Json(nullptr)}});
     }
     return list;
-}
-
-bool isAngle(Quantity quantity) {
-    return quantity == Quantity::angle || quantity == Quantity::angularDeviation;
 }
 
 Json monteCarlo(const Parameter &parameter, const UncertaintyEvaluation &uncertainty) {
@@ -114,7 +96,7 @@ Json parameter(const Parameter &parameter, const UncertaintyEvaluation &uncertai
             {"name", language.text(parameter.term.name).toStdString()},
             {"clause", textOrNull(parameter.term.clause)},
             {"value", number(parameter.value)},
-            {"unit", isAngle(parameter.term.quantity) ? "deg" : "mm"},
+            {"unit", resultUnit(parameter.term.quantity)},
             {"ruling", ruling(parameter)},
             {"expandedUncertainty", number(parameter.expandedUncertainty)},
             {"limit", parameter.limit ? number(parameter.limit->value) : Json(nullptr)},
@@ -209,39 +191,62 @@ Json uncertainty(const UncertaintyEvaluation &evaluation) {
     return {{"method", fileWord(evaluation.method)}, {"contributions", std::move(contributions)}};
 }
 
-/// What positioning and circular tests have alike, before their own.
-void addHead(Json &test, const Test &source, const TestEvaluation &evaluation, CorrectionTo20 correction,
-             const Language &language) {
-    test["edition"] = evaluation.edition ? Json(evaluation.edition->word) : Json(nullptr);
+struct AxisOrPlane {
+    Json axis = nullptr;
+    Json plane = nullptr;
+    Json zone = nullptr; ///< agreed working zone of a long axis, [from, to]
+    CorrectionTo20 correction = CorrectionTo20::notStated;
+};
+
+AxisOrPlane axisOf(const Test &test) {
+    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
+        return {m->axis.name, nullptr, m->zone ? Json::array({m->zone->from, m->zone->to}) : Json(nullptr),
+                m->conditions.common.correctionTo20};
+    if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement))
+        return {nullptr, c->plane.first + c->plane.second, nullptr, c->conditions.common.correctionTo20};
+    return {std::get<DriftMeasurement>(test.measurement).axis.name, nullptr, nullptr,
+            CorrectionTo20::notStated};
+}
+
+/// What tests of all kinds have alike, before their own.
+Json headOf(const Test &source, const TestEvaluation &evaluation) {
+    const AxisOrPlane place = axisOf(source);
     const Accordance accordance = evaluation.accordance();
     const RequirementCounts counts = countRequirements(evaluation.findings);
-    test["accordance"] = word(accordance);
-    test["inAccordance"] = accordance == Accordance::yes  ? Json(true)
-                           : accordance == Accordance::no ? Json(false)
-                                                          : Json(nullptr);
-    test["unmet"] = counts.unmet;
-    test["undeclared"] = counts.undeclared;
-    test["role"] = fileWord(source.role);
-    test["purpose"] = fileWord(source.purpose);
-    test["limits"] = limitsWord(evaluation.verdict);
-    test["verdict"] = verdictWord(evaluation.verdict);
-    test["correctionTo20"] = fileWord(correction);
-    test["decisionRule"] = fileWord(source.decisionRule.rule);
-    test["parameters"] = parameters(evaluation, language);
+    return {{"title", source.title},
+            {"kind", fileWord(kindOf(source))},
+            {"id", source.id},
+            {"axis", place.axis},
+            {"plane", place.plane},
+            {"zone", place.zone},
+            {"date", source.date ? Json(*source.date) : Json(nullptr)},
+            {"edition", evaluation.edition ? Json(evaluation.edition->word) : Json(nullptr)},
+            {"view", evaluation.edition && evaluation.edition->word != source.edition},
+            {"accordance", accordanceWord(accordance)},
+            {"inAccordance", accordance == Accordance::yes  ? Json(true)
+                             : accordance == Accordance::no ? Json(false)
+                                                            : Json(nullptr)},
+            {"unmet", counts.unmet},
+            {"undeclared", counts.undeclared},
+            {"role", fileWord(source.role)},
+            {"purpose", fileWord(source.purpose)},
+            {"limits", limitsWord(evaluation.verdict)},
+            {"verdict", verdictWord(evaluation.verdict)},
+            {"correctionTo20", fileWord(place.correction)},
+            {"decisionRule", fileWord(source.decisionRule.rule)}};
 }
 
 Json testResults(const Test &source, const TestEvaluation &evaluation, const Language &language) {
-    Json test{{"title", source.title}, {"kind", fileWord(kindOf(source))}};
+    Json test = headOf(source, evaluation);
+    test["parameters"] = parameters(evaluation, language);
     if (const auto *m = std::get_if<PositioningMeasurement>(&source.measurement)) {
-        addHead(test, source, evaluation, m->conditions.common.correctionTo20, language);
         const auto &results = std::get<PositioningResults>(evaluation.results);
         Json targets = Json::array();
         for (std::size_t i = 0; i < results.targets.size(); ++i)
             targets.push_back(target(m->targets[i], results.targets[i], evaluation.edition->c));
         test["targets"] = std::move(targets);
         test["uncertainty"] = uncertainty(evaluation.uncertainty);
-    } else if (const auto *circle = std::get_if<CircularMeasurement>(&source.measurement)) {
-        addHead(test, source, evaluation, circle->conditions.common.correctionTo20, language);
+    } else if (std::holds_alternative<CircularMeasurement>(source.measurement)) {
         const auto &results = std::get<CircularResults>(evaluation.results);
         test["circles"] = circles(results);
         test["uncertainty"] = uncertainty(evaluation.uncertainty);
@@ -257,21 +262,66 @@ Json testResults(const Test &source, const TestEvaluation &evaluation, const Lan
     return test;
 }
 
+Json fileHead(const char *format, const Document &document, const QString &fileName) {
+    const Machine &machine = document.machine;
+    return {{"format", format},
+            {"version", resultsVersion},
+            {"program", "Palmer " PALMER_VERSION},
+            {"file", fileName.toStdString()},
+            {"machine",
+             {{"name", textOrNull(machine.name)},
+              {"manufacturer", textOrNull(machine.manufacturer)},
+              {"model", textOrNull(machine.model)},
+              {"serialNumber", textOrNull(machine.serialNumber)}}},
+            {"reportNumber", textOrNull(document.report.number)}};
+}
+
+QByteArray printed(const Json &file, JsonForm form) {
+    return QByteArray::fromStdString(form == JsonForm::pretty ? printJson(file) : compactJson(file) + '\n');
+}
+
 } // namespace
+
+const char *limitsWord(std::optional<Verdict> verdict) {
+    if (!verdict)
+        return "noneAgreed";
+    return *verdict == Verdict::conforms    ? "respected"
+           : *verdict == Verdict::notProven ? "notProven"
+                                            : "exceeded";
+}
+
+const char *accordanceWord(Accordance accordance) {
+    constexpr std::array words{"notChecked", "no", "notShown", "partly", "yes"};
+    return words.at(static_cast<std::size_t>(accordance));
+}
+
+const char *resultUnit(Quantity quantity) {
+    return quantity == Quantity::angle || quantity == Quantity::angularDeviation ? "deg" : "mm";
+}
 
 QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileName, const Language &language,
                        JsonForm form) {
     Json tests = Json::array();
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
         tests.push_back(testResults(*evaluated.document->tests[i], *evaluated.tests[i], language));
-    Json file{{"format", "palmer results"},
-              {"version", resultsVersion},
-              {"program", "Palmer " PALMER_VERSION},
-              {"file", fileName.toStdString()},
-              {"tests", std::move(tests)}};
+    Json file = fileHead("palmer results", *evaluated.document, fileName);
+    file["tests"] = std::move(tests);
     if (Json feeds = feedDiagnosesJson(evaluated, language); !feeds.empty())
         file["feedDiagnoses"] = std::move(feeds);
-    return QByteArray::fromStdString(form == JsonForm::pretty ? printJson(file) : compactJson(file) + '\n');
+    return printed(file, form);
+}
+
+QByteArray findingsJson(const EvaluatedDocument &evaluated, const QString &fileName, const Language &language,
+                        JsonForm form) {
+    Json tests = Json::array();
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        Json test = headOf(*evaluated.document->tests[i], *evaluated.tests[i]);
+        test["findings"] = findings(*evaluated.tests[i], language);
+        tests.push_back(std::move(test));
+    }
+    Json file = fileHead("palmer findings", *evaluated.document, fileName);
+    file["tests"] = std::move(tests);
+    return printed(file, form);
 }
 
 } // namespace palmer

@@ -64,6 +64,12 @@ bool isPdf(QByteArrayView bytes) {
     return bytes.startsWith("%PDF-");
 }
 
+bool isForeignPdf(const QByteArray &pdf) {
+    demandReadable(pdf.size());
+    const std::optional<PdfParts> parts = partsOf(pdf);
+    return parts && !parts->encrypted && !readXmp(QByteArray::fromStdString(parts->xmp));
+}
+
 ReportPdf readReportPdf(const QByteArray &pdf) {
     demandReadable(pdf.size());
     const std::optional<PdfParts> parts = partsOf(pdf);

@@ -34,6 +34,9 @@ inline constexpr qint64 mostUnpacked = qint64(1) << 29;
 /// Whether the bytes begin as a PDF does.
 [[nodiscard]] bool isPdf(QByteArrayView bytes);
 
+/// Whether this is a PDF of another program: it can be read, and nothing in it says that Palmer made it.
+[[nodiscard]] bool isForeignPdf(const QByteArray &pdf);
+
 /// Takes a report apart; bounded in memory, whatever the bytes say. Throws Error with one sentence: damaged,
 /// encrypted, too large (mostUnpacked), not made by Palmer, without its test file, with more than one.
 [[nodiscard]] ReportPdf readReportPdf(const QByteArray &pdf);

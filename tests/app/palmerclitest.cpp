@@ -116,7 +116,7 @@ void PalmerCliTest::endsWithItsCode_data() {
     QTest::newRow("no file") << QStringList{"evaluate"} << QByteArray() << 2;
     QTest::newRow("a file too many") << QStringList{"selftest", "x"} << QByteArray() << 2;
     QTest::newRow("unknown option") << QStringList{"evaluate", "--jason", "-"} << smallTest("") << 2;
-    QTest::newRow("option of another command") << QStringList{"check", "--json", "-"} << smallTest("") << 2;
+    QTest::newRow("option of another command") << QStringList{"check", "--cycle", "-"} << smallTest("") << 2;
     QTest::newRow("option without its value")
         << QStringList{"evaluate", "-", "--edition"} << smallTest("") << 2;
     QTest::newRow("switch with a value") << QStringList{"evaluate", "--json=yes", "-"} << smallTest("") << 2;
@@ -157,7 +157,7 @@ void PalmerCliTest::endsWithItsCode_data() {
     QTest::newRow("a seed that is no number")
         << QStringList{"evaluate", "--seed", "x", "-"} << smallTest("") << 2;
     QTest::newRow("no such file") << QStringList{"evaluate", "/nowhere/x.palmer"} << QByteArray() << 3;
-    QTest::newRow("a folder") << QStringList{"evaluate", "/"} << QByteArray() << 3;
+    QTest::newRow("a folder without files") << QStringList{"evaluate", "/proc/self/fdinfo"} << QByteArray() << 3;
 }
 
 void PalmerCliTest::endsWithItsCode() {

@@ -1,0 +1,154 @@
+#include "commands/explain.h"
+
+#include "commands/preparation.h"
+#include "commands/streams.h"
+#include "document/evaluateddocument.h"
+#include "report/explanation.h"
+#include "report/plaintext.h"
+
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::array options{
+    Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it all")},
+    foreignOptions[0],
+    foreignOptions[1],
+    foreignOptions[2],
+};
+
+QString inLines(const QString &text, int indent) {
+    QString result;
+    for (const QString &line : wrapped(text, terminalWidth - indent))
+        result += QString(indent, u' ') + line + u'\n';
+    return result;
+}
+
+/// Name and result, formula, the formula with the numbers put in, what there is to know.
+QString textOf(const Explanation &explained) {
+    QString text = explained.symbol.plain() + QStringLiteral("  ") + explained.name + u'\n';
+    if (!explained.source.isEmpty())
+        text += inLines(explained.source, 2);
+    if (const QString formula = explained.formula.plain(); !formula.isEmpty())
+        text += QStringLiteral("    ") + formula + u'\n';
+    for (const Formula &step : explained.steps)
+        text += QStringLiteral("    ") + step.plain() + u'\n';
+    for (const QString &sentence : explained.words)
+        text += inLines(sentence, 2);
+    return text;
+}
+
+/// Ids of the parameters that are meant: by the id, by the symbol as it is printed, by the id in any case.
+std::vector<std::string> idsMeant(const TestEvaluation &evaluation, const std::optional<QString> &asked) {
+    std::vector<std::string> all;
+    std::array<std::vector<std::string>, 3> meant; ///< by id, by symbol, by id in any case
+    for (const Parameter &parameter : evaluation.parameters) {
+        const std::string id = parameterId(parameter);
+        all.push_back(id);
+        if (!asked)
+            continue;
+        if (QString::fromStdString(id) == *asked)
+            meant[0].push_back(id);
+        if (QString::fromStdString(plainSymbol(parameter)) == *asked)
+            meant[1].push_back(id);
+        if (QString::fromStdString(id).compare(*asked, Qt::CaseInsensitive) == 0)
+            meant[2].push_back(id);
+    }
+    if (!asked)
+        return all;
+    const auto found = std::ranges::find_if(meant, [](const auto &ids) { return !ids.empty(); });
+    return found == meant.end() ? std::vector<std::string>() : *found;
+}
+
+struct Asked {
+    std::optional<std::size_t> test; ///< index
+    std::optional<QString> parameter;
+};
+
+Asked askedOf(const Invocation &invocation, std::size_t tests) {
+    Asked asked;
+    if (invocation.arguments.size() > 2)
+        throw UsageError(
+            {REPORT_TEXT("report", "the command %1 takes a file and a parameter"), {std::string("explain")}});
+    if (invocation.arguments.size() == 2)
+        asked.parameter = invocation.arguments.back();
+    if (const auto word = invocation.value(QLatin1StringView("test"))) {
+        bool isNumber = false;
+        const uint number = word->toUInt(&isNumber);
+        if (!isNumber || number < 1 || number > tests)
+            throw UsageError({REPORT_TEXT("report", "there is no test %1; the file has %2"),
+                              {word->toStdString(), Number{static_cast<double>(tests), Quantity::count}}});
+        asked.test = number - 1;
+    }
+    return asked;
+}
+
+[[noreturn]] void refuseUnknown(const EvaluatedDocument &evaluated, const Asked &asked) {
+    std::string known;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (asked.test && *asked.test != i)
+            continue;
+        for (const Parameter &parameter : evaluated.tests[i]->parameters) {
+            const std::string id = parameterId(parameter);
+            if ((", " + known + ",").find(", " + id + ",") == std::string::npos)
+                known += (known.empty() ? "" : ", ") + id;
+        }
+    }
+    throw UsageError({REPORT_TEXT("report", "unknown parameter %1; known: %2"),
+                      {asked.parameter.value_or(QString()).toStdString(), known}});
+}
+
+QString explanations(const EvaluatedDocument &evaluated, const Asked &asked, const Language &language) {
+    QString text;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (asked.test && *asked.test != i)
+            continue;
+        const QString &title = QString::fromStdString(evaluated.document->tests[i]->title);
+        QString part;
+        for (const std::string &id : idsMeant(*evaluated.tests[i], asked.parameter)) {
+            if (const auto explained = explanation(evaluated, i, id, language))
+                part += u'\n' + textOf(*explained);
+        }
+        if (part.isEmpty())
+            continue;
+        const QString head = language.sentence(
+            {REPORT_TEXT("report", "Test %1"), {Number{static_cast<double>(i + 1), Quantity::count}}});
+        text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + head +
+                (title.isEmpty() ? QString() : QStringLiteral(" · ") + title) + u'\n' + part;
+    }
+    return text;
+}
+
+int run(const Invocation &invocation) {
+    const QString &file = invocation.arguments.front();
+    try {
+        std::optional<Document> document = documentFrom(file, invocation);
+        if (!document)
+            return cannotRead; // questions about it are open
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(std::move(*document)));
+        const Asked asked = askedOf(invocation, evaluated.tests.size());
+        const QString text = explanations(evaluated, asked, invocation.language);
+        if (text.isEmpty() && asked.parameter)
+            refuseUnknown(evaluated, asked);
+        printOut(text);
+        return done;
+    } catch (const Error &error) {
+        printError(file, error, invocation.language);
+        return cannotRead;
+    }
+}
+
+} // namespace
+
+Command explainCommand() {
+    return {"explain", "FILE [PARAMETER]",
+            REPORT_TEXT("report",
+                        "how a value follows from the readings: formula with the numbers put in, clause, "
+                        "ruling targets"),
+            options, run};
+}
+
+} // namespace palmer

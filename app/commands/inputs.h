@@ -1,0 +1,46 @@
+#pragma once
+
+#include "commands/command.h"
+#include "commands/jobs.h"
+#include "document/document.h"
+
+#include <QString>
+#include <functional>
+#include <vector>
+
+namespace palmer {
+
+/// A file that a command works on.
+struct Input {
+    QString file;
+    QString below; ///< path from the FOLDER it was found in; of a file that was named its name alone
+    bool found = false;
+};
+
+/// FILE… as they are named, and of each FOLDER the test files and PDFs in it and below it, sorted.
+struct Inputs {
+    std::vector<Input> list;
+    bool several = false; ///< more than one, or a folder: what is printed names its file
+    int code = 0;         ///< cannotRead: a folder cannot be read or has no such file, which is printed
+};
+
+[[nodiscard]] Inputs inputsOf(const Invocation &invocation);
+
+/// What stands on stdout between the results of several inputs.
+enum class Between { emptyLine, nothing };
+
+/// Works on the document of every input, also after a bad one, whose error is one line; --jobs at a time, and
+/// returns the worst code. PDFs that were found and are not of this program are passed over.
+int eachDocument(const Invocation &invocation, const Inputs &inputs,
+                 const std::function<JobResult(const Input &, Document)> &work,
+                 Between between = Between::emptyLine,
+                 const std::function<void(const JobResult &)> &heard = {});
+
+/// --jobs, without it as many as there are processors. Throws UsageError.
+[[nodiscard]] int jobsOf(const Invocation &invocation);
+
+/// Of commands that work on many files.
+inline constexpr Option jobsOption{
+    "jobs", "N", REPORT_TEXT("report", "files worked on at a time; without it one per processor")};
+
+} // namespace palmer
