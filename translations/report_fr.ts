@@ -6989,7 +6989,7 @@
     </message>
     <message>
         <source>“%1” is no path of a test file, as machine.name or tests[0].limits.A.value</source>
-        <translation>« %1 » n’est pas un chemin d’un fichier d’essai, comme machine.name ou tests[0].limits.A.value</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un chemin d’un fichier d’essai, comme machine.name ou tests[0].limits.A.value</translation>
     </message>
     <message>
         <source>Role</source>
@@ -7009,11 +7009,11 @@
     </message>
     <message>
         <source>findings as JSON; of several files one object a line</source>
-        <translation>constats en JSON ; pour plusieurs fichiers, un objet par ligne</translation>
+        <translation>constats en JSON&#x202f;; pour plusieurs fichiers, un objet par ligne</translation>
     </message>
     <message>
         <source>one table of all files: a row per parameter with value, U, limit and both statements</source>
-        <translation>un seul tableau pour tous les fichiers : une ligne par paramètre, avec valeur, U, limite et les deux énoncés</translation>
+        <translation>un seul tableau pour tous les fichiers&#xa0;: une ligne par paramètre, avec valeur, U, limite et les deux énoncés</translation>
     </message>
     <message>
         <source>--%1 and --%2 do not go together</source>
@@ -7021,7 +7021,7 @@
     </message>
     <message>
         <source>which test of the file, from 1; without it all</source>
-        <translation>essai du fichier, à partir de 1 ; par défaut tous</translation>
+        <translation>essai du fichier, à partir de 1&#x202f;; par défaut tous</translation>
     </message>
     <message>
         <source>the command %1 takes a file and a parameter</source>
@@ -7029,7 +7029,7 @@
     </message>
     <message>
         <source>unknown parameter %1; known: %2</source>
-        <translation>paramètre inconnu %1 ; connus : %2</translation>
+        <translation>paramètre inconnu %1&#x202f;; connus&#xa0;: %2</translation>
     </message>
     <message>
         <source>Test %1</source>
@@ -7037,11 +7037,11 @@
     </message>
     <message>
         <source>how a value follows from the readings: formula with the numbers put in, clause, ruling targets</source>
-        <translation>comment une valeur découle des relevés : formule avec les nombres, paragraphe, points visés déterminants</translation>
+        <translation>comment une valeur découle des relevés&#xa0;: formule avec les nombres, paragraphe, points visés déterminants</translation>
     </message>
     <message>
         <source>the picture to write, or its points; the ending says which; of several files the folder they go into</source>
-        <translation>l’image à écrire, ou ses points ; l’extension l’indique ; pour plusieurs fichiers, le dossier qui les reçoit</translation>
+        <translation>l’image à écrire, ou ses points&#x202f;; l’extension l’indique&#x202f;; pour plusieurs fichiers, le dossier qui les reçoit</translation>
     </message>
     <message>
         <source>the kind of picture, of several files</source>
@@ -7049,7 +7049,7 @@
     </message>
     <message>
         <source>the pictures of several files go into a folder; choose their kind with --%1 svg, png, pdf or csv</source>
-        <translation>les images de plusieurs fichiers vont dans un dossier ; choisir leur type par --%1 svg, png, pdf ou csv</translation>
+        <translation>les images de plusieurs fichiers vont dans un dossier&#x202f;; choisir leur type par --%1 svg, png, pdf ou csv</translation>
     </message>
     <message>
         <source>there is no test file or report in the folder</source>
@@ -7061,11 +7061,11 @@
     </message>
     <message>
         <source>files worked on at a time; without it one per processor</source>
-        <translation>nombre de fichiers traités à la fois ; par défaut un par processeur</translation>
+        <translation>nombre de fichiers traités à la fois&#x202f;; par défaut un par processeur</translation>
     </message>
     <message>
         <source>%1 and %2 would both be written as %3; call the command for each</source>
-        <translation>%1 et %2 seraient tous deux écrits sous %3 ; appeler la commande pour chacun</translation>
+        <translation>%1 et %2 seraient tous deux écrits sous %3&#x202f;; appeler la commande pour chacun</translation>
     </message>
     <message>
         <source>the folder %1 cannot be made</source>
@@ -7077,11 +7077,11 @@
     </message>
     <message>
         <source>--set %1: %2</source>
-        <translation>--set %1 : %2</translation>
+        <translation>--set %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>take machine, instrument, laboratory, limits or conditions from a template; may stand several times</source>
-        <translation>reprend machine, instrument, laboratoire, limites ou conditions d’un modèle ; peut figurer plusieurs fois</translation>
+        <translation>reprend machine, instrument, laboratoire, limites ou conditions d’un modèle&#x202f;; peut figurer plusieurs fois</translation>
     </message>
     <message>
         <source>editions to print side by side, without verdicts</source>
@@ -7089,11 +7089,11 @@
     </message>
     <message>
         <source>the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf; of several files the folder they go into</source>
-        <translation>le PDF à écrire ; pour deux langues OUT.fr.pdf et OUT.en.pdf ; pour plusieurs fichiers, le dossier qui les reçoit</translation>
+        <translation>le PDF à écrire&#x202f;; pour deux langues OUT.fr.pdf et OUT.en.pdf&#x202f;; pour plusieurs fichiers, le dossier qui les reçoit</translation>
     </message>
     <message>
         <source>the reports of several files go into a folder; %1 is none</source>
-        <translation>les rapports de plusieurs fichiers vont dans un dossier ; %1 n’en est pas un</translation>
+        <translation>les rapports de plusieurs fichiers vont dans un dossier&#x202f;; %1 n’en est pas un</translation>
     </message>
     <message>
         <source>as --json, always one object a line, of one file too</source>
@@ -7101,7 +7101,11 @@
     </message>
     <message>
         <source>a choice of the import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …), or a field of the test file by its path (machine.name=DMU 50, limits.A.value=0.020: of every test, tests[0].title=…); may stand several times</source>
-        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …), ou un champ du fichier d’essai par son chemin (machine.name=DMU 50, limits.A.value=0.020 : de chaque essai, tests[0].title=…) ; peut figurer plusieurs fois</translation>
+        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …), ou un champ du fichier d’essai par son chemin (machine.name=DMU 50, limits.A.value=0.020&#xa0;: de chaque essai, tests[0].title=…)&#x202f;; peut figurer plusieurs fois</translation>
+    </message>
+    <message>
+        <source>%1 and %2 would both be written as %3; choose another name</source>
+        <translation>%1 et %2 seraient tous deux écrits sous %3 ; choisir un autre nom</translation>
     </message>
 </context>
 </TS>

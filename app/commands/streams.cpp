@@ -3,6 +3,7 @@
 #include "commands/preparation.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
+#include "document/setfield.h"
 #include "document/testfile.h"
 #include "import/importmeasurement.h"
 #include "import/profiles.h"
@@ -153,7 +154,8 @@ ImportOptions chosenOptions(const Invocation &invocation) {
         if (mark < 1)
             throw UsageError(
                 {REPORT_TEXT("report", "“%1” is no choice; expected key=value"), {setting.toStdString()}});
-        if (findImportKey(setting.left(mark).toStdString())) // else it is a path of the test file
+        const std::string key = setting.left(mark).toStdString();
+        if (findImportKey(key) || !beginsAsField(key)) // else it is a path of the test file
             chosen[setting.left(mark).toStdString()] = setting.mid(mark + 1).toStdString();
     }
     try {

@@ -3,10 +3,12 @@
 #include "commands/optionvalues.h"
 #include "commands/outputfile.h"
 #include "commands/streams.h"
+#include "document/savedocument.h"
 #include "document/writedocument.h"
 #include "export/diagnosisjson.h"
 #include "kernel/diagnosis/synthesize.h"
 
+#include <QFileInfo>
 #include <QStringList>
 #include <algorithm>
 #include <array>
@@ -16,6 +18,8 @@
 namespace palmer {
 
 namespace {
+
+constexpr const char *truthOption = "truth";
 
 constexpr std::array options{
     Option{"source", "ID[:AXIS]=VALUE[@SHAPE]",
@@ -40,8 +44,10 @@ constexpr std::array options{
     Option{"resolution", "0", REPORT_TEXT("report", "step of the readings, µm; 0: none")},
     Option{"seed", "N",
            REPORT_TEXT("report", "start of the random numbers: the same gives the same measurement")},
-    Option{"truth", "TRUTH.json", REPORT_TEXT("report", "writes there what the measurement was made from")},
+    Option{truthOption, "TRUTH.json",
+           REPORT_TEXT("report", "writes there what the measurement was made from")},
     Option{"o", "OUT.palmer", REPORT_TEXT("report", "the test file to write")},
+    forceOption,
 };
 
 /// The number of an option, between the bounds.
@@ -237,18 +243,32 @@ madeTest(const Language &language, const char *edition, const char *id,
 
 int write(const Document &document, const QByteArray &truth, const Invocation &invocation,
           const QString &output) {
-    QString file = output;
+    std::vector<FileToSave> files{{writeDocument(document), output}};
+    if (const auto other = invocation.value(QLatin1StringView(truthOption)))
+        files.push_back({truth, *other});
     try {
-        writeOutput(writeDocument(document), file);
-        if (const auto other = invocation.value(QLatin1StringView("truth"))) {
-            file = *other;
-            writeOutput(truth, file);
-        }
+        writeOutputs(files); // both or none
+    } catch (const UnsavedFile &error) {
+        printError(error.path, error, invocation.language);
+        return cannotRead;
     } catch (const Error &error) {
-        printError(file, error, invocation.language);
+        printError(output, error, invocation.language);
         return cannotRead;
     }
     return done;
+}
+
+/// Throws UsageError for names of outputs that are those of other kinds of files, or of one file.
+void demandOutputs(const Invocation &invocation, const QString &output) {
+    demandOutput(invocation, output, {"palmer", "json"});
+    const auto truth = invocation.value(QLatin1StringView(truthOption));
+    if (!truth)
+        return;
+    demandOutput(invocation, *truth, {"json"});
+    if (isSameFile(*truth, output) ||
+        QFileInfo(*truth).absoluteFilePath() == QFileInfo(output).absoluteFilePath())
+        throw UsageError({REPORT_TEXT("report", "%1 and %2 would both be written as %3; choose another name"),
+                          {std::string("-o"), std::string("--truth"), output.toStdString()}});
 }
 
 int run(const Invocation &invocation) {
@@ -261,6 +281,7 @@ int run(const Invocation &invocation) {
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("synthesize"), std::string("-o OUT.palmer")}});
+    demandOutputs(invocation, *output);
     Document document;
     document.writtenBy = "Palmer " PALMER_VERSION;
     if (!isCircular) {

@@ -89,11 +89,38 @@ std::vector<json> meanings(std::string_view value) {
     return result;
 }
 
+json fileOf(const Document &document) {
+    const QByteArray bytes = writeDocument(document);
+    return parseJson(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+}
+
+/// A file with every key of the format: a test of each kind, and what the latest version added.
+json fileOfAllKinds() {
+    Document document;
+    const auto add = [&document](auto measurement) {
+        Test test;
+        test.id = std::to_string(document.tests.size());
+        test.role = TestRole::asFound;
+        test.measurement = std::move(measurement);
+        document.tests.push_back(std::make_shared<const Test>(std::move(test)));
+    };
+    add(PositioningMeasurement());
+    add(CircularMeasurement());
+    add(DriftMeasurement());
+    return fileOf(document);
+}
+
 } // namespace
 
+bool beginsAsField(std::string_view path) {
+    static const json all = fileOfAllKinds();
+    const std::string key(path.substr(0, path.find_first_of(".[")));
+    return all.contains(key) ||
+           std::ranges::any_of(all["tests"], [&](const json &test) { return test.contains(key); });
+}
+
 Document withField(const Document &document, std::string_view path, std::string_view value) {
-    const QByteArray bytes = writeDocument(document);
-    json file = parseJson(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    json file = fileOf(document);
     for (auto version = file["version"].get<std::size_t>(); version <= migrations.size(); ++version)
         migrations.at(version - 1)(file);
     file["version"] = fileVersion; // knows all keys

@@ -14,4 +14,7 @@ namespace palmer {
 /// or value that the file does not know, with the place and what is expected there.
 [[nodiscard]] Document withField(const Document &document, std::string_view path, std::string_view value);
 
+/// Whether a path begins with a key that a file or a test of some kind has.
+[[nodiscard]] bool beginsAsField(std::string_view path);
+
 } // namespace palmer

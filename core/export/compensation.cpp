@@ -120,9 +120,14 @@ std::vector<double> positionsOf(const PositioningMeasurement &measurement, Compe
         refuseInterval();
     if (format == CompensationFormat::siemens) {
         const auto intervals = static_cast<long long>(measurement.targets.size()) - 1;
-        const long long step =
-            options.interval ? steps(*options.interval) : (steps(to) - steps(from)) / intervals;
-        return evenPositions(steps(from), steps(to), step);
+        const long long step = options.interval ? steps(*options.interval)
+                                                : (steps(to) - steps(from) + intervals - 1) / intervals;
+        // A last step beyond where they do not end there, where the last correction holds: what was measured
+        // is whole.
+        std::vector<double> positions = evenPositions(steps(from), steps(to), step);
+        if (steps(positions.back()) < steps(to))
+            positions.push_back(positionOf(steps(positions.back()) + step));
+        return positions;
     }
     if (options.interval) {
         std::vector<double> positions = evenPositions(steps(from), steps(to), steps(*options.interval));

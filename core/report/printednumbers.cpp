@@ -83,9 +83,9 @@ int parameterDecimals(const Parameter &parameter, const DecisionRule &rule, std:
         result = decimalsWithUncertainty(*parameter.expandedUncertainty, parameter.term.quantity, resolution);
     if (!isComparable(parameter))
         return result;
-    const Comparison exact{judgedValue(*parameter.value, parameter.bound),
-                           judgedLimit(*parameter.limit->value, parameter.bound),
-                           parameter.guardedUncertainty(), roundingOfSums};
+    const Comparison exact{
+        judgedValue(*parameter.value, parameter.bound), judgedLimit(*parameter.limit->value, parameter.bound),
+        parameter.guardedUncertainty(), roundingBeside(parameter, *parameter.limit->value)};
     for (int decimals = result; decimals <= mostDecimals; ++decimals) {
         if (printedComparison(parameter, decimals, units).agreesWith(exact, rule))
             return decimals;

@@ -3,6 +3,7 @@
 #include "runcli.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -35,6 +36,7 @@ class SynthesizeCommandTest : public QObject {
 
 private slots:
     void truthComesBack_data();
+    void outputsAreNeverLost();
     void truthComesBack();
     void severalFeeds();
     void sumOfWhatCannotBeTold();
@@ -49,6 +51,30 @@ private:
     [[nodiscard]] QString path(const char *name) const { return m_folder.filePath(name); }
     QTemporaryDir m_folder;
 };
+
+void SynthesizeCommandTest::outputsAreNeverLost() {
+    const QStringList made{"synthesize", "circular", "--points", "50"};
+    const QString test = path("t.palmer");
+    QCOMPARE(runCli(made + QStringList{"-o", test}).code, 0);
+    const QByteArray before = contents(test);
+    const auto refused = [&](const QStringList &outputs) { return runCli(made + outputs).code == 2; };
+    QVERIFY(refused({"-o", path("s.palmer"), "--truth", test})); // a test file is no truth
+    QVERIFY(!QFileInfo::exists(path("s.palmer")));
+    QVERIFY(refused({"-o", test, "--truth", test}));
+    QVERIFY(refused({"-o", path("x.json"), "--truth", path("x.json")})); // there or not
+    QVERIFY(refused({"-o", path("x.json"), "--truth", path("./x.json")}));
+    QVERIFY(!QFileInfo::exists(path("x.json")));
+    for (const char *other : {"x.csv", "x.pdf", "x.xlsx"}) {
+        QVERIFY2(refused({"-o", path(other)}), other);
+        QVERIFY2(refused({"-o", path("y.palmer"), "--truth", path(other)}), other);
+        QVERIFY(!QFileInfo::exists(path(other)) && !QFileInfo::exists(path("y.palmer")));
+    }
+    QCOMPARE(runCli(made + QStringList{"-o", path("x.csv"), "--force"}).code, 0);
+    // Where one cannot be written neither is.
+    QCOMPARE(runCli(made + QStringList{"-o", path("z.palmer"), "--truth", path("none/z.json")}).code, 3);
+    QVERIFY(!QFileInfo::exists(path("z.palmer")));
+    QCOMPARE(contents(test), before);
+}
 
 void SynthesizeCommandTest::truthComesBack_data() {
     QTest::addColumn<QString>("source");

@@ -21,7 +21,7 @@ Verdict decide(const Judged &judged, double limit, const DecisionRule &rule) {
     if (!p.value)
         return Verdict::notProven;
     return decideUpper(judgedValue(*p.value, judged.bound), judgedLimit(limit, judged.bound),
-                       p.guardedUncertainty(), rule);
+                       p.guardedUncertainty(), rule, roundingBeside(p, limit));
 }
 
 /// How far the value may still go before it reaches the limit.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace palmer {
 
@@ -24,6 +25,13 @@ Verdict decideUpper(double value, double limit, std::optional<double> expandedUn
     if (value <= limit - *guard + rounding)
         return Verdict::conforms;
     return value > limit + *guard + rounding ? Verdict::doesNotConform : Verdict::notProven;
+}
+
+double roundingBeside(const Parameter &parameter, double limit) {
+    constexpr double ofSize =
+        64 * std::numeric_limits<double>::epsilon(); // of the steps from readings to a circle
+    const double beside = std::max(std::abs(parameter.value.value_or(0)), std::abs(limit));
+    return beside > 0 ? roundingOfSums + ofSize * parameter.size / beside : roundingOfSums;
 }
 
 double judgedValue(double value, Bound bound) {

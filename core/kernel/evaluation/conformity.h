@@ -20,6 +20,10 @@ inline constexpr double roundingOfWritten = 2e-15;
 [[nodiscard]] Verdict decideUpper(double value, double limit, std::optional<double> expandedUncertainty,
                                   const DecisionRule &rule, double rounding = roundingOfSums);
 
+/// The relative difference of a value from a limit that is none: of sums of readings, and of a difference
+/// between numbers of the size of a radius, which a double holds to 2e-16 of it.
+[[nodiscard]] double roundingBeside(const Parameter &parameter, double limit);
+
 /// A value and its limit turned so that less is better: upper limits as they are, signed results by their
 /// size, lower limits with both signs exchanged.
 [[nodiscard]] double judgedValue(double value, Bound bound);

@@ -34,6 +34,7 @@ Parameter parameter(const iso230_4::ListedParameter &listed, const CircularCase 
     result.dependsOnTemperature = listed.row->dependsOnTemperature;
     result.required = test.isRequired(listed.row->quantity) || test.isRequired(listed.row->term.id);
     result.value = iso230_4::value(listed, test);
+    result.size = test.measurement.nominalRadius;
     return result;
 }
 

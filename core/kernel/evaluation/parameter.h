@@ -54,6 +54,7 @@ struct Parameter {
     bool dependsOnTemperature = false; ///< wrong away from 20 °C unless corrected
     bool required = true;              ///< one of the results the parties asked for (circular tests)
     std::optional<double> value;
+    double size = 0; ///< of the numbers it is a difference of: a circle's radius, mm; 0: of its own
     std::array<std::optional<Ruling>, 2> ruling; ///< the larger end first; first target on ties
     std::optional<double> expandedUncertainty;   ///< U of the deciding method; simulated: 95.45 %, else k = 2
     UncertaintyMethod decidedBy = UncertaintyMethod::none; ///< where that U comes from

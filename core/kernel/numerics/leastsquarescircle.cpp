@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <vector>
 
 namespace palmer {
 
@@ -18,8 +19,8 @@ namespace {
 
 using Status = LeastSquaresCircle::Status;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double otherSide = 3; ///< times the extent of the points: a start there
-constexpr double quick = 10;    ///< by which steps shrink that need no second derivatives
+constexpr double lineMargin = 1e-9; ///< of the sum: a circle as good as a line
+constexpr double quick = 10;        ///< by which steps shrink that need no second derivatives
 
 /// Two points side by side in a register.
 using Pair = Eigen::Array<double, 2, 1>;
@@ -223,11 +224,76 @@ Point startAcross(Point normal, double extent, PointsView points, std::span<cons
     return best;
 }
 
-/// Short arcs with large residuals may have a circle on either side; only where the residuals are as large as
-/// the arc is bent need the other one be looked for.
-bool needsOtherSide(const Fit &fit) {
+/// Some of many points, evenly: what there is to choose a start by.
+Points thinned(PointsView points) {
+    constexpr std::size_t most = 1000;
+    const std::size_t every = (points.size() + most - 1) / most;
+    Points some;
+    for (std::size_t i = 0; i < points.size(); i += every) {
+        some.x.push_back(points.x[i]);
+        some.y.push_back(points.y[i]);
+    }
+    return some;
+}
+
+/// Centres about the mean of the points from which the sum falls on all sides, of a net of directions and
+/// distances; those with the least sums.
+std::vector<Point> startsAround(double extent, PointsView points, Point mean) {
+    constexpr int directions = 36;
+    constexpr int distances = 34; // by √2, up to 3 000 extents: beyond it short arcs are lines
+    constexpr std::size_t most = 20;
+    const Points some = thinned(points);
+    const std::array<std::size_t, 1> all{some.size()};
+    struct Node {
+        Point c;
+        double variance;
+    };
+    std::vector<Node> net;
+    for (int i = 0; i < distances; ++i) {
+        const double distance = extent / 32 * std::pow(2, i / 2.0);
+        for (int k = 0; k < directions; ++k) {
+            const Point towards = direction(k * 360.0 / directions);
+            const Point c{distance * towards.x, distance * towards.y};
+            net.push_back({c, linearise(some.view(), all, mean, c, std::hypot(extent, distance)).variance()});
+        }
+    }
+    const auto at = [&](int i, int k) -> const Node & {
+        return net[static_cast<std::size_t>(i * directions + (k + directions) % directions)];
+    };
+    std::vector<Node> lowest;
+    for (int i = 0; i < distances; ++i) {
+        for (int k = 0; k < directions; ++k) {
+            bool isLowest = true;
+            for (int di = -1; di <= 1; ++di)
+                for (int dk = -1; dk <= 1; ++dk)
+                    isLowest = isLowest && (i + di < 0 || i + di >= distances ||
+                                            at(i, k).variance <= at(i + di, k + dk).variance);
+            if (isLowest)
+                lowest.push_back(at(i, k));
+        }
+    }
+    std::ranges::sort(lowest, {}, &Node::variance);
+    lowest.resize(std::min(lowest.size(), most));
+    std::vector<Point> starts;
+    for (const Node &node : lowest)
+        starts.push_back(node.c);
+    return starts;
+}
+
+/// The mean square of the distances from the best straight line, which circles come near to without end.
+double varianceOfLine(const Scatter &s) {
+    return (s.xx + s.yy) / 2 - std::hypot((s.xx - s.yy) / 2, s.xy);
+}
+
+/// Short arcs with large residuals may have several circles that are best of their neighbours; only where the
+/// residuals are as large as the arc is bent, or beside the extent of the points, need the others be looked
+/// for.
+bool needsOthers(const Fit &fit, double extent) {
+    constexpr double large = 0.02;
     const double bend = 1 - std::hypot(fit.at.ux, fit.at.uy);
-    return fit.status != Status::converged || 2 * std::sqrt(fit.at.variance()) > bend * fit.at.radius();
+    const double deviation = std::sqrt(fit.at.variance());
+    return fit.status != Status::converged || 2 * deviation > bend * fit.at.radius() ||
+           deviation > large * extent;
 }
 
 } // namespace
@@ -276,13 +342,17 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
     // A radius of which the sagitta over the points is lost in rounding is a straight line.
     const double largestRadius = extent * 1e8;
     Fit fit = fitFrom(start, R, points, groups, mean, largestRadius, options);
-    if (needsOtherSide(fit)) {
-        const double away = -otherSide * extent / std::hypot(start.x, start.y);
-        const Fit other = fitFrom({away * start.x, away * start.y}, otherSide * extent, points, groups, mean,
-                                  largestRadius, options);
-        if (other.status == Status::converged &&
-            (fit.status != Status::converged || other.at.variance() < fit.at.variance()))
-            fit = other;
+    if (needsOthers(fit, extent)) {
+        for (const Point &c : startsAround(extent, points, mean)) {
+            const Fit other = fitFrom(c, std::hypot(extent, std::hypot(c.x, c.y)), points, groups, mean,
+                                      largestRadius, options);
+            if (other.status == Status::converged &&
+                (fit.status != Status::converged || other.at.variance() < fit.at.variance()))
+                fit = other;
+        }
+        // The best of its neighbours is not enough where a line is better than all.
+        if (fit.status == Status::converged && fit.at.variance() > varianceOfLine(s) * (1 + lineMargin))
+            fit.status = Status::collinear;
     }
     if (fit.status != Status::converged) {
         const Point across = startAcross(normalOf(s), extent, points, groups, mean);

@@ -23,8 +23,9 @@ struct LeastSquaresCircleOptions {
 ///     [mean(u·uᵀ) − ū·ūᵀ]·Δc = mean(u·f) − ū·f̄,    R = mean(r);
 /// a step that would enlarge the sum is halved, none is longer than R, and where steps shrink slowly the
 /// second derivatives, mean(f/r·(1 − u·uᵀ)), are added to the matrix (Newton). Of short arcs with residuals
-/// as large as their bend the circle on the other side is looked for too, and the better one taken; where
-/// neither leads to one, steps start from the best centre across the line that the points lie along.
+/// as large as their bend the sum has several minima: steps start from each that a net of centres (36
+/// directions, distances by √2 up to 3 000 extents of the points) shows, and the best circle is taken; where
+/// none leads to one, steps start from the best centre across the line that the points lie along.
 /// Validity: any position of the points, full circles and arcs. A bad input gives a status and zeros, never
 /// NaN.
 ///

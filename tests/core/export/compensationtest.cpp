@@ -187,6 +187,7 @@ public:
     [[nodiscard]] bool modulo() const { return m_words.at("IS_MODULO") == "1"; }
     [[nodiscard]] double first() const { return m_words.at("MIN").toDouble(); }
     [[nodiscard]] double last() const { return m_words.at("MAX").toDouble(); }
+    [[nodiscard]] double step() const { return m_words.at("STEP").toDouble(); }
 
     [[nodiscard]] double correction(double position) const {
         const double step = m_words.at("STEP").toDouble();
@@ -542,7 +543,8 @@ void CompensationTest::sinumerikReadsWhatIsWritten() {
         QVERIFY(!axis.modulo());
         QVERIFY(std::abs(axis.correction(*form.reference)) <= 0.5001e-4);  // the rounding of one value
         QVERIFY(std::abs(axis.first() - form.from.value_or(low)) < 1e-6 && // the digits that are written
-                axis.last() < form.to.value_or(high) + 1e-6);
+                axis.last() > form.to.value_or(high) - 1e-6 && // whole, and no step more than that takes
+                axis.last() < form.to.value_or(high) + axis.step() - 1e-6);
         const Test after = corrected(test, [&](double at, bool /*up*/) { return axis.correction(at); });
         const TestEvaluation result = evaluated(after);
         if (even && !form.from) { // the points are the targets

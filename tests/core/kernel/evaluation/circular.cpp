@@ -40,6 +40,7 @@ private slots:
     void feedback();
     void limitsOfF();
     void rowsAndTestAgreeUnderAllPairsOfLimits();
+    void equalToTheLimitConformsWhateverTheRadius();
     void holesOfFullCircles_data();
     void holesOfFullCircles();
     void anglesAgainstTheSense_data();
@@ -546,6 +547,32 @@ void Circular::rowsAndTestAgreeUnderAllPairsOfLimits() {
     measurement(test).centring = Centring::instrument;
     test.limits = {{"F", {0.004, {}, ""}}, {"Fmax", {0.004, {}, ""}}};
     QCOMPARE(parameter(evaluated(test), "Fmax_XY")->limitOf, "Fmax");
+}
+
+/// Deviations of ± half the limit, four times around: G and Fmax are exactly known whatever the radius, whose
+/// rounding they are differences of.
+void Circular::equalToTheLimitConformsWhateverTheRadius() {
+    for (const double radius : {10.0, 50.0, 150.0, 300.0, 1000.0, 7000.0}) {
+        for (int tenths = 1; tenths <= 200; ++tenths) {
+            const double width = tenths / 10.0; // µm
+            Test test = circularTest({path(counterclockwise, 72, [&](double theta) {
+                return std::fmod(theta + 1, 90) < 45 ? width / 2 : -width / 2;
+            })});
+            measurement(test).nominalRadius = radius;
+            const auto verdict = [&](const char *id, double limit) {
+                test.limits.clear();
+                test.limits[id].value = limit * micrometre;
+                return *evaluated(test).verdict;
+            };
+            for (const char *id : {"G", "Fmax"}) {
+                const double value = id[0] == 'G' ? width : width / 2;
+                const double nothing = 1e-6; // µm: beyond all rounding up to 7 m of radius
+                QVERIFY2(verdict(id, value) == Verdict::conforms, id);
+                QVERIFY2(verdict(id, value + nothing) == Verdict::conforms, id);
+                QVERIFY2(verdict(id, value - nothing) == Verdict::doesNotConform, id);
+            }
+        }
+    }
 }
 
 void Circular::holesOfFullCircles_data() {

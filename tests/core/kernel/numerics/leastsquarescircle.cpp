@@ -90,6 +90,8 @@ private slots:
     void noisyLinesEndWithAStatus();
     void shortArcsWithLargeDeviations_data();
     void shortArcsWithLargeDeviations();
+    void noisyShortArcsHaveTheBestOfAllCircles_data();
+    void noisyShortArcsHaveTheBestOfAllCircles();
     void notConvergedIsNoCircle();
     void badInput_data();
     void badInput();
@@ -385,6 +387,108 @@ void LeastSquaresCircleTest::shortArcsWithLargeDeviations() {
                                 .arg(double((atFit - least) / least))));
     }
     QVERIFY2(found == 40, qPrintable(QString::number(found)));
+}
+
+namespace {
+
+/// The least of the sum of squares over all centres: a dense net of centres, and a pattern search from its
+/// best ones. Knows nothing of the fit.
+double leastVariance(const Points &points, double extent) {
+    const std::vector<std::size_t> all{points.size()};
+    double meanX = 0;
+    double meanY = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        meanX += points.x[i] / static_cast<double>(points.size());
+        meanY += points.y[i] / static_cast<double>(points.size());
+    }
+    const auto at = [&](double x, double y) {
+        double mean = 0;
+        std::vector<double> r;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            r.push_back(std::hypot(points.x[i] - x, points.y[i] - y));
+            mean += r.back() / static_cast<double>(points.size());
+        }
+        double sum = 0;
+        for (const double one : r)
+            sum += (one - mean) * (one - mean) / static_cast<double>(points.size());
+        return sum;
+    };
+    struct Node {
+        double value, x, y, arm;
+    };
+    std::vector<Node> net;
+    for (double distance = extent / 20; distance < extent * 3000; distance *= 1.4) {
+        for (int k = 0; k < 60; ++k) {
+            const Point towards = direction(6.0 * k);
+            const double x = meanX + distance * towards.x;
+            const double y = meanY + distance * towards.y;
+            net.push_back({at(x, y), x, y, distance / 10});
+        }
+    }
+    std::ranges::sort(net, {}, &Node::value);
+    double least = net.front().value;
+    for (std::size_t i = 0; i < 12; ++i) {
+        Node node = net[i];
+        for (; node.arm > 1e-6 * extent; node.arm /= 2) {
+            for (bool lower = true; lower;) {
+                lower = false;
+                for (int k = 0; k < 8; ++k) {
+                    const Point towards = direction(45.0 * k);
+                    const double value = at(node.x + node.arm * towards.x, node.y + node.arm * towards.y);
+                    if (value < node.value * (1 - 1e-12)) {
+                        node.value = value;
+                        node.x += node.arm * towards.x;
+                        node.y += node.arm * towards.y;
+                        lower = true;
+                    }
+                }
+            }
+        }
+        least = std::min(least, node.value);
+    }
+    return least;
+}
+
+} // namespace
+
+void LeastSquaresCircleTest::noisyShortArcsHaveTheBestOfAllCircles_data() {
+    QTest::addColumn<double>("extent");
+    QTest::addColumn<double>("deviation"); // of R
+    for (const double extent : {20.0, 30.0, 45.0, 90.0}) {
+        for (const double deviation : {0.01, 0.03, 0.05})
+            QTest::addRow("%g degrees, %g of R", extent, deviation) << extent << deviation;
+    }
+}
+
+/// Readings that scatter as much as a short arc is bent: the sum has minima on both sides and beside the arc.
+void LeastSquaresCircleTest::noisyShortArcsHaveTheBestOfAllCircles() {
+    QFETCH(double, extent);
+    QFETCH(double, deviation);
+    std::mt19937_64 random(31);
+    std::normal_distribution<double> noise(0, 100 * deviation);
+    for (int trial = 0; trial < 8; ++trial) {
+        const int n = 8 + static_cast<int>(random() % 13);
+        std::vector<double> angles;
+        std::vector<double> radii;
+        for (int i = 0; i < n; ++i) {
+            angles.push_back(extent * i / (n - 1));
+            radii.push_back(100 + noise(random));
+        }
+        const Points points = polarPoints(angles, radii);
+        const LeastSquaresCircle circle = leastSquaresCircle(points.view());
+        const double least = leastVariance(points, 100 * extent * std::numbers::pi / 180 / 2);
+        if (!circle.valid()) { // no circle is better than the line, which those of the net come near to
+            QCOMPARE(circle.status, Status::collinear);
+            continue;
+        }
+        // The search ends with arms of 1e-6 of the extent: the sum is flat to the square of it.
+        QVERIFY2(circle.rms * circle.rms <= least * (1 + 1e-9),
+                 qPrintable(QStringLiteral("trial %1, %2 points: %3 against %4")
+                                .arg(trial)
+                                .arg(n)
+                                .arg(circle.rms * circle.rms)
+                                .arg(least)));
+    }
 }
 
 void LeastSquaresCircleTest::notConvergedIsNoCircle() {
