@@ -67,6 +67,8 @@ private slots:
     void eachSourceIsRecognised_data();
     void eachSourceIsRecognised();
     void statedPitchAndWidth();
+    void everyPlausiblePitchIsFound_data();
+    void everyPlausiblePitchIsFound();
     void severalFeeds();
     void noiseAloneIsNoSource();
     void startOfThePathDoesNotCount();
@@ -84,6 +86,7 @@ private slots:
     void badInput_data();
     void badInput();
     void wordsForEverySource();
+    void uncertaintiesAsShown();
 };
 
 void DiagnosisTest::truthOfTheBallbarPair() {
@@ -101,6 +104,9 @@ void DiagnosisTest::truthOfTheBallbarPair() {
     const Diagnosis d = diagnose(pair.circle());
     QCOMPARE(d.rank, 12);
     QCOMPARE(d.of, 12); // nothing was looked for and found that is not there
+    QVERIFY(d.points >
+            0.97 * double(pair.circle().arcs[0].points.size() + pair.circle().arcs[1].points.size()));
+    QVERIFY(d.points < pair.circle().arcs[0].points.size() + pair.circle().arcs[1].points.size());
     QCOMPARE(asPolar.of, 12);
     // ballbar_pair_truth.txt; 2e-3 µm, 0.01 µrad (µm/m), 1e-4 ms
     const struct {
@@ -318,6 +324,30 @@ void DiagnosisTest::statedPitchAndWidth() {
     QVERIFY(std::abs(valueOf(d, InfluenceId::reversalSpike, x) - 2e-3) < 1e-4);
     QVERIFY(std::abs(valueOf(d, InfluenceId::reversalSpike, y)) < 1e-4);
     QVERIFY(std::abs(valueOf(d, InfluenceId::backlash, x) - 6e-3) < 1e-4);
+}
+
+void DiagnosisTest::everyPlausiblePitchIsFound_data() {
+    QTest::addColumn<double>("pitch");
+    // screws and racks; a quarter of the radius of 250 mm is the most
+    for (const double pitch : {1.0,  2.0,  2.5,  3.0,  4.0,  5.0,  6.0,  8.0,  10.0, 12.0,
+                               12.7, 15.0, 16.0, 20.0, 25.0, 25.4, 30.0, 32.0, 40.0, 50.0})
+        QTest::addRow("%g mm", pitch) << pitch;
+}
+
+void DiagnosisTest::everyPlausiblePitchIsFound() {
+    QFETCH(double, pitch);
+    CircularSynthesis asked;
+    asked.radius = 250;
+    asked.points = 5400; // 0.29 mm apart: below a third of 1 mm
+    asked.sources = {{InfluenceId::cyclic, x, 2e-3, pitch, 0.7}};
+    asked.noise.deviation = 2e-4;
+    const Diagnosis d = diagnosed(asked);
+    const SourceEstimate *found = d.find(InfluenceId::cyclic, x);
+    QVERIFY(found && found->proposed && found->value);
+    QCOMPARE(*found->pitch, pitch);
+    QVERIFY(std::abs(*found->value - 2e-3) < 5e-5);
+    QVERIFY(std::abs(*found->phase - 0.7) < 0.05);
+    QCOMPARE(d.of, 14); // the 12 that are always fitted and both parts of the wave
 }
 
 void DiagnosisTest::severalFeeds() {
@@ -665,10 +695,56 @@ void DiagnosisTest::wordsForEverySource() {
             QCOMPARE(sourceAdvice(d, source).text.empty(), taken);
             if (row.ofAxis && !taken)
                 QCOMPARE(std::get<std::string>(meaning.arguments.front()), std::string("Y"));
+            // The words of the sign; not seen where the interval holds 0, borders included.
+            if (!taken) {
+                const auto meant = [&](double value, double u) {
+                    source.value = value;
+                    source.u = u;
+                    source.degreesOfFreedom = 100; // k = 1.984
+                    return QByteArray(sourceMeaning(d, source).text.source);
+                };
+                const QByteArray notSeen("Not seen: smaller than its uncertainty.");
+                QCOMPARE(meant(sign * 2.0, 1), QByteArray(meaning.text.source));
+                QCOMPARE(meant(sign * 1.9, 1), notSeen);
+                QCOMPARE(meant(0, 0), notSeen);
+            }
             source.separable = false;
             QVERIFY(sourceMeaning(d, source).text != meaning.text || taken);
+            source.with = {0};
+            QCOMPARE(sourceMeaning(d, source).text.source, "These arcs do not tell it from other sources.");
         }
     }
+}
+
+void DiagnosisTest::uncertaintiesAsShown() {
+    SourceEstimate source;
+    source.id = InfluenceId::backlash;
+    QVERIFY(!source.interval());
+    QCOMPARE(shownUncertainty(source), 0.0);
+    source.value = 0.006;
+    QVERIFY(!source.interval());
+    source.u = 0.001;
+    source.degreesOfFreedom = 10; // t(0.975; 10) = 2.228 139
+    QVERIFY(std::abs(source.interval()->from - (0.006 - 2.228139e-3)) < 1e-9);
+    QVERIFY(std::abs(source.interval()->to - (0.006 + 2.228139e-3)) < 1e-9);
+    source.degreesOfFreedom = 1e12; // many: as of a million, 1.959 966
+    QVERIFY(std::abs(source.interval()->to - (0.006 + 1.959966e-3)) < 1e-9);
+    QVERIFY(std::abs(shownUncertainty(source) - 1) < 1e-12); // µm
+    // τ = √q: u(τ) = u(q)/(2τ); q of 4 ms² ± 0.4 ms²: τ = 2 ± 0.1 ms
+    source.id = InfluenceId::commonLag;
+    source.value = 4e-6;
+    source.u = 0.4e-6;
+    QVERIFY(std::abs(shownUncertainty(source) - 0.1) < 1e-12);
+    source.value = -4e-6;
+    QVERIFY(std::abs(shownUncertainty(source) - 0.1) < 1e-12);
+    // near 0 the root of u: q = 0 ± 0.25 ms²
+    source.value = 0;
+    source.u = 0.25e-6;
+    QVERIFY(std::abs(shownUncertainty(source) - 0.5) < 1e-12);
+    source.value = 0.062e-6; // √u/2 = 0.25 ms is still larger than √q = 0.249
+    QVERIFY(std::abs(shownUncertainty(source) - 0.5) < 1e-12);
+    source.u = 0;
+    QCOMPARE(shownUncertainty(source), 0.0);
 }
 
 QTEST_GUILESS_MAIN(DiagnosisTest)
