@@ -177,7 +177,7 @@ void CircularBudgetTest::inputsSayHow() {
     QCOMPARE(says("centring"), QByteArray("2 · %1 | 5 µm"));
     QCOMPARE(says("pointNoise"), QByteArray("2 · %1 / √%2 | 0.3 µm; 72n"));
     // R·√(0.3²·(11.5² + 1.2²) + 3²·(1² + 0.2²)) = 150·√(12.032 + 9.36) = 0.693 77 µm
-    QVERIFY(says("correction").endsWith("| 0.693773 µm.3"));
+    QVERIFY(says("correction").endsWith("| 0.693774 µm.3"));
     m.uncertainty.repeatability.reset();
     QVERIFY(says("repeatability", 0.0004).endsWith("repeated circles | 0.4 µm.3"));
     QCOMPARE(*circularBudget(m, {}, 0.0004, 72).find("repeatability")->expanded, 0.0008);

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include <numbers>
+#include <string>
 
 using namespace palmer;
 
@@ -58,8 +59,9 @@ private slots:
         for (int round = 0; round < 5000; ++round) {
             seed = seed * 1664525U + 1013904223U;
             const int places = round % 10;
-            const QString digits = QString::number(seed);
-            const auto moved = [&](int by) { return (digits + u"e-" + QString::number(by)).toDouble(); };
+            const auto moved = [&](int by) {
+                return std::stod(std::to_string(seed) + "e-" + std::to_string(by));
+            };
             QCOMPARE(micrometre->toBase(moved(places)) == moved(places + 3), true);
         }
         // more digits than any table has: divided
