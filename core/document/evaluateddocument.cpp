@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/evaluatetest.h"
+#include "kernel/evaluation/positioningcase.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,17 +25,12 @@ std::optional<double> driftRange(const Document &document, const std::string &id
     return std::nullopt;
 }
 
-bool insideZone(const PositioningMeasurement &m) {
-    return m.zone && !m.targets.empty() && m.targets.front() >= m.zone->from &&
-           m.targets.back() <= m.zone->to;
-}
-
 /// Of a long axis a file holds two tests: the whole travel and the zone.
 bool hasOtherTest(const Document &document, const Test &test, const PositioningMeasurement &measurement) {
     return std::ranges::any_of(document.tests, [&](const TestPointer &other) {
         const auto *m = std::get_if<PositioningMeasurement>(&other->measurement);
         return m && other.get() != &test && m->axis.name == measurement.axis.name &&
-               m->axis.motion == measurement.axis.motion && insideZone(*m) != insideZone(measurement);
+               m->axis.motion == measurement.axis.motion && isInsideZone(*m) != isInsideZone(measurement);
     });
 }
 
@@ -46,7 +42,7 @@ bool isRepeated(const Document &document, const Test &test) {
         if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
             const auto *o = std::get_if<PositioningMeasurement>(&other->measurement);
             return o && o->axis.name == m->axis.name && o->axis.motion == m->axis.motion &&
-                   insideZone(*o) == insideZone(*m);
+                   isInsideZone(*o) == isInsideZone(*m);
         }
         const auto *m = std::get_if<CircularMeasurement>(&test.measurement);
         const auto *o = std::get_if<CircularMeasurement>(&other->measurement);

@@ -1,5 +1,8 @@
 #include "editing/newtest.h"
 
+#include "kernel/evaluation/iso230_2/targetcount.h"
+#include "kernel/evaluation/positioningcase.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -7,9 +10,6 @@
 namespace palmer {
 
 namespace {
-
-constexpr double longAxis = 2000;
-constexpr double turn = 360;
 
 std::string nameOf(const Test &test) {
     if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
@@ -106,15 +106,14 @@ std::vector<double> evenTargets(double first, double last, std::size_t count, do
 std::size_t targetsWanted(const Axis &axis) {
     const double travel = axis.travel.value_or(0);
     if (axis.motion == Motion::rotary) {
-        if (travel <= turn / 4)
-            return 3;
-        if (travel <= turn / 2)
-            return 5;
-        return static_cast<std::size_t>(std::ceil(8 * std::max(1.0, travel / turn)));
+        const double turns = std::max(1.0, travel / 360);
+        return static_cast<std::size_t>(turns > 1 ? std::ceil(iso230_2::targetsOfATurn * turns)
+                                                  : iso230_2::targetsWithinATurn(travel));
     }
-    if (travel > longAxis)
-        return static_cast<std::size_t>(std::ceil(travel / 250)) + 1;
-    return static_cast<std::size_t>(std::max(5.0, std::ceil(5 * travel / 1000)));
+    if (travel > longestShort(axis.motion))
+        return static_cast<std::size_t>(std::ceil(travel / iso230_2::longestInterval)) + 1;
+    return static_cast<std::size_t>(
+        std::max(iso230_2::fewestTargets, std::ceil(iso230_2::targetsOfAMetre * travel / 1000)));
 }
 
 std::string freshId(const Document &document, const Test &test) {

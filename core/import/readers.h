@@ -8,7 +8,7 @@
 
 namespace palmer {
 
-/// What a reader is given: the bytes, and the same as text where they are one.
+/// What a reader is given: the bytes of the file, and what the user decided.
 struct ImportSource {
     QByteArrayView bytes;
     const ImportOptions &options;

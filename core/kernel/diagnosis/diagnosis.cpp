@@ -2,6 +2,7 @@
 
 #include "kernel/diagnosis/influencefit.h"
 #include "kernel/diagnosis/remarks.h"
+#include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/numerics/minimumzone.h"
 #include "kernel/numerics/studentt.h"
 
@@ -464,10 +465,8 @@ DiagnosedCircle diagnosedCircle(const CircularMeasurement &measurement, const Ci
             one.angles.push_back(arc.angles[i]);
         circle.arcs.push_back(std::move(one));
     }
-    const CircleOf of = results.paths.size() == 2 ? CircleOf::both
-                        : !results.paths.empty() && results.paths.front().sense == Sense::clockwise
-                            ? CircleOf::clockwise
-                            : CircleOf::counterclockwise;
+    const CircleOf of =
+        results.paths.size() == 1 ? iso230_4::circleOf(results.paths.front().sense) : CircleOf::both;
     if (const CircleResult *fitted = results.circle(of, ReferenceCircle::leastSquares))
         circle.centre = fitted->centre;
     return circle;

@@ -1,5 +1,6 @@
 #include "kernel/diagnosis/synthesize.h"
 
+#include "kernel/measurement/referencetemperature.h"
 #include "kernel/numerics/points.h"
 #include "kernel/simulation/randomdraws.h"
 
@@ -142,8 +143,9 @@ PositioningMeasurement synthesizePositioning(const PositioningSynthesis &asked) 
             for (std::size_t k = 0; k < count; ++k) {
                 const std::size_t i = upward ? k : count - 1 - k;
                 const double along = asked.targets[i] - first;
-                double deviation =
-                    (asked.scale + asked.expansion * perMetreAndDegree * (asked.temperature - 20)) * along;
+                double deviation = (asked.scale + asked.expansion * perMetreAndDegree *
+                                                      (asked.temperature - referenceTemperature)) *
+                                   along;
                 deviation +=
                     asked.cyclic * std::sin(2 * std::numbers::pi * along / asked.pitch + asked.phase);
                 const double lost = asked.backlash + asked.reversal * (travel > 0 ? along / travel : 0);
@@ -156,7 +158,7 @@ PositioningMeasurement synthesizePositioning(const PositioningSynthesis &asked) 
             measurement.runs.push_back(std::move(one));
         }
     }
-    if (asked.temperature != 20) {
+    if (asked.temperature != referenceTemperature) {
         measurement.conditions.common.sensors.push_back(
             {SensorMeasures::machine, {}, asked.temperature, asked.temperature, {}});
         measurement.conditions.common.expansion.machine = asked.expansion;

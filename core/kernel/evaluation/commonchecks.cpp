@@ -1,6 +1,7 @@
 #include "kernel/evaluation/commonchecks.h"
 
 #include "kernel/evaluation/agreedpoints.h"
+#include "kernel/measurement/referencetemperature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,7 @@ namespace palmer::common {
 
 namespace {
 
-constexpr double reference = 20; ///< °C
-constexpr double margin = 0.5;
+constexpr double margin = 0.5;    ///< °C
 constexpr double rounding = 1e-9; ///< of differences of temperatures
 
 /// Every value of a sensor, of a series all of them.
@@ -40,13 +40,14 @@ Judgement temperature(const Conditions &conditions, Text outside) {
         if (sensor.measures != SensorMeasures::air)
             continue;
         eachTemperature(sensor, [&](double value) {
-            if (!worst || !(std::abs(value - reference) <= std::abs(*worst - reference)))
+            if (!worst ||
+                !(std::abs(value - referenceTemperature) <= std::abs(*worst - referenceTemperature)))
                 worst = value;
         });
     }
     if (!worst)
         return Judgement::undeclared();
-    if (std::abs(*worst - reference) <= margin + rounding)
+    if (std::abs(*worst - referenceTemperature) <= margin + rounding)
         return Judgement::met();
     if (!conditions.temperatureControlled)
         return Judgement::undeclared();

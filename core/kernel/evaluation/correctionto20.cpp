@@ -1,12 +1,13 @@
 #include "kernel/evaluation/correctionto20.h"
 
+#include "kernel/measurement/referencetemperature.h"
+
 #include <cmath>
 
 namespace palmer {
 
 namespace {
 
-constexpr double reference = 20;       ///< °C
 constexpr double negligible = 0.05e-3; ///< mm
 
 /// α·(θ − 20) in parts of one.
@@ -19,7 +20,7 @@ std::optional<double> expansion(const Conditions &conditions, std::optional<doub
     const auto theta = meanTemperature(conditions, what);
     if (!theta)
         return std::nullopt;
-    return 1e-6 * *alpha * (*theta - reference);
+    return 1e-6 * *alpha * (*theta - referenceTemperature);
 }
 
 } // namespace
@@ -52,7 +53,7 @@ std::optional<MeanTemperature> awayFrom20(const Conditions &conditions, double m
         if (what == SensorMeasures::instrument && conditions.expansion.instrument == 0.0)
             continue;
         const auto theta = meanTemperature(conditions, what);
-        if (theta && std::abs(*theta - reference) > margin + rounding)
+        if (theta && std::abs(*theta - referenceTemperature) > margin + rounding)
             return MeanTemperature{what, *theta};
     }
     return std::nullopt;

@@ -61,7 +61,7 @@ enum class TextRead { all, part, none };
 
 using Requirement = RequirementOf<PositioningCase>;
 
-/// What an edition of ISO 230-4 computes and asks for; see iso230_4/circularrules.h.
+/// What an edition of ISO 230-4 computes and asks for; see iso230_4/circularcase.h.
 struct CircularRules;
 
 /// One edition of a standard. Aliases share everything with their family but word and title.

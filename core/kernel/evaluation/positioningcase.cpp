@@ -6,7 +6,13 @@ namespace palmer {
 
 bool isLongAxis(const PositioningMeasurement &measurement) {
     return measurement.axis.travel.value_or(measurementTravel(measurement)) >
-           (measurement.axis.motion == Motion::linear ? 2000.0 : 360.0);
+           longestShort(measurement.axis.motion);
+}
+
+bool isInsideZone(const PositioningMeasurement &measurement) {
+    const auto &targets = measurement.targets;
+    const auto &zone = measurement.zone;
+    return zone && !targets.empty() && targets.front() >= zone->from && targets.back() <= zone->to;
 }
 
 double PositioningCase::travel() const {
@@ -18,9 +24,7 @@ bool PositioningCase::longAxis() const {
 }
 
 bool PositioningCase::zoneTest() const {
-    return longAxis() && measurement.zone && !measurement.targets.empty() &&
-           measurement.targets.front() >= measurement.zone->from &&
-           measurement.targets.back() <= measurement.zone->to;
+    return longAxis() && isInsideZone(measurement);
 }
 
 double PositioningCase::judgedTravel() const {

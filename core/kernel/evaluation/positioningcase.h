@@ -10,9 +10,16 @@
 
 namespace palmer {
 
-/// The axis is longer than a short one: above 2 000 mm, 360°; where its travel is not stated the measurement
-/// travel is judged.
+/// The longest short axis, and the zone that has the full test of a longer one: 2 000 mm, 360°.
+[[nodiscard]] constexpr double longestShort(Motion motion) {
+    return motion == Motion::linear ? 2000 : 360;
+}
+
+/// The axis is longer than a short one; where its travel is not stated the measurement travel is judged.
 [[nodiscard]] bool isLongAxis(const PositioningMeasurement &measurement);
+
+/// A zone is stated and all targets lie in it, its ends included.
+[[nodiscard]] bool isInsideZone(const PositioningMeasurement &measurement);
 
 /// A positioning test and all that its requirements look at. Owns nothing.
 struct PositioningCase {
@@ -32,7 +39,7 @@ struct PositioningCase {
 
     /// Axis travel; where it is not stated, the measurement travel. mm, rotary: degrees.
     [[nodiscard]] double travel() const;
-    /// The axis is longer than a short one: above 2 000 mm, 360°.
+    /// The axis is longer than a short one.
     [[nodiscard]] bool longAxis() const;
     /// All targets lie in the agreed zone of a long axis: judged as a short one.
     [[nodiscard]] bool zoneTest() const;

@@ -1,5 +1,8 @@
 #include "kernel/planning/targetplan.h"
 
+#include "kernel/evaluation/iso230_2/targetcount.h"
+#include "kernel/evaluation/positioningcase.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -8,12 +11,9 @@
 namespace palmer {
 namespace {
 
-constexpr std::size_t fewestTargets = 5;
 constexpr double largestShare = 0.3; ///< of the interval: where the period is unknown
-constexpr double longLinear = 2000;  ///< mm
 constexpr double fullTurn = 360;
 constexpr double quarterTurn = 90;
-constexpr std::size_t targetsPerTurn = 8;
 constexpr std::size_t freeTargetsOf1988 = 3;
 
 /// Uniform numbers that are the same everywhere: the standard library's distributions are not.
@@ -29,22 +29,17 @@ private:
     std::mt19937_64 m_generator;
 };
 
+/// No more than `mostTargets` and one.
 std::size_t numberOfTargets(const TargetRequest &request) {
-    if (request.motion == Motion::linear) {
-        const double wanted = std::ceil(request.perMetre * request.travel / 1000 - 1e-9);
-        return wanted > static_cast<double>(mostTargets)
-                   ? mostTargets + 1
-                   : std::max(fewestTargets, static_cast<std::size_t>(wanted));
-    }
-    if (request.travel <= 90)
-        return 3;
-    if (request.travel <= 180)
-        return 5;
-    if (request.travel < fullTurn)
-        return targetsPerTurn;
-    const double wanted =
-        std::ceil(static_cast<double>(targetsPerTurn) * request.travel / fullTurn - 1e-9) + 1;
-    return wanted > static_cast<double>(mostTargets) ? mostTargets + 1 : static_cast<std::size_t>(wanted);
+    double wanted = 0;
+    if (request.motion == Motion::linear)
+        wanted =
+            std::max(iso230_2::fewestTargets, std::ceil(request.perMetre * request.travel / 1000 - 1e-9));
+    else if (request.travel < fullTurn)
+        wanted = iso230_2::targetsWithinATurn(request.travel);
+    else // 8 a turn and the end
+        wanted = std::ceil(iso230_2::targetsOfATurn * request.travel / fullTurn - 1e-9) + 1;
+    return static_cast<std::size_t>(std::min(wanted, static_cast<double>(mostTargets + 1)));
 }
 
 /// Rounded to the resolution, and inside [low, high].
@@ -118,7 +113,7 @@ TargetPlan planTargets(const TargetRequest &request) {
     if (!sound)
         return plan;
     const bool linear = request.motion == Motion::linear;
-    plan.runs = request.travel > (linear ? longLinear : fullTurn) ? 1 : 5;
+    plan.runs = request.travel > longestShort(request.motion) ? 1 : 5;
     const std::size_t count = numberOfTargets(request);
     if (count > mostTargets)
         return plan;

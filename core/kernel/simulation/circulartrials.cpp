@@ -117,8 +117,7 @@ void CircularTrials::addParts() {
             high = points == 0 ? part.deviations.back() : std::max(high, part.deviations.back());
             ++points;
         }
-        const CircleOf of =
-            path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
+        const CircleOf of = iso230_4::circleOf(path.sense);
         const CircleResult *circle = m_results.circle(of, ReferenceCircle::leastSquares);
         if (!circle)
             circle = m_results.circle(of, ReferenceCircle::minimumZone);
@@ -162,10 +161,7 @@ void CircularTrials::addReferences() {
         Points points;
         std::vector<const Rays *> sets;
         for (std::size_t k = 0; k < m_parts.size(); ++k) {
-            const CircleOf of = m_results.paths[k].sense == Sense::counterclockwise
-                                    ? CircleOf::counterclockwise
-                                    : CircleOf::clockwise;
-            if (circle.of != CircleOf::both && circle.of != of)
+            if (circle.of != CircleOf::both && circle.of != iso230_4::circleOf(m_results.paths[k].sense))
                 continue;
             circle.parts.push_back(k);
             sets.push_back(&m_parts[k].rays);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernel/measurement/referencetemperature.h"
 #include "kernel/uncertainty/contribution.h"
 
 #include <cmath>
@@ -8,8 +9,6 @@
 namespace palmer {
 
 // How the budgets read their inputs: every one is a number, or a defect of the contribution it is for.
-
-inline constexpr double referenceTemperature = 20; ///< °C
 
 /// The sizes (ranges, uncertainties) that a contribution is made of.
 class InputReader {

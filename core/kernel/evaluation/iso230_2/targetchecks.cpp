@@ -1,6 +1,7 @@
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
+#include "kernel/evaluation/iso230_2/targetcount.h"
 
 #include <algorithm>
 #include <array>
@@ -11,20 +12,19 @@ namespace palmer::iso230_2 {
 namespace {
 
 constexpr double quarterTolerance = 1e-3; ///< degrees
-constexpr double longestElement = 250;    ///< mm: interval of targets on a long axis
 
 std::size_t targetCount(const PositioningCase &test) {
     return test.measurement.targets.size();
 }
 
 double zoneOfStandard(const PositioningCase &test) {
-    return test.linear() ? 2000 : 360;
+    return longestShort(test.measurement.axis.motion);
 }
 
 bool intervalsTooLong(const PositioningCase &test) {
     const std::size_t m = targetCount(test);
     return m < 2 ||
-           measurementTravel(test.measurement) > longestElement * static_cast<double>(m - 1) * (1 + 1e-9);
+           measurementTravel(test.measurement) > longestInterval * static_cast<double>(m - 1) * (1 + 1e-9);
 }
 
 double leftOut(const PositioningCase &test) {
@@ -112,7 +112,7 @@ bool evenlySpaced(const std::vector<double> &steps, double mean) {
 } // namespace
 
 Sentence targetsPerMetre(const PositioningCase &test) {
-    const double needed = 5 * test.judgedTravel() / 1000;
+    const double needed = targetsOfAMetre * test.judgedTravel() / 1000;
     if (static_cast<double>(targetCount(test)) >= needed - 1e-9)
         return std::nullopt;
     return Message{REPORT_TEXT("report", "%1 targets over %2: at least 5 per metre are required, %3 here."),
@@ -121,7 +121,7 @@ Sentence targetsPerMetre(const PositioningCase &test) {
 }
 
 Sentence fiveTargets(const PositioningCase &test) {
-    if (targetCount(test) >= 5)
+    if (static_cast<double>(targetCount(test)) >= fewestTargets)
         return std::nullopt;
     return Message{REPORT_TEXT("report", "Number of targets: %1; at least 5 are required."),
                    {count(targetCount(test))}};
@@ -141,7 +141,7 @@ Sentence meanInterval(const PositioningCase &test) {
 }
 
 Sentence wholeLength(const PositioningCase &test) {
-    if (leftOut(test) <= 2 * longestElement)
+    if (leftOut(test) <= 2 * longestInterval)
         return std::nullopt;
     return Message{REPORT_TEXT("report",
                                "The targets leave out %1 of the axis travel of %2: neither the whole travel "
@@ -150,8 +150,6 @@ Sentence wholeLength(const PositioningCase &test) {
 }
 
 Sentence quarterTurns(const PositioningCase &test) {
-    if (test.measurement.targetChoice.kind == TargetChoiceKind::polygon)
-        return std::nullopt;
     const auto &targets = test.measurement.targets;
     Interval reach{0, 359.999};
     if (test.measurement.axis.range)
@@ -178,16 +176,16 @@ Sentence quarterTurns(const PositioningCase &test) {
 
 Sentence targetsOfTravel(const PositioningCase &test) {
     const double travel = test.judgedTravel();
-    const std::size_t needed = travel <= 90 ? 3 : travel <= 180 ? 5 : 8;
-    if (targetCount(test) >= needed)
+    const double needed = targetsWithinATurn(travel);
+    if (static_cast<double>(targetCount(test)) >= needed)
         return std::nullopt;
     return Message{REPORT_TEXT("report", "%1 targets over %2: practice asks for at least %3."),
-                   {count(targetCount(test)), along(test, travel), count(needed)}};
+                   {count(targetCount(test)), along(test, travel), Number{needed, Quantity::count, 0}}};
 }
 
 Sentence targetsPerTurn(const PositioningCase &test) {
     const double turns = std::min(measurementTravel(test.measurement), 1800.0) / 360;
-    if (targetCount(test) >= 2 && static_cast<double>(targetCount(test)) >= 8 * turns - 1e-9)
+    if (targetCount(test) >= 2 && static_cast<double>(targetCount(test)) >= targetsOfATurn * turns - 1e-9)
         return std::nullopt;
     return Message{
         REPORT_TEXT("report", "%1 targets over %2: practice asks for at least 8 per turn, up to 1 800°."),

@@ -2,6 +2,7 @@
 
 #include "kernel/evaluation/commonchecks.h"
 #include "kernel/evaluation/correctionto20.h"
+#include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/stated.h"
@@ -124,9 +125,7 @@ Sentence setUpCentring(const CircularCase &test) {
 
 Sentence noCircle(const CircularCase &test) {
     for (const EvaluatedPath &path : test.results.paths) {
-        const CircleOf of =
-            path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
-        if (!path.source.empty() && !test.results.circle(of, ReferenceCircle::minimumZone))
+        if (!path.source.empty() && !test.results.circle(circleOf(path.sense), ReferenceCircle::minimumZone))
             return Message{
                 REPORT_TEXT("report",
                             "The path %1 has no minimum zone circles: they need four different points "
@@ -144,9 +143,7 @@ Sentence noLeastSquaresCircle(const CircularCase &test) {
     const bool ofPair = !test.feedback() && (asked(test, "D") || asked(test, "H")) && full;
     bool lacks = test.bothSenses() && lacksLeastSquares(test, CircleOf::both, ofG || ofPair);
     for (const EvaluatedPath &path : test.results.paths)
-        lacks |= lacksLeastSquares(
-            test, path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise,
-            ofG || ofF);
+        lacks |= lacksLeastSquares(test, circleOf(path.sense), ofG || ofF);
     if (!lacks)
         return std::nullopt;
     return plain(REPORT_TEXT("report",

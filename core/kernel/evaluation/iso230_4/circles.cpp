@@ -28,10 +28,6 @@ void addLeastSquares(std::vector<CircleResult> &circles, CircleOf of, PointsView
                            fit.outerRadius, fit.range(), std::nullopt});
 }
 
-CircleOf circleOf(Sense sense) {
-    return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
-}
-
 void addCircles(std::vector<CircleResult> &circles, const Wanted &wanted, CircleOf of, PointsView points,
                 std::span<const std::size_t> groups) {
     if (wanted(of, ReferenceCircle::minimumZone))

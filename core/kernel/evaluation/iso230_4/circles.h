@@ -7,6 +7,11 @@
 
 namespace palmer::iso230_4 {
 
+/// The circles about the path of a sense.
+[[nodiscard]] constexpr CircleOf circleOf(Sense sense) {
+    return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
+}
+
 /// The minimum zone circles and the least squares circle of each path and, of a pair, of both together (each
 /// path with equal weight). Those that do not exist (too few points, collinear) are left out.
 [[nodiscard]] std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths);

@@ -1,5 +1,7 @@
 #include "kernel/evaluation/iso230_4/parameters.h"
 
+#include "kernel/evaluation/iso230_4/circles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,10 +10,6 @@
 namespace palmer::iso230_4 {
 
 namespace {
-
-CircleOf circleOf(const EvaluatedPath &path) {
-    return path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
-}
 
 std::optional<double> width(const CircularCase &test, CircleOf of) {
     const CircleResult *circle = test.results.circle(of, test.measurement.referenceCircle);
@@ -23,7 +21,7 @@ std::optional<Interval> distances(const CircularCase &test, const EvaluatedPath 
     if (test.notCalibrated() || path.source.empty())
         return std::nullopt;
     if (test.measurement.centring == Centring::leastSquares) {
-        const CircleResult *circle = test.results.circle(circleOf(path), ReferenceCircle::leastSquares);
+        const CircleResult *circle = test.results.circle(circleOf(path.sense), ReferenceCircle::leastSquares);
         if (!path.fullCircle || !circle)
             return std::nullopt;
         return Interval{circle->innerRadius, circle->outerRadius};
@@ -83,7 +81,7 @@ double largestDifference(const std::vector<PolarPoint> &from, const std::vector<
 } // namespace
 
 std::optional<double> deviationOfPath(const CircularCase &test, const EvaluatedPath *path) {
-    return width(test, circleOf(*path));
+    return width(test, circleOf(path->sense));
 }
 
 std::optional<double> deviationOfPair(const CircularCase &test, const EvaluatedPath *) {

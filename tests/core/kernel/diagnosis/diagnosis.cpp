@@ -84,6 +84,7 @@ private slots:
     void badInput_data();
     void badInput();
     void wordsForEverySource();
+    void uncertaintiesAsShown();
 };
 
 void DiagnosisTest::truthOfTheBallbarPair() {
@@ -101,6 +102,9 @@ void DiagnosisTest::truthOfTheBallbarPair() {
     const Diagnosis d = diagnose(pair.circle());
     QCOMPARE(d.rank, 12);
     QCOMPARE(d.of, 12); // nothing was looked for and found that is not there
+    const DiagnosedCircle circle = pair.circle();
+    const std::size_t points = circle.arcs[0].points.size() + circle.arcs[1].points.size();
+    QVERIFY(d.points <= points && double(d.points) > 0.97 * double(points)); // but for the reversals
     QCOMPARE(asPolar.of, 12);
     // ballbar_pair_truth.txt; 2e-3 µm, 0.01 µrad (µm/m), 1e-4 ms
     const struct {
@@ -665,10 +669,56 @@ void DiagnosisTest::wordsForEverySource() {
             QCOMPARE(sourceAdvice(d, source).text.empty(), taken);
             if (row.ofAxis && !taken)
                 QCOMPARE(std::get<std::string>(meaning.arguments.front()), std::string("Y"));
+            // The words of the sign; not seen where the interval holds 0, borders included.
+            if (!taken) {
+                const auto meant = [&](double value, double u) {
+                    source.value = value;
+                    source.u = u;
+                    source.degreesOfFreedom = 100; // k = 1.984
+                    return QByteArray(sourceMeaning(d, source).text.source);
+                };
+                const QByteArray notSeen("Not seen: smaller than its uncertainty.");
+                QCOMPARE(meant(sign * 2.0, 1), QByteArray(meaning.text.source));
+                QCOMPARE(meant(sign * 1.9, 1), notSeen);
+                QCOMPARE(meant(0, 0), notSeen);
+            }
             source.separable = false;
             QVERIFY(sourceMeaning(d, source).text != meaning.text || taken);
+            source.with = {0};
+            QCOMPARE(sourceMeaning(d, source).text.source, "These arcs do not tell it from other sources.");
         }
     }
+}
+
+void DiagnosisTest::uncertaintiesAsShown() {
+    SourceEstimate source;
+    source.id = InfluenceId::backlash;
+    QVERIFY(!source.interval());
+    QCOMPARE(shownUncertainty(source), 0.0);
+    source.value = 0.006;
+    QVERIFY(!source.interval());
+    source.u = 0.001;
+    source.degreesOfFreedom = 10; // t(0.975; 10) = 2.228 139
+    QVERIFY(std::abs(source.interval()->from - (0.006 - 2.228139e-3)) < 1e-9);
+    QVERIFY(std::abs(source.interval()->to - (0.006 + 2.228139e-3)) < 1e-9);
+    source.degreesOfFreedom = 1e12; // many: as of a million, 1.959 966
+    QVERIFY(std::abs(source.interval()->to - (0.006 + 1.959966e-3)) < 1e-9);
+    QVERIFY(std::abs(shownUncertainty(source) - 1) < 1e-12); // µm
+    // τ = √q: u(τ) = u(q)/(2τ); q of 4 ms² ± 0.4 ms²: τ = 2 ± 0.1 ms
+    source.id = InfluenceId::commonLag;
+    source.value = 4e-6;
+    source.u = 0.4e-6;
+    QVERIFY(std::abs(shownUncertainty(source) - 0.1) < 1e-12);
+    source.value = -4e-6;
+    QVERIFY(std::abs(shownUncertainty(source) - 0.1) < 1e-12);
+    // near 0 the root of u: q = 0 ± 0.25 ms²
+    source.value = 0;
+    source.u = 0.25e-6;
+    QVERIFY(std::abs(shownUncertainty(source) - 0.5) < 1e-12);
+    source.value = 0.062e-6; // √u/2 = 0.25 ms is still larger than √q = 0.249
+    QVERIFY(std::abs(shownUncertainty(source) - 0.5) < 1e-12);
+    source.u = 0;
+    QCOMPARE(shownUncertainty(source), 0.0);
 }
 
 QTEST_GUILESS_MAIN(DiagnosisTest)

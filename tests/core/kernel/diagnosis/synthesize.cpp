@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <numbers>
 
 using namespace palmer;
 
@@ -117,6 +118,8 @@ void Synthesize::positioning() {
     QVERIFY(std::abs(*made.runs[1].deviations[2] - (12e-3 + 1.5e-3)) < 1e-15);
     QVERIFY(std::abs(*made.runs[1].deviations[0] - 0.5e-3) < 1e-15);
     QCOMPARE(made.conditions.common.sensors.size(), std::size_t(1));
+    QVERIFY(*made.conditions.common.sensors[0].start == 25 && *made.conditions.common.sensors[0].end == 25);
+    QVERIFY(*made.conditions.common.expansion.machine == 10);
     // Of the drift alone: 11 equal steps over 12 readings, downwards in the order of time.
     PositioningSynthesis drifting;
     drifting.targets = {0, 1, 2};
@@ -132,6 +135,17 @@ void Synthesize::positioning() {
     const PositioningMeasurement wavy = synthesizePositioning(waves);
     QVERIFY(std::abs(*wavy.runs[0].deviations[1] - 4e-3) < 1e-15); // a quarter of 10 mm on
     QVERIFY(std::abs(*wavy.runs[0].deviations[2]) < 1e-15);
+    waves.phase = std::numbers::pi / 2;
+    QVERIFY(std::abs(*synthesizePositioning(waves).runs[0].deviations[0] - 4e-3) < 1e-15);
+    PositioningSynthesis one; // a target alone: no travel, no drift
+    one.targets = {7};
+    one.runs = 1;
+    one.backlash = 2e-3;
+    one.reversal = 1;
+    one.temperature = 20;
+    const PositioningMeasurement single = synthesizePositioning(one);
+    QCOMPARE(*single.runs[0].deviations[0], -1e-3);
+    QVERIFY(single.conditions.common.sensors.empty());
 }
 
 void Synthesize::nothingToMake() {

@@ -703,6 +703,20 @@ void Circular::hysteresis() {
                                                clockwise, 500, [](double) { return -2.0; }, 13)},
                                           "ISO 230-4:1996"));
     QVERIFY(std::abs(value(e, "H_XY") - 4) < 1e-9);
+    // A point of one sense that stands out between two of the other is seen from its own side: 10 + 2 µm.
+    // From the other side the path about it is interpolated, half as far out.
+    constexpr double degree = std::numbers::pi / 180;
+    for (const Sense spiky : {counterclockwise, clockwise}) {
+        const auto shape = [&](Sense sense, double at) {
+            return [=](double theta) {
+                return sense != spiky ? -2.0 : std::abs(theta - at * degree) < 1e-6 ? 10.0 : 2.0;
+            };
+        };
+        const auto one = evaluated(circularTest({path(counterclockwise, 360, shape(counterclockwise, 50), 50),
+                                                 path(clockwise, 360, shape(clockwise, 50.5), 50.5)},
+                                                "ISO 230-4:1996"));
+        QVERIFY(std::abs(value(one, "H_XY") - 12) < 1e-4); // the centre moves by 0.02 µm
+    }
 }
 
 void Circular::properties() {

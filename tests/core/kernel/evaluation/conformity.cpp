@@ -36,6 +36,14 @@ void Conformity::decides_data() {
     row("simple: at the limit", 10, 10, none, simple, Verdict::conforms);
     row("simple: equal in decimals", 0.1 + 0.2, 0.3, none, simple, Verdict::conforms);
     row("simple: just above", 10.04, 10, 5.0, simple, Verdict::doesNotConform);
+    // rounding of sums: 1e-12 of the larger of both
+    row("simple: above by rounding", 10 * (1 + 0.9e-12), 10, none, simple, Verdict::conforms);
+    row("simple: above by more than rounding", 10 * (1 + 1.2e-12), 10, none, simple, Verdict::doesNotConform);
+    row("simple: limit of zero", 1e-9, 0, none, simple, Verdict::doesNotConform);
+    row("proven: in the band by rounding", 8 + 0.9e-11, 10, 2.0, proven, Verdict::conforms);
+    row("proven: in the band by more", 8 + 1.1e-11, 10, 2.0, proven, Verdict::notProven);
+    row("proven: band left by rounding", 12 + 1.1e-11, 10, 2.0, proven, Verdict::notProven);
+    row("proven: band left by more", 12 + 1.3e-11, 10, 2.0, proven, Verdict::doesNotConform);
     row("simple: signed value by its size", -10.5, 10, none, simple, Verdict::doesNotConform);
     row("simple: signed value inside", -9.5, 10, none, simple, Verdict::conforms);
     row("simple: no value", none, 10, none, simple, Verdict::notProven);

@@ -29,6 +29,7 @@ private slots:
     void correctionTo20_data();
     void correctionTo20();
     void driftVector();
+    void driftIsSignificantBeyondStudent();
 };
 
 namespace {
@@ -376,9 +377,43 @@ void Parameters::driftVector() {
     QVERIFY(std::abs(drift->change * 1000 - 2.3636363636363638) <= 1e-12);
     QVERIFY(std::abs(drift->t - 27) < 0.5); // "about 27"
     QVERIFY(finding(evaluation, "drift"));
+    // the runs in the opposite order: it falls as it rose
+    Test reversed = example1988("ISO 230-2:1988");
+    std::ranges::reverse(measurement(reversed).runs);
+    const auto backwards = evaluated(reversed);
+    const auto &falling = std::get<PositioningResults>(backwards.results).drift;
+    QVERIFY(std::abs(falling->change + drift->change) <= 1e-15);
+    QVERIFY(std::abs(falling->t + drift->t) <= 1e-9);
+    QVERIFY(falling->significant() && finding(backwards, "drift"));
     // constant readings: nothing to find, whatever rounding does
     const std::vector<std::vector<double>> same(5, {0.1, 0.3, 0.7});
     QVERIFY(!finding(evaluated(positioningTest("ISO 230-2:2006", {0, 1, 2}, same, same)), "drift"));
+}
+
+/// ḡ = 0, 1, 2 + q: slope (2 + q)/2, residuals q²/6, so t = (2 + q)/q·√3 (the error of the slope is q/√12).
+void Parameters::driftIsSignificantBeyondStudent() {
+    const double critical = 12.706204736; // t(0.975; 1), tables
+    const auto drift = [](double q, double sign) {
+        const std::vector<std::vector<double>> up{{0}, {sign}, {sign * (2 + q)}};
+        const auto e = evaluated(positioningTest("ISO 230-2:2006", {0}, up, {}));
+        return *std::get<PositioningResults>(e.results).drift;
+    };
+    for (const double sign : {1.0, -1.0}) {
+        // t = critical at q = 2√3/(critical − √3)
+        const double root = std::sqrt(3.0);
+        const double border = 2 * root / (critical - root);
+        for (const double q : {0.999 * border, 1.001 * border}) {
+            const DriftStatistic found = drift(q, sign);
+            QVERIFY(std::abs(found.t - sign * (2 + q) / q * root) < 1e-9);
+            QVERIFY(std::abs(found.critical - critical) < 1e-8);
+            QVERIFY(std::abs(found.change * 1000 - sign * (2 + q)) < 1e-12);
+            QCOMPARE(found.significant(), q < border);
+        }
+        QVERIFY(std::isinf(drift(0, sign).t) || std::abs(drift(0, sign).t) > 1e6); // exactly on a line
+    }
+    const std::vector<std::vector<double>> two{{0}, {5}};
+    const auto e = evaluated(positioningTest("ISO 230-2:2006", {0}, two, two));
+    QVERIFY(!std::get<PositioningResults>(e.results).drift); // three runs at least
 }
 
 QTEST_GUILESS_MAIN(Parameters)

@@ -41,11 +41,16 @@ private slots:
         QTest::newRow("5 a metre")                       << false <<  1000.0 << std::size_t(5)  << 5;
         QTest::newRow("a part of a metre counts")        << false <<  1001.0 << std::size_t(6)  << 5;
         QTest::newRow("the longest short axis")          << false <<  2000.0 << std::size_t(10) << 5;
+        QTest::newRow("just longer")                     << false <<  2000.1 << std::size_t(11) << 1;
         QTest::newRow("a long axis, once each way")      << false <<  3000.0 << std::size_t(15) << 1;
         QTest::newRow("a quarter turn")                  << true  <<    90.0 << std::size_t(3)  << 5;
+        QTest::newRow("just more than a quarter")        << true  <<    90.1 << std::size_t(5)  << 5;
         QTest::newRow("half a turn")                     << true  <<   180.0 << std::size_t(5)  << 5;
+        QTest::newRow("just more than half a turn")      << true  <<   180.1 << std::size_t(8)  << 5;
         QTest::newRow("more than half a turn")           << true  <<   270.0 << std::size_t(8)  << 5;
         QTest::newRow("a turn: 8 and the end")           << true  <<   360.0 << std::size_t(9)  << 5;
+        QTest::newRow("just less than a turn")           << true  <<   359.9 << std::size_t(8)  << 5;
+        QTest::newRow("just more than a turn")           << true  <<   360.1 << std::size_t(10) << 1;
         QTest::newRow("two turns: 8 each, once each way")<< true  <<   720.0 << std::size_t(17) << 1;
         // clang-format on
     }

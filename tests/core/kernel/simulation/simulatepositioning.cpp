@@ -1,6 +1,7 @@
 #include "kernel/simulation/simulate.h"
 
 #include "core/kernel/uncertainty/uncertaintydata.h"
+#include "kernel/planning/targetplan.h"
 #include "kernel/simulation/positioningtrials.h"
 #include "kernel/simulation/randomdraws.h"
 #include "kernel/simulation/runtrials.h"
@@ -32,6 +33,8 @@ private slots:
     void misalignment();
     void independentDriftOfTwoReadings();
     void linearDrift();
+    void driftFollowsTheOrderOfTime_data();
+    void driftFollowsTheOrderOfTime();
     void smallInputsAgreeWithTheBudget();
     void scaling();
     void workedExampleIsShifted();
@@ -281,6 +284,48 @@ void SimulatePositioning::linearDrift() {
     Test five = twoTargets(5);
     measurement(five).uncertainty = measurement(test).uncertainty;
     COMPARE_RELATIVE(of(simulated(five), "E+").u, 0.003 / 9 / std::sqrt(3.0), statistical);
+    // In a step cycle the five readings of a target come together: means at 2 and 7 of 9 steps.
+    measurement(five).cycle = Cycle::step;
+    COMPARE_RELATIVE(of(simulated(five), "E+").u, 0.003 * 5 / 9 / std::sqrt(3.0), statistical);
+}
+
+void SimulatePositioning::driftFollowsTheOrderOfTime_data() {
+    QTest::addColumn<Cycle>("cycle");
+    QTest::newRow("standard cycle") << Cycle::standard;
+    QTest::newRow("step cycle") << Cycle::step;
+}
+
+/// Reading by reading, in the order in which a program of the cycle would take them: −½ of the drift at the
+/// first, +½ at the last, equal steps between; no reading leaves ± E_VE/2.
+void SimulatePositioning::driftFollowsTheOrderOfTime() {
+    QFETCH(Cycle, cycle);
+    const std::vector<std::vector<double>> run(2, {0, 0, 0});
+    const Test test = [&] {
+        Test made = positioningTest("ISO 230-2:2006", {0, 500, 1000}, run, run);
+        PositioningMeasurement &m = measurement(made);
+        stateNothing(m);
+        m.cycle = cycle;
+        m.uncertainty.environmentalVariation = 3; // µm
+        m.uncertainty.driftModel = DriftModel::linear;
+        return made;
+    }();
+    const auto &m = std::get<PositioningMeasurement>(test.measurement);
+    const PositioningTrials trials(m, evaluated(test), positioningBudget(m, {}), 7);
+    const std::vector<Stop> stops = measuringCycle(3, 2, cycle);
+    double largest = 0;
+    for (long long trial = 0; trial < 400; ++trial) {
+        const PositioningMeasurement seen = trials.perturbed(trial);
+        std::vector<double> errors;
+        for (const Stop &stop : stops) // runs in turn ↑ and ↓
+            errors.push_back(
+                *seen.runs[static_cast<std::size_t>(2 * stop.run + (stop.approach == Direction::negative))]
+                     .deviations[stop.target]);
+        const double drift = 2 * errors.back();
+        for (std::size_t k = 0; k < errors.size(); ++k)
+            QVERIFY(std::abs(errors[k] - drift * (static_cast<double>(k) / 11 - 0.5)) < 1e-15);
+        largest = std::max(largest, std::abs(drift));
+    }
+    QVERIFY(largest <= 0.003 && largest > 0.0029); // E_VE; that of 400 uniform numbers reaches 0.99 of it
 }
 
 void SimulatePositioning::smallInputsAgreeWithTheBudget() {

@@ -1,6 +1,7 @@
 #include "kernel/uncertainty/circularbudget.h"
 
 #include "core/kernel/uncertainty/uncertaintydata.h"
+#include "core/kernel/words/written.h"
 
 #include <QTest>
 
@@ -26,6 +27,9 @@ private slots:
     void repeatedCircles();
     void nothingGivesNothing();
     void coverageFactors();
+    void inputsSayHow();
+    void driftTestAndNumbers();
+    void statedZeroNeedsNothingElse();
     void unknown_data();
     void unknown();
 };
@@ -144,6 +148,94 @@ void CircularBudgetTest::coverageFactors() {
     const TestEvaluation evaluation = evaluated(test);
     COMPARE_NEAR(uncertainty(evaluation, "G_XY"), 0.6, 1e-12);
     COMPARE_NEAR(uncertainty(evaluation, "D_XY"), 1.0, 1e-12);
+}
+
+void CircularBudgetTest::inputsSayHow() {
+    Test test = circularTest(36);
+    CircularMeasurement &m = circle(test);
+    stateTemperatures(m);
+    m.uncertainty.displacement = {0.9, 2};
+    m.referenceLength = {true, 1.2, 3};
+    m.uncertainty.resolution = 0.1;
+    m.uncertainty.repeatability = 0.2;
+    m.uncertainty.environmentalVariation = 0.5;
+    m.uncertainty.pointNoise = 0.3;
+    m.uncertainty.centring = 5;
+    const auto says = [&](const char *id, std::optional<double> repeated = {}) {
+        const Contribution *found = nullptr;
+        const CircularBudget budget = circularBudget(m, {}, repeated, 72);
+        found = budget.find(id);
+        if (!found || found->name.empty() || !found->applies)
+            qFatal("no contribution");
+        return QByteArray(found->inputs.text.source) + " | " + written(found->inputs);
+    };
+    QCOMPARE(says("displacement"), QByteArray("%1 | 0.9 µm"));
+    QCOMPARE(says("referenceLength"), QByteArray("%1 · 2/%2 | 1.2 µm; 3"));
+    QCOMPARE(says("resolution"), QByteArray("2 · %1 / √12 | 0.1 µm"));
+    QCOMPARE(says("repeatability"), QByteArray("2 · %1 | 0.2 µm"));
+    QCOMPARE(says("environmentalVariation"), QByteArray("2 · %1 / √12 | 0.5 µm"));
+    QCOMPARE(says("centring"), QByteArray("2 · %1 | 5 µm"));
+    QCOMPARE(says("pointNoise"), QByteArray("2 · %1 / √%2 | 0.3 µm; 72n"));
+    // R·√(0.3²·(11.5² + 1.2²) + 3²·(1² + 0.2²)) = 150·√(12.032 + 9.36) = 0.693 77 µm
+    QVERIFY(says("correction").endsWith("| 0.693774 µm.3"));
+    m.uncertainty.repeatability.reset();
+    QVERIFY(says("repeatability", 0.0004).endsWith("repeated circles | 0.4 µm.3"));
+    QCOMPARE(*circularBudget(m, {}, 0.0004, 72).find("repeatability")->expanded, 0.0008);
+}
+
+void CircularBudgetTest::driftTestAndNumbers() {
+    Test test = circularTest(36);
+    CircularMeasurement &m = circle(test);
+    m.uncertainty.environmentalVariation.reset();
+    const auto drift = [&] {
+        return *circularBudget(m, 0.004, {}, 72).find("environmentalVariation")->expanded;
+    };
+    COMPARE_NEAR(drift(), 0.008 / std::sqrt(12.0), 1e-15); // of the drift test, mm
+    m.uncertainty.environmentalVariation = 1;              // a number wins, µm
+    COMPARE_NEAR(drift(), 0.002 / std::sqrt(12.0), 1e-15);
+    // noise without points: that of one
+    m.uncertainty.pointNoise = 0.5;
+    COMPARE_NEAR(*circularBudget(m, {}, {}, 0).find("pointNoise")->expanded, 0.001, 1e-15);
+    COMPARE_NEAR(*circularBudget(m, {}, {}, 4).find("pointNoise")->expanded, 0.0005, 1e-15);
+}
+
+void CircularBudgetTest::statedZeroNeedsNothingElse() {
+    Test test = circularTest(36);
+    CircularMeasurement &m = circle(test);
+    const auto defects = [&] {
+        QByteArrayList keys;
+        const CircularBudget budget = circularBudget(m, {}, {}, 72);
+        for (const InputDefect &defect : budget.find("correction")->defects)
+            keys << QByteArray(defect.key) + (defect.impossible ? "!" : "");
+        return keys.join(' ');
+    };
+    QCOMPARE(defects(), QByteArray()); // all u are 0: neither temperature nor α is needed
+    m.uncertainty.temperatureStandardUncertainty = {0.3, {}};
+    QCOMPARE(defects(), QByteArray("expansion temperatureStandardUncertainty expansion"));
+    m.conditions.common.expansion = {0.0, 0.0}; // a stated 0 needs no u
+    QCOMPARE(defects(), QByteArray());
+    m.uncertainty.temperatureStandardUncertainty = {0.3, -1};
+    QCOMPARE(defects(), QByteArray("temperatureStandardUncertainty!"));
+    m.uncertainty.temperatureStandardUncertainty = {0.0, 0.0};
+    m.uncertainty.expansionStandardUncertainty = {1.0, {}};
+    QCOMPARE(defects(), QByteArray("sensors expansionStandardUncertainty sensors"));
+    m.conditions.common.sensors = {{SensorMeasures::machine, "", 20.0, 20.0, std::nullopt},
+                                   {SensorMeasures::instrument, "", 19.5, 20.5, std::nullopt}};
+    QCOMPARE(defects(), QByteArray()); // at 20 °C
+    // one sensor for both: the machine's stands for the instrument's, and the other way round
+    m.conditions.common.sensors.pop_back();
+    QCOMPARE(defects(), QByteArray("expansionStandardUncertainty sensors"));
+    m.uncertainty.sameSensor = true;
+    QCOMPARE(defects(), QByteArray());
+    m.conditions.common.sensors[0].measures = SensorMeasures::instrument;
+    QCOMPARE(defects(), QByteArray());
+    m.conditions.common.expansion = {11.5, {}};
+    m.uncertainty.temperatureStandardUncertainty = {0.3, {}};
+    QCOMPARE(defects(), QByteArray("expansion"));
+    m.conditions.common.expansion.instrument = 1.5;
+    m.uncertainty.temperatureStandardUncertainty = {{}, 0.3}; // either stands for both
+    // 150·10 µm/(m·°C)·0.3 °C = 0.45 µm, U = 0.9 µm
+    COMPARE_NEAR(*circularBudget(m, {}, {}, 72).find("correction")->expanded, 0.0009, 1e-15);
 }
 
 void CircularBudgetTest::unknown_data() {

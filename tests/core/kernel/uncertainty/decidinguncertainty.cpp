@@ -21,6 +21,8 @@ class DecidingUncertainty : public QObject {
 private slots:
     void methods_data();
     void methods();
+    void statedIsOfTheUnitOfTheAxis();
+    void statedOfCircles();
     void largeShiftGivesTheBudget();
     void simulationNotRun();
     void simulationOfAnotherEdition();
@@ -109,6 +111,30 @@ void DecidingUncertainty::methods() {
     // Both stand beside each other whichever decides.
     QVERIFY(a->budgetUncertainty && a->simulated);
     QVERIFY(!finding(evaluation, "monteCarloShift"));
+}
+
+void DecidingUncertainty::statedIsOfTheUnitOfTheAxis() {
+    Test test = worked(UncertaintyMethod::direct);
+    measurement(test).uncertainty.expanded = {{"A", 3.6}, {"E", 0}, {"R", -1}, {"B", std::nan("")}};
+    const auto stated = [&](const char *id) { return parameter(evaluated(test), id)->expandedUncertainty; };
+    QCOMPARE(stated("A"), std::optional(3.6 / 1000)); // µm
+    measurement(test).axis.motion = Motion::rotary;
+    QCOMPARE(stated("A"), std::optional(3.6 / 3600)); // arc seconds: 0.001°
+    QCOMPARE(stated("E"), std::optional(0.0));
+    for (const char *id : {"R", "B", "M"}) // negative, no number, not stated
+        QVERIFY2(!stated(id), id);
+}
+
+void DecidingUncertainty::statedOfCircles() {
+    Test test = circularTest(36);
+    circle(test).uncertainty.method = UncertaintyMethod::direct;
+    circle(test).uncertainty.expanded = {{"G", 2}, {"G(b)", 0}, {"F", 3}, {"Fmin", 4}, {"D", -1}};
+    const auto stated = [&](const char *id) { return parameter(evaluated(test), id)->expandedUncertainty; };
+    QCOMPARE(stated("G_XY"), std::optional(0.002)); // µm
+    QCOMPARE(stated("G(b)_XY"), std::optional(0.0));
+    QCOMPARE(stated("Fmax_XY"), std::optional(0.003)); // that of F
+    QCOMPARE(stated("Fmin_XY"), std::optional(0.004)); // its own goes before
+    QVERIFY(!stated("D_XY"));
 }
 
 void DecidingUncertainty::largeShiftGivesTheBudget() {

@@ -1,6 +1,7 @@
 #include "kernel/uncertainty/positioningbudget.h"
 
 #include "core/kernel/uncertainty/uncertaintydata.h"
+#include "core/kernel/words/written.h"
 #include "kernel/uncertainty/coefficients.h"
 
 #include <QTest>
@@ -41,6 +42,8 @@ private slots:
     void eachAloneGivesItsColumn();
     void scaling();
     void certificates();
+    void inputsSayHow_data();
+    void inputsSayHow();
     void fartherTemperature();
     void rotary();
     void rotaryPerMetreIsRefused();
@@ -457,6 +460,84 @@ void PositioningBudgetTest::certificates() {
     COMPARE_NEAR(contribution(positioningBudget(m, {}), "device"), (0.3 + 0.75) * 2 / 3, 1e-12);
     m.uncertainty.device = {DeviceKind::range, 0.3, 1.5, 2};
     COMPARE_NEAR(contribution(positioningBudget(m, {}), "device"), 0.6 * (0.3 + 0.75), 1e-12);
+}
+
+void PositioningBudgetTest::inputsSayHow_data() {
+    QTest::addColumn<Change>("change");
+    QTest::addColumn<QByteArray>("id");
+    QTest::addColumn<QByteArray>("text"); // how it begins
+    QTest::addColumn<QByteArray>("numbers");
+    const auto row = [](const char *name, const char *id, const Change &change, const char *text,
+                        const char *numbers) {
+        QTest::newRow(name) << change << QByteArray(id) << QByteArray(text) << QByteArray(numbers);
+    };
+    using M = PositioningMeasurement;
+    const auto device = [](DeviceKind kind, double fixed, double perMetre, double k) -> Change {
+        return [=](M &m) { m.uncertainty.device = {kind, fixed, perMetre, k}; };
+    };
+    const auto certificate = DeviceKind::certificate;
+    const auto range = DeviceKind::range;
+    // L = 1 500 mm
+    row("fixed, k = 2", "device", device(certificate, 0.5, 0, 2), "%1", "0.5 µm");
+    row("fixed, k = 3", "device", device(certificate, 0.5, 0, 3), "%1 · 2/%2", "0.5 µm; 3");
+    row("fixed range", "device", device(range, 0.5, 0, 2), "%1 · %2", "0.6; 0.5 µm");
+    row("per metre, k = 2", "device", device(certificate, 0, 4, 2), "%1/m · %2 m", "4 µm; 1.5.3");
+    row("per metre, k = 3", "device", device(certificate, 0, 4, 3), "%1/m · %2 m · 2/%3", "4 µm; 1.5.3; 3");
+    row("range per metre", "device", device(range, 0, 4, 2), "%1 · %2/m · %3 m", "0.6; 4 µm; 1.5.3");
+    row("both, k = 2", "device", device(certificate, 0.5, 4, 2), "%1 + %2/m · %3 m", "0.5 µm; 4 µm; 1.5.3");
+    row("both, k = 3", "device", device(certificate, 0.5, 4, 3), "(%1 + %2/m · %3 m) · 2/%4",
+        "0.5 µm; 4 µm; 1.5.3; 3");
+    row("range of both", "device", device(range, 0.5, 4, 2), "%1 · (%2 + %3/m · %4 m)",
+        "0.6; 0.5 µm; 4 µm; 1.5.3");
+    row(
+        "rotary", "device",
+        [](M &m) {
+            m.axis.motion = Motion::rotary;
+            m.uncertainty.device = {DeviceKind::certificate, 0.5, 0.0, 2};
+        },
+        "%1", "0.5″");
+    row(
+        "misalignment", "misalignment", [](M &m) { m.uncertainty.misalignmentRange = 2; }, "%1 · (%2)² / %3",
+        "0.3; 2 mm; 1500 mm");
+    row(
+        "temperature", "temperatureMachine", [](M &m) { m.uncertainty.temperatureRange.machine = 0.5; },
+        "%1 · %2 · %3 m · %4", "0.6; 12 α; 1.5.3; 0.5 °C");
+    row(
+        "expansion", "expansionMachine",
+        [](M &m) {
+            m.uncertainty.expansionRange.machine = 2;
+            setTemperature(m, 25.1); // not 5.1000000000000014
+        },
+        "%1 · %2 · %3 m · %4", "0.6; 5.1 °C; 1.5.3; 2 α");
+    row(
+        "instrument without expansion", "temperatureInstrument", [](M &) {}, "instrument without", "");
+    row(
+        "neither", "expansionInstrument", [](M &) {}, "instrument without", "");
+    row(
+        "drift", "environmentalVariation", [](M &m) { m.uncertainty.environmentalVariation = 3; }, "%1 · %2",
+        "0.6; 3 µm");
+}
+
+void PositioningBudgetTest::inputsSayHow() {
+    QFETCH(Change, change);
+    QFETCH(QByteArray, id);
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, numbers);
+    Test test = example1988("ISO 230-2:2006");
+    PositioningMeasurement &m = measurement(test);
+    stateNothing(m);
+    m.uncertainty.length = 1500;
+    change(m);
+    const PositioningBudget budget = positioningBudget(m, {});
+    const Contribution *found = budget.find(id.toStdString());
+    QVERIFY(found && !found->name.empty() && found->defects.empty());
+    QVERIFY2(QByteArray(found->inputs.text.source).startsWith(text), found->inputs.text.source);
+    QCOMPARE(written(found->inputs), numbers);
+    QCOMPARE(found->applies, !text.startsWith("instrument without"));
+    for (const Argument &argument : found->inputs.arguments) {
+        const auto &number = std::get<Number>(argument);
+        QCOMPARE(number.value == std::stod(QByteArray::number(number.value, 'g', 12).toStdString()), true);
+    }
 }
 
 void PositioningBudgetTest::fartherTemperature() {
