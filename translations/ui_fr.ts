@@ -5159,8 +5159,8 @@
         <translation>Fichiers récents</translation>
     </message>
     <message>
-        <source>No file yet. Begin with an example below.</source>
-        <translation>Aucun fichier pour l’instant. Commencez par un exemple ci-dessous.</translation>
+        <source>No file yet. Begin with an example.</source>
+        <translation>Aucun fichier pour l’instant. Commencez par un exemple.</translation>
     </message>
     <message>
         <source>Examples</source>

@@ -224,7 +224,7 @@ void WelcomePage::retranslate() {
                        QKeySequence(Qt::CTRL | Qt::Key_I).toString(QKeySequence::NativeText));
     m_dropHint->setText(tr("or drop files into the window — .palmer, .csv, .xlsx, .rtl, .b5r …"));
     m_recentTitle->setText(tr("Recent files"));
-    m_noRecent->setText(tr("No file yet. Begin with an example below."));
+    m_noRecent->setText(tr("No file yet. Begin with an example."));
     m_examplesTitle->setText(tr("Examples"));
     m_examplesNote->setText(tr("verified results"));
     m_recentList->setAccessibleName(tr("Recent files"));

@@ -311,7 +311,7 @@ void LayoutTest::theNumberOfAnAgreementIsTypedBesideItsText() {
     QTest::keyClick(value, Qt::Key_End);
     QTest::keyClicks(value, u"x"_s);
     QCOMPARE(agreed()->value, std::optional(0.5)); // what is no number is not taken, and is told on closing
-    QVERIFY(shown.window->workplace().refusedTexts().contains(u"0,5x"_s));
+    QVERIFY(shown.window->workplace().refusedTexts().contains(u"0.5x"_s));
     QVERIFY(shown.window->findChild<QLineEdit *>(u"value.feed"_s));
     QVERIFY(!shown.window->findChild<QLineEdit *>(u"value.warmUp"_s));
 }

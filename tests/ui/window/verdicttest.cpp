@@ -2,6 +2,7 @@
 
 #include "ui/window/shownwindow.h"
 
+#include "document/edits.h"
 #include "document/savedocument.h"
 #include "document/testsofverdict.h"
 #include "ui/navigation/navigationmodel.h"
