@@ -2,6 +2,7 @@
 
 #include "ui/fonts.h"
 #include "ui/settings.h"
+#include "ui/standardbuttons.h"
 #include "ui/theme.h"
 #include "ui/typingguard.h"
 #include "ui/wheelguard.h"
@@ -37,6 +38,7 @@ int main(int argc, char *argv[]) {
     restoreWindowLanguage();
     installTheme();
     guardWheel(application);
+    nameStandardButtons(application);
     keepCopiesAtEnd(application);
     guardTyping(application);
 

@@ -1618,7 +1618,7 @@
     </message>
     <message>
         <source>Zero of displacement</source>
-        <translation>Zéro du déplacement</translation>
+        <translation>Origine du déplacement</translation>
     </message>
     <message>
         <source>Soak</source>
@@ -1868,7 +1868,7 @@
     </message>
     <message>
         <source>%1, clauses %2 and %3</source>
-        <translation>%1, articles %2 et %3</translation>
+        <translation>%1, paragraphes %2 et %3</translation>
     </message>
     <message>
         <source>Report No. %1</source>
@@ -2246,7 +2246,7 @@
     </message>
     <message>
         <source>rejection proven</source>
-        <translation>refus prouvé</translation>
+        <translation>non-conformité à prouver</translation>
     </message>
     <message>
         <source>Symbol</source>
@@ -2515,7 +2515,7 @@
     </message>
     <message>
         <source>ruling points</source>
-        <translation>points déterminants</translation>
+        <translation>points de contact</translation>
     </message>
     <message>
         <source>Radial deviation F, %1</source>
@@ -3690,11 +3690,11 @@
     </message>
     <message>
         <source>misalignment</source>
-        <translation>désalignement</translation>
+        <translation>défaut d’alignement</translation>
     </message>
     <message>
         <source>range of the misalignment</source>
-        <translation>étendue du désalignement</translation>
+        <translation>étendue du défaut d’alignement</translation>
     </message>
     <message>
         <source>%1 · (%2)² / %3</source>
@@ -3978,7 +3978,7 @@
     </message>
     <message>
         <source>The same arithmetic.</source>
-        <translation>Le même calcul.</translation>
+        <translation>Calcul identique.</translation>
     </message>
     <message>
         <source>The same readings under each edition; verdicts hold for the edition of the test alone.</source>
@@ -4287,7 +4287,7 @@
     </message>
     <message>
         <source>Stop point</source>
-        <translation>Point d’arrêt</translation>
+        <translation>Point d’arrivée</translation>
     </message>
     <message>
         <source>Where the path ended.</source>
@@ -4408,7 +4408,7 @@
     </message>
     <message>
         <source>“Plan…” proposes targets from travel, period and seed, prints them with an empty table and writes the part program.</source>
-        <translation>«&#xa0;Plan…&#xa0;» propose des points d’après la course, la période et la graine, les imprime avec un tableau vide et écrit le programme pièce.</translation>
+        <translation>«&#xa0;Plan…&#xa0;» propose des points d’après la course, la période et le germe, les imprime avec un tableau vide et écrit le programme pièce.</translation>
     </message>
     <message>
         <source>Enter or import</source>
@@ -4488,7 +4488,7 @@
     </message>
     <message>
         <source>Seed</source>
-        <translation>Graine</translation>
+        <translation>Germe</translation>
     </message>
     <message>
         <source>Runs each way</source>
@@ -4920,7 +4920,7 @@
     </message>
     <message>
         <source>Misalignment</source>
-        <translation>Désalignement</translation>
+        <translation>Défaut d’alignement</translation>
     </message>
     <message>
         <source>The largest distance by which the measuring line may have left the axis over the travel, in mm: it enters as a cosine error.</source>
@@ -6986,6 +6986,23 @@
     <message>
         <source>no display is there to open a window on; palmer-cli works without one</source>
         <translation>aucun écran n’est disponible pour ouvrir une fenêtre&#x202f;; palmer-cli s’en passe</translation>
+    </message>
+    <message>
+        <source>unidirectional accuracy</source>
+        <comment>1988</comment>
+        <translation>précision unidirectionnelle</translation>
+    </message>
+    <message>
+        <source>unidirectional accuracy</source>
+        <translation>exactitude unidirectionnelle</translation>
+    </message>
+    <message>
+        <source>unidirectional repeatability</source>
+        <translation>répétabilité unidirectionnelle</translation>
+    </message>
+    <message>
+        <source>unidirectional systematic deviation</source>
+        <translation>écart systématique unidirectionnel</translation>
     </message>
     <message>
         <source>“%1” is no path of a test file, as machine.name or tests[0].limits.A.value</source>

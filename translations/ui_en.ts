@@ -86,6 +86,13 @@
             <numerusform>%n of %1 points not agreed</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n point(s) that do not apply</source>
+        <translation>
+            <numerusform>%n point that does not apply</numerusform>
+            <numerusform>%n points that do not apply</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ArcDialog</name>
@@ -128,17 +135,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n warning(s)</source>
-        <translation>
-            <numerusform>%n warning</numerusform>
-            <numerusform>%n warnings</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n note(s)</source>
         <translation>
             <numerusform>%n note</numerusform>
             <numerusform>%n notes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recommendation(s)</source>
+        <translation>
+            <numerusform>%n recommendation</numerusform>
+            <numerusform>%n recommendations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not declared</source>
+        <translation>
+            <numerusform>%n not declared</numerusform>
+            <numerusform>%n not declared</numerusform>
         </translation>
     </message>
 </context>
@@ -226,6 +240,16 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::MainWindow</name>
+    <message numerus="yes">
+        <source>%n file(s) have changes that are not saved.</source>
+        <translation>
+            <numerusform>%n file has changes that are not saved.</numerusform>
+            <numerusform>%n files have changes that are not saved.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::NavigationModel</name>
     <message numerus="yes">
         <source>%n required statement(s) missing</source>
@@ -305,6 +329,23 @@
         <translation>
             <numerusform>%n page %1 · preview = PDF = paper</numerusform>
             <numerusform>%n pages %1 · preview = PDF = paper</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ResultsPanel</name>
+    <message numerus="yes">
+        <source>%n requirement(s) not met</source>
+        <translation>
+            <numerusform>%n requirement not met</numerusform>
+            <numerusform>%n requirements not met</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n requirement(s) not declared</source>
+        <translation>
+            <numerusform>%n requirement not declared</numerusform>
+            <numerusform>%n requirements not declared</numerusform>
         </translation>
     </message>
 </context>

@@ -2,110 +2,163 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr">
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Drive</source>
+        <translation>Lecteur</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Inconnu</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Drive</source>
+        <translation>Lecteur</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Afficher les détails</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Ne pas enregistrer</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+</context>
+<context>
     <name>edits</name>
     <message>
         <source>set the edition of the test</source>
-        <translation>définir l’édition de l’essai</translation>
+        <translation>définition de l’édition de l’essai</translation>
     </message>
     <message>
         <source>choose what the report has</source>
-        <translation>choisir ce que contient le rapport</translation>
+        <translation>choix du contenu du rapport</translation>
     </message>
     <message>
         <source>change the nominal radius</source>
-        <translation>changer le rayon nominal</translation>
+        <translation>modification du rayon nominal</translation>
     </message>
     <message>
         <source>change the contouring feed</source>
-        <translation>changer l’avance en contournage</translation>
+        <translation>modification de la vitesse d’avance de contournage</translation>
     </message>
     <message>
         <source>change the source of the signal</source>
-        <translation>changer la source du signal</translation>
+        <translation>modification de la source du signal</translation>
     </message>
     <message>
         <source>change the reference circle</source>
-        <translation>changer le cercle de référence</translation>
+        <translation>modification du cercle de référence</translation>
     </message>
     <message>
         <source>change the centring</source>
-        <translation>changer le centrage</translation>
+        <translation>modification du centrage</translation>
     </message>
     <message>
         <source>change what the angles are</source>
-        <translation>changer la nature des angles</translation>
+        <translation>modification de la nature des angles</translation>
     </message>
     <message>
         <source>change the sense of an arc</source>
-        <translation>changer le sens d’un arc</translation>
+        <translation>modification du sens d’un arc</translation>
     </message>
     <message>
         <source>change the order of the arcs</source>
-        <translation>changer l’ordre des arcs</translation>
+        <translation>modification de l’ordre des arcs</translation>
     </message>
     <message>
         <source>change the evaluated range of an arc</source>
-        <translation>changer l’étendue évaluée d’un arc</translation>
+        <translation>modification de l’étendue évaluée d’un arc</translation>
     </message>
     <message>
         <source>change the plane</source>
-        <translation>changer le plan</translation>
+        <translation>modification du plan</translation>
     </message>
     <message>
         <source>plan the targets</source>
-        <translation>planifier les points visés</translation>
+        <translation>planification des points visés</translation>
     </message>
     <message>
         <source>add a planned test</source>
-        <translation>ajouter un essai planifié</translation>
+        <translation>ajout d’un essai planifié</translation>
     </message>
     <message>
         <source>change a point to agree</source>
-        <translation>modifier un point à convenir</translation>
+        <translation>modification d’un point à convenir</translation>
     </message>
     <message>
         <source>take an agreement from the conditions</source>
-        <translation>reprendre un accord des conditions</translation>
+        <translation>reprise d’un accord des conditions</translation>
     </message>
     <message>
         <source>remove a sensor</source>
-        <translation>supprimer un capteur</translation>
+        <translation>suppression d’un capteur</translation>
     </message>
     <message>
         <source>add a sensor</source>
-        <translation>ajouter un capteur</translation>
+        <translation>ajout d’un capteur</translation>
     </message>
     <message>
         <source>change the instruments of the test</source>
-        <translation>modifier les instruments de l’essai</translation>
+        <translation>modification des instruments de l’essai</translation>
     </message>
     <message>
         <source>remove the picture</source>
-        <translation>supprimer l’image</translation>
+        <translation>suppression de l’image</translation>
     </message>
     <message>
         <source>choose a picture</source>
-        <translation>choisir une image</translation>
+        <translation>choix d’une image</translation>
     </message>
     <message>
         <source>change who signs</source>
-        <translation>modifier les signataires</translation>
+        <translation>modification des signataires</translation>
     </message>
     <message>
         <source>add an instrument</source>
-        <translation>ajouter un instrument</translation>
+        <translation>ajout d’un instrument</translation>
     </message>
     <message>
         <source>remove an instrument</source>
-        <translation>supprimer un instrument</translation>
+        <translation>suppression d’un instrument</translation>
     </message>
     <message>
         <source>fill from a template</source>
-        <translation>remplir depuis un modèle</translation>
+        <translation>remplissage depuis un modèle</translation>
     </message>
     <message>
         <source>change “%1”</source>
-        <translation>modifier «&#xa0;%1&#xa0;»</translation>
+        <translation>modification de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>type a reading</source>
@@ -186,7 +239,7 @@
     </message>
     <message>
         <source>duplicate the test</source>
-        <translation>copie de l’essai</translation>
+        <translation>duplication de l’essai</translation>
     </message>
     <message>
         <source>repeat the test</source>
@@ -199,13 +252,13 @@
     <message numerus="yes">
         <source>cut %n reading(s)</source>
         <translation>
-            <numerusform>coupe de %n relevé</numerusform>
-            <numerusform>coupe de %n relevés</numerusform>
+            <numerusform>coupure de %n relevé</numerusform>
+            <numerusform>coupure de %n relevés</numerusform>
         </translation>
     </message>
     <message>
         <source>import a measurement file</source>
-        <translation>importer un fichier de mesure</translation>
+        <translation>importation d’un fichier de mesure</translation>
     </message>
     <message numerus="yes">
         <source>add %n arc(s)</source>
@@ -224,23 +277,23 @@
     </message>
     <message>
         <source>change a reading</source>
-        <translation>modifier un relevé</translation>
+        <translation>modification d’un relevé</translation>
     </message>
     <message>
         <source>paste readings</source>
-        <translation>coller des relevés</translation>
+        <translation>collage de relevés</translation>
     </message>
     <message>
         <source>remove readings</source>
-        <translation>supprimer des relevés</translation>
+        <translation>suppression de relevés</translation>
     </message>
     <message>
         <source>take a typical value</source>
-        <translation>reprendre une valeur usuelle</translation>
+        <translation>reprise d’une valeur usuelle</translation>
     </message>
     <message>
         <source>add a drift test</source>
-        <translation>ajouter un essai de dérive</translation>
+        <translation>ajout d’un essai de dérive</translation>
     </message>
     <message>
         <source>state what an arc leaves out</source>
@@ -398,6 +451,25 @@
         <source>Not declared</source>
         <translation>Non déclaré</translation>
     </message>
+    <message>
+        <source>Number of an agreement</source>
+        <translation>Valeur d’un accord</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1: number</source>
+        <translation>%1&#xa0;: valeur</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) that do not apply</source>
+        <translation>
+            <numerusform>%n point sans objet</numerusform>
+            <numerusform>%n points sans objet</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ArcCurvesView</name>
@@ -454,7 +526,7 @@
     </message>
     <message>
         <source>&amp;Decimal mark</source>
-        <translation>Marque &amp;décimale</translation>
+        <translation>Séparateur &amp;décimal</translation>
     </message>
     <message>
         <source>point</source>
@@ -560,9 +632,9 @@
         <translation>emploi</translation>
     </message>
     <message>
-        <source>R LSC − R %1</source>
+        <source>R_LSC − R %1</source>
         <comment>unit</comment>
-        <translation>R LSC − R %1</translation>
+        <translation>R_LSC − R %1</translation>
     </message>
 </context>
 <context>
@@ -640,7 +712,7 @@
     </message>
     <message>
         <source>Contouring feed</source>
-        <translation>Avance en contournage</translation>
+        <translation>Vitesse d’avance de contournage</translation>
     </message>
     <message>
         <source>Source</source>
@@ -792,7 +864,7 @@
     </message>
     <message>
         <source>No arc yet. Copy the points in a spreadsheet and press %1, or type them with “New arc…”.</source>
-        <translation>Pas encore d’arc. Copiez les points dans un tableur et appuyez sur %1, ou saisissez-les par «&#x202f;Nouvel arc…&#x202f;».</translation>
+        <translation>Pas encore d’arc. Copiez les points dans un tableur et appuyez sur %1, ou saisissez-les par «&#xa0;Nouvel arc…&#xa0;».</translation>
     </message>
     <message>
         <source>Delete the arc (%1)</source>
@@ -1039,7 +1111,7 @@
     </message>
     <message>
         <source>Decimal mark</source>
-        <translation>Décimales</translation>
+        <translation>Séparateur décimal</translation>
     </message>
     <message>
         <source>point .</source>
@@ -1107,7 +1179,7 @@
     </message>
     <message>
         <source>%1 cannot be compared</source>
-        <translation>%1 ne peut être comparé</translation>
+        <translation>%1 ne peut pas être comparé</translation>
     </message>
     <message>
         <source>Measuring system</source>
@@ -1418,7 +1490,7 @@
     </message>
     <message>
         <source>Stop point</source>
-        <translation>Point d’arrêt</translation>
+        <translation>Point d’arrivée</translation>
     </message>
     <message>
         <source>Title of the test</source>
@@ -1450,7 +1522,7 @@
     </message>
     <message>
         <source>Zero of the displacement</source>
-        <translation>Zéro du déplacement</translation>
+        <translation>Origine du déplacement</translation>
     </message>
     <message>
         <source>Nominal interval</source>
@@ -1458,7 +1530,7 @@
     </message>
     <message>
         <source>Period of the error</source>
-        <translation>Période de l’écart</translation>
+        <translation>Période de l’erreur périodique</translation>
     </message>
     <message>
         <source>Test cycle</source>
@@ -1700,7 +1772,7 @@
     </message>
     <message>
         <source>No test takes its E_VE from here yet: page “Uncertainty”.</source>
-        <translation>Aucun essai ne prend encore son E_VE ici&#xa0;: page «&#x202f;Incertitude&#x202f;».</translation>
+        <translation>Aucun essai ne prend encore son E_VE ici&#xa0;: page «&#xa0;Incertitude&#xa0;».</translation>
     </message>
     <message>
         <source>Taken by: %1</source>
@@ -1929,10 +2001,6 @@
         <translation>Requis</translation>
     </message>
     <message>
-        <source>Warning</source>
-        <translation>Avertissement</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Note</translation>
     </message>
@@ -1965,15 +2033,8 @@
     <message numerus="yes">
         <source>%n requirement(s) not met</source>
         <translation>
-            <numerusform>%n exigence non tenue</numerusform>
-            <numerusform>%n exigences non tenues</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n warning(s)</source>
-        <translation>
-            <numerusform>%n avertissement</numerusform>
-            <numerusform>%n avertissements</numerusform>
+            <numerusform>%n exigence non satisfaite</numerusform>
+            <numerusform>%n exigences non satisfaites</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1994,6 +2055,24 @@
     <message>
         <source>Uncertainty</source>
         <translation>Incertitude</translation>
+    </message>
+    <message>
+        <source>Recommendation</source>
+        <translation>Recommandation</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recommendation(s)</source>
+        <translation>
+            <numerusform>%n recommandation</numerusform>
+            <numerusform>%n recommandations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not declared</source>
+        <translation>
+            <numerusform>%n non déclarée</numerusform>
+            <numerusform>%n non déclarées</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2070,6 +2149,14 @@
     <message>
         <source>Validation</source>
         <translation>Validation</translation>
+    </message>
+    <message>
+        <source>Search, Enter: next place</source>
+        <translation>Rechercher, Entrée&#xa0;: suivant</translation>
+    </message>
+    <message>
+        <source>Search the help</source>
+        <translation>Rechercher dans l’aide</translation>
     </message>
 </context>
 <context>
@@ -2567,7 +2654,7 @@
     </message>
     <message>
         <source>Guard band, times U</source>
-        <translation>Bande de garde, fois U</translation>
+        <translation>Facteur de bande de garde (× U)</translation>
     </message>
     <message>
         <source>Agreed limits</source>
@@ -2583,11 +2670,15 @@
     </message>
     <message>
         <source>Source</source>
-        <translation>Source</translation>
+        <translation>Origine</translation>
     </message>
     <message>
         <source>that of the test</source>
         <translation>celle de l’essai</translation>
+    </message>
+    <message>
+        <source>Origin of all limits</source>
+        <translation>Origine de toutes les limites</translation>
     </message>
 </context>
 <context>
@@ -2921,11 +3012,11 @@
     </message>
     <message>
         <source>Dupli&amp;cate the test</source>
-        <translation>&amp;Copier l’essai</translation>
+        <translation>Dupli&amp;quer l’essai</translation>
     </message>
     <message>
         <source>Repeat the test, &amp;without readings</source>
-        <translation>Re&amp;faire l’essai, sans relevés</translation>
+        <translation>Nouvel essai sem&amp;blable (sans relevés)</translation>
     </message>
     <message>
         <source>Delete the t&amp;est</source>
@@ -3075,6 +3166,61 @@
         <source>Copy of the test file in a report</source>
         <translation>Copie du fichier d’essai d’un rapport</translation>
     </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) have changes that are not saved.</source>
+        <translation>
+            <numerusform>%n fichier a des modifications non enregistrées.</numerusform>
+            <numerusform>%n fichiers ont des modifications non enregistrées.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Save all</source>
+        <translation>&amp;Tout enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Discard all</source>
+        <translation>&amp;Ne rien enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;One by one</source>
+        <translation>L’un après l’&amp;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Ann&amp;uler</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>&amp;Vider la liste</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Paramètres…</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt pane</source>
+        <translation>&amp;Volet suivant</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious pane</source>
+        <translation>V&amp;olet précédent</translation>
+    </message>
+    <message>
+        <source>%1 is open already: %2 on %3, process %4. Who saves last overwrites the other.</source>
+        <translation>%1 est déjà ouvert&#xa0;: %2 sur %3, processus %4. Le dernier enregistrement remplace l’autre.</translation>
+    </message>
+    <message>
+        <source>&amp;Validation</source>
+        <translation>&amp;Validation</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NavigationList</name>
@@ -3208,7 +3354,7 @@
     </message>
     <message>
         <source>&amp;Travel</source>
-        <translation>Co&amp;urse</translation>
+        <translation>Long&amp;ueur d’axe</translation>
     </message>
     <message>
         <source>&amp;Edition</source>
@@ -3260,7 +3406,7 @@
     </message>
     <message>
         <source>The travel is a number above 0.</source>
-        <translation>La course est un nombre supérieur à 0.</translation>
+        <translation>La longueur d’axe est un nombre supérieur à 0.</translation>
     </message>
     <message>
         <source>The number of runs each way is a whole number from 1 to %1.</source>
@@ -3387,7 +3533,7 @@
     </message>
     <message>
         <source>Period of the error</source>
-        <translation>Période de l’écart</translation>
+        <translation>Période de l’erreur périodique</translation>
     </message>
     <message>
         <source>Decimals</source>
@@ -3395,7 +3541,7 @@
     </message>
     <message>
         <source>Seed</source>
-        <translation>Graine</translation>
+        <translation>Germe</translation>
     </message>
     <message>
         <source>Runs each way</source>
@@ -3830,6 +3976,33 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::ReportBar</name>
+    <message>
+        <source>&amp;Details</source>
+        <translation>&amp;Détails</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Differences of the report</source>
+        <translation>Écarts du rapport</translation>
+    </message>
+    <message>
+        <source>The report was not verified: %1</source>
+        <translation>Le rapport n’a pas été vérifié&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Report verified.</source>
+        <translation>Rapport vérifié.</translation>
+    </message>
+    <message>
+        <source>Report NOT verified.</source>
+        <translation>Rapport NON vérifié.</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ReportDialog</name>
     <message>
         <source>Values per target</source>
@@ -3927,11 +4100,11 @@
     </message>
     <message>
         <source>Smaller</source>
-        <translation>Plus petit</translation>
+        <translation>Zoom arrière</translation>
     </message>
     <message>
         <source>Larger</source>
-        <translation>Plus grand</translation>
+        <translation>Zoom avant</translation>
     </message>
     <message>
         <source>&amp;Width</source>
@@ -4015,11 +4188,19 @@
     </message>
     <message>
         <source>In the PDF: the whole test file (%1, %2), remarks and names in it included, and the results</source>
-        <translation>Dans le PDF : le fichier d’essai entier (%1, %2), remarques et noms compris, et les résultats</translation>
+        <translation>Dans le PDF&#xa0;: le fichier d’essai entier (%1, %2), remarques et noms compris, et les résultats</translation>
     </message>
     <message>
         <source>Attach the instrument files, too</source>
         <translation>Joindre aussi les fichiers de l’instrument</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open the &amp;folder</source>
+        <translation>Ouvrir le &amp;dossier</translation>
     </message>
 </context>
 <context>
@@ -4059,6 +4240,20 @@
         <source>Copy the results as a table</source>
         <translation>Copier les résultats en tableau</translation>
     </message>
+    <message numerus="yes">
+        <source>%n requirement(s) not met</source>
+        <translation>
+            <numerusform>%n exigence non satisfaite</numerusform>
+            <numerusform>%n exigences non satisfaites</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n requirement(s) not declared</source>
+        <translation>
+            <numerusform>%n exigence non déclarée</numerusform>
+            <numerusform>%n exigences non déclarées</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::RightSide</name>
@@ -4081,6 +4276,128 @@
     <message>
         <source>Being computed; shown is what was before</source>
         <translation>Calcul en cours&#x202f;; affiché&#xa0;: l’état précédent</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>&amp;Language of the window</source>
+        <translation>&amp;Langue de la fenêtre</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>L&amp;engths</source>
+        <translation>Lo&amp;ngueurs</translation>
+    </message>
+    <message>
+        <source>&amp;Angles</source>
+        <translation>&amp;Angles</translation>
+    </message>
+    <message>
+        <source>as the system</source>
+        <translation>comme le système</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>clair</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>sombre</translation>
+    </message>
+    <message>
+        <source>µm and mm</source>
+        <translation>µm et mm</translation>
+    </message>
+    <message>
+        <source>mm only</source>
+        <translation>mm seulement</translation>
+    </message>
+    <message>
+        <source>µin and inches</source>
+        <translation>µin et pouces</translation>
+    </message>
+    <message>
+        <source>arc seconds and degrees</source>
+        <translation>secondes d’arc et degrés</translation>
+    </message>
+    <message>
+        <source>degrees only</source>
+        <translation>degrés seulement</translation>
+    </message>
+    <message>
+        <source>&amp;Keep changes safe from a crash</source>
+        <translation>&amp;Protéger les modifications d’un arrêt brutal</translation>
+    </message>
+    <message>
+        <source>A copy of what is not saved, in a folder of Palmer; it goes when you save</source>
+        <translation>Copie de ce qui n’est pas enregistré, dans un dossier de Palmer&#x202f;; elle disparaît à l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Keep the version &amp;before when saving</source>
+        <translation>&amp;Conserver la version précédente à l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Beside the file, with .bak at the end of its name</source>
+        <translation>À côté du fichier, avec .bak à la fin de son nom</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ShortcutsDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Table of readings</source>
+        <translation>Tableau des relevés</translation>
+    </message>
+    <message>
+        <source>next reading of the measuring cycle</source>
+        <translation>relevé suivant du cycle de mesure</translation>
+    </message>
+    <message>
+        <source>the one before</source>
+        <translation>relevé précédent</translation>
+    </message>
+    <message>
+        <source>to the right, to the left</source>
+        <translation>à droite, à gauche</translation>
+    </message>
+    <message>
+        <source>edit the reading</source>
+        <translation>modifier le relevé</translation>
+    </message>
+    <message>
+        <source>restore the reading; close an explanation</source>
+        <translation>rétablir le relevé&#x202f;; fermer une explication</translation>
+    </message>
+    <message>
+        <source>first, last cell</source>
+        <translation>première, dernière cellule</translation>
     </message>
 </context>
 <context>
@@ -4136,6 +4453,25 @@
     <message>
         <source>too few to decide</source>
         <translation>trop peu pour un verdict</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::StandardButtons</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Ne pas enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
     </message>
 </context>
 <context>
@@ -4363,7 +4699,7 @@
     </message>
     <message>
         <source>Misalignment</source>
-        <translation>Désalignement</translation>
+        <translation>Défaut d’alignement</translation>
     </message>
     <message>
         <source>Temperature, machine</source>
@@ -4402,7 +4738,7 @@
     </message>
     <message>
         <source>Env. variation E_VE</source>
-        <translation>Var. environn. E_VE</translation>
+        <translation>Variation environnementale E_VE</translation>
     </message>
     <message>
         <source>typed in</source>
@@ -4434,11 +4770,11 @@
     </message>
     <message>
         <source>Instrument, fixed part</source>
-        <translation>Instr., part fixe</translation>
+        <translation>Instrument&#xa0;: part fixe</translation>
     </message>
     <message>
         <source>Instrument, per metre</source>
-        <translation>Instr., par mètre</translation>
+        <translation>Instrument&#xa0;: par mètre</translation>
     </message>
     <message>
         <source>k of the certificate</source>
@@ -4494,7 +4830,7 @@
     </message>
     <message>
         <source>one each</source>
-        <translation>un chacun</translation>
+        <translation>un pour chacun</translation>
     </message>
     <message>
         <source>one for machine and instrument</source>
@@ -4522,7 +4858,7 @@
     </message>
     <message>
         <source>U of %1</source>
-        <translation>U de %1</translation>
+        <translation>U(%1)</translation>
     </message>
     <message>
         <source>Contributions</source>
@@ -4570,7 +4906,7 @@
     </message>
     <message>
         <source>Guard band, times U</source>
-        <translation>Bande de garde, fois U</translation>
+        <translation>Facteur de bande de garde (× U)</translation>
     </message>
     <message>
         <source>Annex A</source>
@@ -4593,16 +4929,16 @@
         <translation>Aucune</translation>
     </message>
     <message>
-        <source>The simplified budget after the model of ISO 230-2:2006 Annex A decides</source>
-        <translation>Le budget simplifié selon le modèle de l’annexe A de l’ISO 230-2:2006 décide</translation>
+        <source>The verdict is based on the simplified budget after the model of ISO 230-2:2006 Annex A</source>
+        <translation>Le verdict est fondé sur le budget simplifié selon le modèle de l’annexe A de l’ISO 230-2:2006</translation>
     </message>
     <message>
-        <source>The simplified budget of the contributors of ISO 230-4, 4.6 decides</source>
-        <translation>Le budget simplifié des contributions de l’ISO 230-4, 4.6 décide</translation>
+        <source>The verdict is based on the simplified budget of the contributors of ISO 230-4, 4.6</source>
+        <translation>Le verdict est fondé sur le budget simplifié des contributions de l’ISO 230-4, 4.6</translation>
     </message>
     <message>
-        <source>The Monte Carlo simulation (GUM Supplement 1) decides</source>
-        <translation>La simulation de Monte-Carlo (supplément 1 du GUM) décide</translation>
+        <source>The verdict is based on the Monte Carlo simulation (GUM Supplement 1)</source>
+        <translation>Le verdict est fondé sur la simulation de Monte-Carlo (supplément 1 du GUM)</translation>
     </message>
     <message>
         <source>The expanded uncertainty of every result is entered</source>
@@ -4654,15 +4990,15 @@
     </message>
     <message>
         <source>%1 % of U²</source>
-        <translation>%1&#x202f;% de U²</translation>
+        <translation>%1&#xa0;% de U²</translation>
     </message>
     <message>
         <source>not stated</source>
         <translation>non indiqué</translation>
     </message>
     <message>
-        <source>to improve first: %1, %2 % of U²</source>
-        <translation>à améliorer d’abord&#xa0;: %1, %2&#x202f;% de U²</translation>
+        <source>improve first: %1, %2 % of U²</source>
+        <translation>à améliorer d’abord&#xa0;: %1, %2&#xa0;% de U²</translation>
     </message>
     <message>
         <source>Expanded uncertainty of the results by both methods</source>
@@ -4670,7 +5006,7 @@
     </message>
     <message>
         <source>95.45 % interval</source>
-        <translation>intervalle 95,45&#x202f;%</translation>
+        <translation>intervalle 95,45&#xa0;%</translation>
     </message>
     <message>
         <source>distribution</source>
@@ -4685,32 +5021,32 @@
         <translation>écart</translation>
     </message>
     <message>
-        <source>%1, decides</source>
-        <translation>%1, décide</translation>
+        <source>%1, used for the verdict</source>
+        <translation>%1, retenue pour le verdict</translation>
     </message>
     <message>
-        <source>More than a third of the U of the simulation: the budget decides</source>
-        <translation>Plus du tiers de l’U de la simulation&#xa0;: le budget décide</translation>
+        <source>More than a third of the U of the simulation: the budget U is used for the verdict</source>
+        <translation>Plus du tiers de l’U de la simulation&#xa0;: le verdict est fondé sur l’U du budget</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1&#x202f;%</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>&gt; 20 %</source>
-        <translation>&gt; 20&#x202f;%</translation>
+        <translation>&gt; 20&#xa0;%</translation>
     </message>
     <message>
         <source>%1, more than 20 %</source>
-        <translation>%1, plus de 20&#x202f;%</translation>
+        <translation>%1, plus de 20&#xa0;%</translation>
     </message>
     <message>
         <source>The methods differ by more than 20 %: the findings give the reason</source>
-        <translation>Les méthodes diffèrent de plus de 20&#x202f;%&#xa0;: les constats en donnent la raison</translation>
+        <translation>Les méthodes diffèrent de plus de 20&#xa0;%&#xa0;: les constats en donnent la raison</translation>
     </message>
     <message>
-        <source>Bold: the U that decides.</source>
-        <translation>En gras&#xa0;: l’U qui décide.</translation>
+        <source>Bold: the U used for the verdict.</source>
+        <translation>En gras&#xa0;: l’incertitude retenue pour le verdict.</translation>
     </message>
     <message>
         <source>k of the displacement</source>
@@ -4725,15 +5061,15 @@
         <translation>Points réels</translation>
     </message>
     <message>
-        <source>The budget with what the actual targets carry of its systematic part (ours) decides</source>
+        <source>The verdict is based on the budget with what the actual targets carry of its systematic part (ours)</source>
         <translation>Le verdict est fondé sur le budget avec ce que les points réels portent de sa part systématique (notre méthode)</translation>
     </message>
     <message>
-        <source>decides</source>
+        <source>used for the verdict</source>
         <translation>retenue pour le verdict</translation>
     </message>
     <message>
-        <source>decides · %1</source>
+        <source>used for the verdict · %1</source>
         <translation>retenue pour le verdict · %1</translation>
     </message>
     <message>
@@ -4755,6 +5091,49 @@
     <message>
         <source>2s of U: %1; tolerance of u: %2</source>
         <translation>2s de U&#xa0;: %1&#x202f;; tolérance sur u&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::VerdictMark</name>
+    <message>
+        <source>limits that do not hold here</source>
+        <translation>limites non applicables ici</translation>
+    </message>
+    <message>
+        <source>no limit agreed</source>
+        <translation>aucune limite convenue</translation>
+    </message>
+    <message>
+        <source>limits met</source>
+        <translation>limites respectées</translation>
+    </message>
+    <message>
+        <source>limits not proven</source>
+        <translation>limites non prouvées</translation>
+    </message>
+    <message>
+        <source>limits exceeded</source>
+        <translation>limites dépassées</translation>
+    </message>
+    <message>
+        <source>text of the edition not available</source>
+        <translation>texte de l’édition non disponible</translation>
+    </message>
+    <message>
+        <source>NOT in accordance with the edition</source>
+        <translation>NON conforme à l’édition</translation>
+    </message>
+    <message>
+        <source>accordance with the edition not shown</source>
+        <translation>conformité à l’édition non établie</translation>
+    </message>
+    <message>
+        <source>in accordance in part</source>
+        <translation>conforme en partie à l’édition</translation>
+    </message>
+    <message>
+        <source>in accordance with the edition</source>
+        <translation>conforme à l’édition</translation>
     </message>
 </context>
 <context>
@@ -4780,8 +5159,8 @@
         <translation>Fichiers récents</translation>
     </message>
     <message>
-        <source>No file yet. Begin with an example below.</source>
-        <translation>Aucun fichier pour l’instant. Commencez par un exemple ci-dessous.</translation>
+        <source>No file yet. Begin with an example.</source>
+        <translation>Aucun fichier pour l’instant. Commencez par un exemple.</translation>
     </message>
     <message>
         <source>Examples</source>
@@ -4912,33 +5291,6 @@
     <message>
         <source>%1 axis</source>
         <translation>Axe %1</translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::ReportBar</name>
-    <message>
-        <source>&amp;Details</source>
-        <translation>&amp;Détails</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Fermer</translation>
-    </message>
-    <message>
-        <source>Differences of the report</source>
-        <translation>Écarts du rapport</translation>
-    </message>
-    <message>
-        <source>The report was not verified: %1</source>
-        <translation>Le rapport n’a pas été vérifié : %1</translation>
-    </message>
-    <message>
-        <source>Report verified.</source>
-        <translation>Rapport vérifié.</translation>
-    </message>
-    <message>
-        <source>Report NOT verified.</source>
-        <translation>Rapport NON vérifié.</translation>
     </message>
 </context>
 </TS>

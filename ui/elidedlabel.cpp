@@ -1,8 +1,14 @@
 #include "ui/elidedlabel.h"
 
+#include "ui/formulatext.h"
+
 #include <QPainter>
 
 namespace palmer::ui {
+
+bool namesSymbol(const QString &text) {
+    return text.contains(QLatin1StringView("E_VE")) || text.contains(QLatin1StringView("R_LSC"));
+}
 
 ElidedLabel::ElidedLabel(QWidget *parent)
     : QLabel(parent) {
@@ -11,7 +17,16 @@ ElidedLabel::ElidedLabel(QWidget *parent)
 
 void ElidedLabel::paintEvent(QPaintEvent *) {
     QPainter painter(this);
-    painter.setPen(palette().color(foregroundRole()));
+    const QColor colour = palette().color(foregroundRole());
+    if (namesSymbol(text())) {
+        const Formula formula = formulaFrom(text());
+        if (formulaWidth(formula, font()) <= width()) {
+            drawFormula(painter, rect(), alignment(), formula, font(), colour);
+            setToolTip({});
+            return;
+        }
+    }
+    painter.setPen(colour);
     const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
     painter.drawText(rect(), static_cast<int>(alignment()), shown);
     setToolTip(shown == text() ? QString() : text());

@@ -4,7 +4,11 @@
 
 namespace palmer::ui {
 
-/// A label on one line that ends in "…" where it has no room; the tool tip has all of it then.
+/// Whether a text of the window has a symbol in it whose index is to stand lower.
+[[nodiscard]] bool namesSymbol(const QString &text);
+
+/// A label on one line that ends in "…" where it has no room; the tool tip has all of it then. The indices of
+/// the symbols that labels name, E_VE and R_LSC, stand lower.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 

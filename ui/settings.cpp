@@ -12,6 +12,8 @@ namespace palmer::ui {
 namespace {
 
 constexpr QLatin1StringView bytesKey("base64");
+constexpr QLatin1StringView copiesKey("files/autosave");
+constexpr QLatin1StringView backupsKey("files/backup");
 
 QJsonValue asJson(const QVariant &value) {
     if (value.typeId() == QMetaType::QByteArray)
@@ -53,6 +55,22 @@ void useSafeSettings() {
         return;
     for (const QString &key : former.allKeys())
         settings.setValue(key, former.value(key));
+}
+
+bool keepsCopies() {
+    return QSettings().value(copiesKey, true).toBool();
+}
+
+void setKeepsCopies(bool keeps) {
+    QSettings().setValue(copiesKey, keeps);
+}
+
+bool keepsBackups() {
+    return QSettings().value(backupsKey, false).toBool();
+}
+
+void setKeepsBackups(bool keeps) {
+    QSettings().setValue(backupsKey, keeps);
 }
 
 } // namespace palmer::ui

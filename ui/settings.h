@@ -7,4 +7,12 @@ namespace palmer::ui {
 /// called once, after the names of organisation and application are set and before the first QSettings.
 void useSafeSettings();
 
+/// Whether a copy of unsaved changes is kept against a crash; if nothing was chosen, yes.
+[[nodiscard]] bool keepsCopies();
+void setKeepsCopies(bool keeps);
+
+/// Whether the version before stays beside a file that is saved; if nothing was chosen, no.
+[[nodiscard]] bool keepsBackups();
+void setKeepsBackups(bool keeps);
+
 } // namespace palmer::ui

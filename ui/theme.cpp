@@ -7,8 +7,11 @@
 #include <QPainter>
 #include <QPalette>
 #include <QPixmapCache>
+#include <QSettings>
 #include <QSvgRenderer>
+#include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 namespace palmer::ui {
@@ -114,6 +117,12 @@ QMenuBar { background: @window; padding-left: 10px; }
 QMenuBar::item { background: transparent; padding: 5px 8px; border-radius: 4px; }
 QMenuBar::item:selected { background: @selected; color: @text; }
 QToolTip { background: @base; color: @text; border: 1px solid @field; padding: 3px; }
+QToolBar { background: @window; border: none; border-bottom: 1px solid @line; padding: 0 8px; spacing: 4px; }
+QToolBar::separator { background: @line; width: 1px; margin: 8px 6px; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @field; border-radius: 3px; background: @base; }
+QCheckBox::indicator:hover, QCheckBox::indicator:focus { border-color: @accent; }
+QCheckBox::indicator:checked { image: url(:/icons/check-@kind.svg); background: @selected; border-color: @accent; }
+QCheckBox::indicator:disabled { border-color: @line; }
 QStatusBar { background: @window; border-top: 1px solid @line; }
 QStatusBar::item { border: none; }
 QPushButton { background: @base; color: @text; border: 1px solid @field; border-radius: 4px;
@@ -228,7 +237,65 @@ private:
     }
 };
 
+constexpr auto themeKey = "window/theme";
+// Words of the settings, in the order of the enumeration; none may change.
+constexpr std::array themeWords{"system", "light", "dark"};
+
+/// The colours of a palette of our own; the others follow from them.
+struct Ground {
+    QRgb window, base, text, disabled;
+};
+constexpr Ground lightGround{0xF3F4F5, 0xFFFFFF, 0x16191C, 0x9AA0A6};
+constexpr Ground darkGround{0x1F2225, 0x181A1D, 0xE8EAEC, 0x6B7178};
+
+QPalette paletteOf(const Ground &ground) {
+    const QColor window = QColor::fromRgb(ground.window);
+    const QColor base = QColor::fromRgb(ground.base);
+    const QColor text = QColor::fromRgb(ground.text);
+    const QColor disabled = QColor::fromRgb(ground.disabled);
+    QPalette palette(window, window); // lights and shadows made from it
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+                                           QPalette::ToolTipText, QPalette::HighlightedText}) {
+        palette.setColor(role, text);
+        palette.setColor(QPalette::Disabled, role, disabled);
+    }
+    palette.setColor(QPalette::Base, base);
+    palette.setColor(QPalette::ToolTipBase, base);
+    palette.setColor(QPalette::AlternateBase, mixed(window, base, 0.5));
+    palette.setColor(QPalette::PlaceholderText, disabled);
+    palette.setColor(QPalette::Highlight, selectedGround(palette));
+    palette.setColor(QPalette::Link, token(Token::accent, palette));
+    return palette;
+}
+
+void usePalette(ThemeChoice choice) {
+    switch (choice) {
+    case ThemeChoice::system:
+        QApplication::setPalette(QPalette());
+        return;
+    case ThemeChoice::light:
+        QApplication::setPalette(paletteOf(lightGround));
+        return;
+    case ThemeChoice::dark:
+        QApplication::setPalette(paletteOf(darkGround));
+        return;
+    }
+}
+
 } // namespace
+
+ThemeChoice themeChoice() {
+    const QByteArray kept = QSettings().value(QLatin1StringView(themeKey)).toByteArray();
+    const auto found = std::ranges::find(themeWords, std::string_view(kept.constData()));
+    return found == themeWords.end() ? ThemeChoice::system
+                                     : static_cast<ThemeChoice>(found - themeWords.begin());
+}
+
+void setThemeChoice(ThemeChoice choice) {
+    QSettings().setValue(QLatin1StringView(themeKey),
+                         QByteArray(themeWords.at(static_cast<std::size_t>(choice))));
+    usePalette(choice);
+}
 
 bool isDark(const QPalette &palette) {
     return palette.color(QPalette::WindowText).lightness() > palette.color(QPalette::Window).lightness();
@@ -276,6 +343,8 @@ void installTheme() {
     static bool installed = false;
     if (std::exchange(installed, true))
         return;
+    if (const ThemeChoice choice = themeChoice(); choice != ThemeChoice::system)
+        usePalette(choice);
     new Theme(qApp);
 }
 

@@ -50,7 +50,14 @@ enum class TextSize { base, small, tiny, head, title };
 /// Draws a line icon centred in `area`, in 16 × 16.
 void drawLineIcon(QPainter &painter, const QRect &area, const QString &name, const QColor &colour);
 
-/// Fills the application's one style sheet from its palette, now and whenever the palette changes. Call once.
+/// The look of the windows: the system's, or one of its own. Kept in the settings of the user.
+enum class ThemeChoice { system, light, dark };
+[[nodiscard]] ThemeChoice themeChoice();
+/// Holds at once.
+void setThemeChoice(ThemeChoice choice);
+
+/// Fills the application's one style sheet from its palette, now and whenever the palette changes; the
+/// palette is that of the choice. Call once.
 void installTheme();
 
 } // namespace palmer::ui

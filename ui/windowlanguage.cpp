@@ -22,6 +22,20 @@ constexpr auto anglesKey = "window/angles";
 constexpr std::array lengthWords{"micrometres", "millimetres", "inches"};
 constexpr std::array angleWords{"arcSeconds", "degrees"};
 
+/// Texts of Qt's file dialogs and message boxes that its French catalogue lacks or calls as we do not.
+[[maybe_unused]] constexpr std::array textsOfQt{
+    QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Drive"),
+    QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Folder"),
+    QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Shortcut"),
+    QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Unknown"),
+    QT_TRANSLATE_NOOP("QFileDialog", "Drive"),
+    QT_TRANSLATE_NOOP("QFileDialog", "Change to detail view mode"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "OK"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Cancel"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Close"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Discard"),
+    QT_TRANSLATE_NOOP("QPlatformTheme", "Save")};
+
 template <class Choice, class Words>
 Choice restored(const char *key, const Words &words) {
     const QByteArray kept = QSettings().value(QLatin1StringView(key)).toByteArray();
@@ -42,8 +56,9 @@ void install(Language::Id id) {
                                : QLocale(QLocale::English, QLocale::UnitedKingdom));
     for (auto &translator : installed)
         translator.reset(); // removes itself
-    const std::array names{QStringLiteral(":/translations/ui_%1.qm").arg(current().code()),
-                           QStringLiteral(":/translations/qtbase_%1.qm").arg(current().code())};
+    // The one installed last is asked first: ours has what Qt's own lacks, and what it calls otherwise.
+    const std::array names{QStringLiteral(":/translations/qtbase_%1.qm").arg(current().code()),
+                           QStringLiteral(":/translations/ui_%1.qm").arg(current().code())};
     for (std::size_t i = 0; i < names.size(); ++i) {
         auto translator = std::make_unique<QTranslator>();
         if (!translator->load(names[i])) // English is what Qt speaks itself

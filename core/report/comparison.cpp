@@ -5,6 +5,7 @@
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "language/decimals.h"
+#include "report/wording.h"
 
 #include <algorithm>
 #include <array>
@@ -118,7 +119,7 @@ QString reason(const std::vector<const TestEvaluation *> &columns, const std::st
         const Edition &edition = *column->edition;
         const Parameter *other = parameterOf(*column, id);
         if (!knows(edition, id)) {
-            absent << QString::fromUtf8(edition.word);
+            absent << standardName(language, &edition);
             continue;
         }
         if (!other || !other->value || !own || !own->value || column == &first)
@@ -257,8 +258,9 @@ ResultComparison compareTests(const std::vector<ComparedTest> &tests, const Lang
     result.unit = unitOf(*columns.front(), language);
     result.rows = rowsOf(columns, decimalsFor(first), language);
     if (otherEdition)
-        result.notes << language.sentence(
-            {REPORT_TEXT("report", "All tests as under %1."), {first.edition}, {}});
+        result.notes << language.sentence({REPORT_TEXT("report", "All tests as under %1."),
+                                           {standardName(language, findEdition(first.edition)).toStdString()},
+                                           {}});
     if (!leftOut.isEmpty())
         result.notes << language.sentence({REPORT_TEXT("report", "Of another kind, and left out: %1."),
                                            {leftOut.join(QStringLiteral(", ")).toStdString()},

@@ -64,6 +64,21 @@ Text shortName(const Text &term) {
     return found == shortNames.end() ? term : found->name;
 }
 
+/// Of a test from one direction: no name of the bidirectional result stands above that "unidirectional" could
+/// follow.
+Text aloneName(const Parameter &parameter) {
+    const std::string_view id = parameter.term.id;
+    if (id == "A+" || id == "A-")
+        return parameter.term.name == REPORT_TEXT_FOR("report", "accuracy of an axis", "A↑, A↓")
+                   ? REPORT_TEXT_FOR("report", "unidirectional accuracy", "1988")
+                   : REPORT_TEXT("report", "unidirectional accuracy");
+    if (id == "R+" || id == "R-")
+        return REPORT_TEXT("report", "unidirectional repeatability");
+    if (id == "E+" || id == "E-")
+        return REPORT_TEXT("report", "unidirectional systematic deviation");
+    return shortName(parameter.term.name);
+}
+
 /// Of a path its sense: the symbol tells the rest.
 Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation) {
     const std::string_view id = parameter.term.id;
@@ -73,6 +88,9 @@ Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation) {
         if (results->paths[k].index == parameter.index)
             return senseText(results->paths[k].sense);
     }
+    const auto *positioning = std::get_if<PositioningResults>(&evaluation.results);
+    if (positioning && positioning->upward != positioning->downward)
+        return aloneName(parameter);
     return shortName(parameter.term.name);
 }
 

@@ -117,8 +117,10 @@ void WindowCataloguesTest::areComplete() {
         QCOMPARE(entry.translations.size(), entry.counted ? 2 : 1);
         for (const QString &translation : entry.translations)
             QVERIFY2(!translation.trimmed().isEmpty(), qPrintable(entry.source));
-        QVERIFY2(entry.context.startsWith("palmer::ui::") || entry.context == u"edits" ||
-                     entry.context == u"examples",
+        static const QSet<QString> others{"edits", "examples",
+                                          // of Qt, whose own French is incomplete
+                                          "QAbstractFileIconProvider", "QFileDialog", "QPlatformTheme"};
+        QVERIFY2(entry.context.startsWith("palmer::ui::") || others.contains(entry.context),
                  qPrintable(entry.context + ": tr() would look in another context"));
     }
 }

@@ -122,7 +122,7 @@ QVariant ArcsModel::headerData(int section, Qt::Orientation orientation, int rol
     case cut:
         return tr("cut off");
     case radius:
-        return tr("R LSC − R %1", "unit").arg(m_unit);
+        return tr("R_LSC − R %1", "unit").arg(m_unit);
     case use:
         return tr("use");
     default:

@@ -45,7 +45,8 @@ constexpr int cellMargin = 16;
 constexpr int rowsLookedAt = 50; ///< for the width of a column
 constexpr int leastHeightForPoints = 480;
 constexpr int gridColumns = 12;
-constexpr int angleWidth = 92;
+constexpr int angleWidth = 72;
+constexpr int reverseWidth = 36; ///< a mark alone: there is no room for words beside the range
 
 /// The planes offered: right-handed first.
 constexpr std::array<std::array<const char *, 2>, 6> planes{
@@ -98,7 +99,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     grid->setVerticalSpacing(8);
     makeParameters(*grid);
     auto *rangeRow = new QHBoxLayout;
-    rangeRow->setSpacing(8);
+    rangeRow->setSpacing(6);
     makeRangeRow(*rangeRow);
     makeTables();
     makeActions();
@@ -292,6 +293,9 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     };
     m_whole = button("wholeArc");
     m_reverse = button("reverseSense");
+    m_reverse->setIcon(lineIcon(QStringLiteral("cycle")));
+    m_reverse->setFixedWidth(reverseWidth);
+    m_reverse->setStyleSheet(QStringLiteral("padding: 0"));
     const auto arrow = [&](const char *name) {
         auto *made = new QToolButton(this);
         made->setObjectName(QLatin1StringView(name));
@@ -777,8 +781,9 @@ void CirclesPage::retranslate() {
     m_cutOff->setPlaceholder(tr("left out: feed-in, overshoot…"));
     m_whole->setText(tr("Whole arc"));
     m_whole->setToolTip(tr("Evaluate all of the arc, of more than 360° the middle 360°"));
-    m_reverse->setText(tr("Reverse sense"));
-    m_reverse->setToolTip(tr("The arc was contoured in the other sense; the points stay as they are"));
+    m_reverse->setAccessibleName(tr("Reverse sense"));
+    m_reverse->setToolTip(tr("Reverse sense") + u'\n' +
+                          tr("The arc was contoured in the other sense; the points stay as they are"));
     m_earlier->setText(QStringLiteral("↑"));
     m_later->setText(QStringLiteral("↓"));
     m_newArcAction->setText(tr("Paste &or type an arc…"));

@@ -1,5 +1,7 @@
 #include "ui/circles/quiettable.h"
 
+#include "ui/elidedlabel.h"
+#include "ui/formulatext.h"
 #include "ui/theme.h"
 
 #include <QPainter>
@@ -32,9 +34,12 @@ void QuietHeader::paintEvent(QPaintEvent *) {
         const QVariant colour = model()->headerData(column, Qt::Horizontal, Qt::ForegroundRole);
         painter.setPen(colour.isValid() ? colour.value<QColor>() : token(Token::secondaryText, palette()));
         const QString text = model()->headerData(column, Qt::Horizontal).toString();
-        painter.drawText(room,
-                         alignmentOf(model()->headerData(column, Qt::Horizontal, Qt::TextAlignmentRole)),
-                         metrics.elidedText(text, Qt::ElideRight, room.width()));
+        const Qt::Alignment alignment =
+            alignmentOf(model()->headerData(column, Qt::Horizontal, Qt::TextAlignmentRole));
+        if (namesSymbol(text))
+            drawFormula(painter, room, alignment, formulaFrom(text), painter.font(), painter.pen().color());
+        else
+            painter.drawText(room, alignment, metrics.elidedText(text, Qt::ElideRight, room.width()));
     }
     painter.setPen(token(Token::lineStrong, palette()));
     painter.drawLine(0, height() - 1, viewport()->width(), height() - 1);

@@ -4,6 +4,7 @@
 #include "document/testfile.h"
 #include "report/composereport.h"
 #include "ui/dialogs/pagecolumn.h"
+#include "ui/elidedlabel.h"
 #include "ui/model/page.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/sizeonscreen.h"
@@ -14,6 +15,7 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -29,6 +31,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <QtMath>
 #include <algorithm>
@@ -130,7 +133,23 @@ QWidget *ReportDialog::makeHead() {
     head->setFixedHeight(headHeight);
     m_title = new QLabel(head);
     m_title->setFont(themeFont(TextSize::title));
-    m_summary = new QLabel(head);
+    m_summary = new ElidedLabel(head);
+    m_open = new QPushButton(head);
+    m_openFolder = new QPushButton(head);
+    m_open->setObjectName(QStringLiteral("openSaved"));
+    m_openFolder->setObjectName(QStringLiteral("openFolder"));
+    for (QPushButton *link : {m_open, m_openFolder}) {
+        link->setProperty("link", true);
+        link->setAutoDefault(false);
+        link->hide();
+    }
+    connect(m_open, &QPushButton::clicked, this, [this] {
+        for (const QString &file : m_saved)
+            QDesktopServices::openUrl(QUrl::fromLocalFile(file));
+    });
+    connect(m_openFolder, &QPushButton::clicked, this, [this] {
+        QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(m_saved.constFirst()).absolutePath()));
+    });
     m_summary->setFont(themeFont(TextSize::small));
     m_summary->setProperty("secondary", true);
     m_previous = iconButton(head, "previousPage", QStringLiteral("left"));
@@ -150,6 +169,8 @@ QWidget *ReportDialog::makeHead() {
     row->setContentsMargins(16, 0, 16, 0);
     row->addWidget(m_title);
     row->addWidget(m_summary, 1);
+    row->addWidget(m_open);
+    row->addWidget(m_openFolder);
     for (QWidget *widget :
          std::initializer_list<QWidget *>{m_previous, m_place, m_next, m_smaller, m_zoom, m_larger, m_width})
         row->addWidget(widget);
@@ -381,6 +402,7 @@ void ReportDialog::showDocument() {
     m_missing->setText(tr("%n required statement(s) missing; printed as “–”", nullptr, missing));
     const QString number = QString::fromStdString(head.number);
     m_title->setText(number.isEmpty() ? tr("Report") : tr("Report %1").arg(number));
+    showSaved({});
     m_summary->setText(
         tr("%n page(s) %1 · preview = PDF = paper", nullptr, pageCount()).arg(m_paper->currentText()));
     m_small->setPages(m_pages);
@@ -526,7 +548,15 @@ QStringList ReportDialog::saveTo(const QString &path) {
         return {};
     }
     m_summary->setText(tr("Saved: %1").arg(files.join(QStringLiteral(", "))));
+    showSaved(files);
     return files;
+}
+
+/// Ways to what was saved last; nothing: the pages are others by now.
+void ReportDialog::showSaved(const QStringList &files) {
+    m_saved = files;
+    m_open->setVisible(!files.isEmpty());
+    m_openFolder->setVisible(!files.isEmpty());
 }
 
 void ReportDialog::choosePrinter() {
@@ -601,6 +631,8 @@ void ReportDialog::retranslate() {
     name(m_smaller, tr("Smaller"));
     name(m_larger, tr("Larger"));
     m_width->setText(tr("&Width"));
+    m_open->setText(tr("&Open"));
+    m_openFolder->setText(tr("Open the &folder"));
     m_area->setAccessibleName(tr("Pages of the report"));
     m_smallArea->setAccessibleName(tr("Pages in small"));
     m_languageTitle->setText(tr("Language"));

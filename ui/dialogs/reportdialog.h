@@ -75,6 +75,7 @@ private:
     /// Asks before files that are there are replaced.
     [[nodiscard]] bool mayReplace(const QStringList &files);
     void refuse(const QString &file, const QString &why);
+    void showSaved(const QStringList &files);
     void choosePrinter();
     void retranslate();
 
@@ -89,6 +90,9 @@ private:
 
     QLabel *m_title;
     QLabel *m_summary;
+    QPushButton *m_open; ///< what was saved last
+    QPushButton *m_openFolder;
+    QStringList m_saved;
     QToolButton *m_previous;
     QLabel *m_place;
     QToolButton *m_next;

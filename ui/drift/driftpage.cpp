@@ -3,6 +3,7 @@
 #include "document/edits.h"
 #include "language/decimals.h"
 #include "ui/circles/quiettable.h"
+#include "ui/elidedlabel.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 
@@ -43,7 +44,7 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     : QWidget(parent)
     , m_model(model)
     , m_selection(selection)
-    , m_range(new QLabel(this))
+    , m_range(new ElidedLabel(this))
     , m_explained(new QLabel(this))
     , m_taken(new QLabel(this))
     , m_reason(new QLabel(this))

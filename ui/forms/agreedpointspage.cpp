@@ -3,8 +3,11 @@
 #include "document/bounds.h"
 #include "document/edits.h"
 #include "kernel/evaluation/agreedpoints.h"
+#include "language/entry.h"
 #include "report/agreedtext.h"
 #include "ui/elidedlabel.h"
+#include "ui/forms/agreedvalue.h"
+#include "ui/forms/form.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/results/chip.h"
@@ -29,6 +32,7 @@ namespace {
 constexpr int pageMargin = 16;
 constexpr int fieldHeight = 28;
 constexpr int letterWidth = 26;
+constexpr int valueWidth = 132;
 
 constexpr char context[] = "palmer::ui::AgreedPointsPage";
 
@@ -100,12 +104,19 @@ AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, Q
     });
 }
 
-void AgreedPointsPage::build(const Edition &edition) {
-    if (m_built && m_built->points.data() == edition.points.data()) {
+void AgreedPointsPage::build(const Edition &edition, const Test &test) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
+    if (m_built && m_built->points.data() == edition.points.data() && m_builtRotary == rotary) {
         m_built = &edition;
         return;
     }
     m_built = &edition;
+    m_builtRotary = rotary;
+    for (const Row &row : m_rows) {
+        if (row.value)
+            m_refused.keep(m_of, *row.value);
+    }
     m_rows.clear();
     while (QLayoutItem *item = m_body->takeAt(0)) {
         delete item->widget();
@@ -114,6 +125,7 @@ void AgreedPointsPage::build(const Edition &edition) {
     for (const AgreementPoint &point : edition.points) {
         auto *area = new QWidget(m_scroll->widget());
         Row row{&point,
+                area,
                 new Chip(area),
                 new ElidedLabel(area),
                 new QToolButton(area),
@@ -122,7 +134,8 @@ void AgreedPointsPage::build(const Edition &edition) {
                 new QToolButton(area),
                 new AgreementEdit(area),
                 new QPushButton(area),
-                new QLabel(area)};
+                new QLabel(area),
+                nullptr};
         row.name->setBuddy(row.text);
         row.text->begun = [this] { ++m_visit; };
         row.text->setProperty("helpTopic", QStringLiteral("agreedPoints"));
@@ -154,8 +167,6 @@ void AgreedPointsPage::build(const Edition &edition) {
         auto *body = new QHBoxLayout;
         body->setContentsMargins(letterWidth + 8, 0, 0, 0);
         body->setSpacing(0);
-        body->addWidget(row.text, 1);
-        body->addSpacing(8);
         for (std::size_t k = 0; k < std::size(buttons); ++k) {
             buttons[k]->setProperty("segment", places[k]);
             buttons[k]->setCheckable(true);
@@ -165,16 +176,68 @@ void AgreedPointsPage::build(const Edition &edition) {
                     [this, &point, state = states[k]] { setState(point, state); });
             body->addWidget(buttons[k]);
         }
+        body->addStretch();
+        auto *text = new QHBoxLayout;
+        text->setContentsMargins(letterWidth + 8, 0, 0, 0);
+        text->setSpacing(8);
+        text->addWidget(row.text, 1);
+        if (const auto quantity = agreedQuantity(point.point, test)) {
+            row.value = makeValue(point, *quantity, area);
+            text->addWidget(row.value);
+        }
         auto *layout = new QVBoxLayout(area);
         layout->setContentsMargins(0, 4, 0, 4);
         layout->setSpacing(4);
         layout->addLayout(head);
         layout->addLayout(body);
+        layout->addLayout(text);
         layout->addWidget(row.refusal);
         m_body->addWidget(area);
         m_rows.push_back(row);
     }
+    m_others = new QPushButton(m_scroll->widget());
+    m_others->setObjectName(QStringLiteral("inapplicablePoints"));
+    m_others->setProperty("link", true);
+    m_others->setAutoDefault(false);
+    connect(m_others, &QPushButton::clicked, this, [this] {
+        m_showsAll = true;
+        refresh();
+    });
+    m_body->addWidget(m_others, 0, Qt::AlignLeft);
     m_body->addStretch(1);
+}
+
+Field *AgreedPointsPage::makeValue(const AgreementPoint &point, Quantity quantity, QWidget *parent) {
+    auto *field = new Field(Field::Kind::number, parent);
+    field->setBare();
+    field->setFixedWidth(valueWidth);
+    field->edit()->setObjectName(QStringLiteral("value.") + QString::fromLatin1(point.point));
+    field->edit()->setProperty("helpTopic", QStringLiteral("agreedPoints"));
+    field->setReader([this, quantity](const QString &typed) -> Field::Reading {
+        const NumberEntry entry = enteredNumber(typed, quantity, m_language.units());
+        if (entry.refusal)
+            return {{}, m_language.text(*entry.refusal)};
+        return {entry.value ? m_language.number(*entry.value, quantity) : QString(), {}};
+    });
+    connect(field, &Field::begun, this, [this] { ++m_visit; });
+    connect(field, &Field::entered, this, [this, field, quantity, name = point.point] {
+        const auto value = enteredNumber(field->valueText(), quantity, m_language.units()).value;
+        m_model.edit(
+            changeOf(context, QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Number of an agreement"))
+                .constData(),
+            [&](Document &document) { agreedValue(name).write(document, m_test, value); },
+            QStringLiteral("agreedValue/%1/%2/%3").arg(QString::fromLatin1(name)).arg(m_test).arg(m_visit));
+    });
+    return field;
+}
+
+QStringList AgreedPointsPage::refusedTexts() const {
+    QStringList texts = m_refused.texts();
+    for (const Row &row : m_rows) {
+        if (row.value && row.value->isRefused())
+            texts << row.value->text();
+    }
+    return texts;
 }
 
 const AgreedPoint *AgreedPointsPage::agreed(const AgreementPoint &point) const {
@@ -251,9 +314,16 @@ void AgreedPointsPage::takeFromConditions(const AgreementPoint &point) {
 void AgreedPointsPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
     if (m_test != test) {
-        for (const Row &row : m_rows)
+        for (const Row &row : m_rows) {
             row.refusal->hide();
+            if (!row.value)
+                continue;
+            m_refused.keep(m_of, *row.value);
+            row.value->forget();
+        }
     }
+    if (m_test != test)
+        m_showsAll = false;
     m_test = test;
     refresh();
 }
@@ -263,6 +333,49 @@ void AgreedPointsPage::setLanguage(const Language &language) {
     refresh();
 }
 
+/// `agreed`: what is declared of the point; null: nothing.
+void AgreedPointsPage::refreshRow(const Row &row, const Test &test, const AgreedPoint *agreed, bool settled) {
+    const QString letter = QString::fromUtf8(row.point->letter);
+    row.letter->setContent(
+        letter, letter.isEmpty() ? QString::fromLatin1(settled ? "check" : "miss") : QString(),
+        settled ? Token::ok : Token::unsure, settled ? Token::okGround : Token::unsureGround);
+    row.letter->setAccessibleName(settled ? tr("settled") : agreed ? tr("not agreed") : tr("not declared"));
+    row.letter->setFixedWidth(letterWidth);
+    QString name = m_language.text(row.point->name);
+    name[0] = name[0].toUpper();
+    row.name->setText(name);
+    row.agreed->setText(tr("Agreed"));
+    row.notAgreed->setText(tr("Not agreed"));
+    row.notApplicable->setText(tr("Not applicable"));
+    row.notDeclared->setText(tr("Not declared"));
+    QToolButton *const chosen = !agreed                                      ? row.notDeclared
+                                : agreed->state == AgreementState::agreed    ? row.agreed
+                                : agreed->state == AgreementState::notAgreed ? row.notAgreed
+                                                                             : row.notApplicable;
+    for (QToolButton *button : {row.agreed, row.notAgreed, row.notApplicable, row.notDeclared}) {
+        button->setAccessibleName(tr("%1: %2").arg(name, button->text()));
+        button->setChecked(button == chosen);
+    }
+    const QString text = agreed ? QString::fromStdString(agreed->text) : QString();
+    if (row.text->text() != text && row.refusal->isHidden()) {
+        row.text->setText(text);
+        row.text->setCursorPosition(0);
+    }
+    if (row.value) {
+        const Quantity quantity = *agreedQuantity(row.point->point, test);
+        row.value->setLabel(tr("%1: number").arg(name));
+        row.value->setUnit(m_language.unit(quantity));
+        row.value->show(stated(agreed ? agreed->value : std::nullopt, quantity, m_language), false);
+    }
+    row.take->setText(tr("take from the conditions"));
+    row.take->setFont(themeFont(TextSize::small));
+    row.take->setVisible(text.isEmpty() && !settled &&
+                         !agreedTextFromConditions(test, row.point->point, m_language).isEmpty());
+    row.text->setPlaceholderText(tr("text of the agreement"));
+    row.text->setAccessibleName(name);
+    row.text->setAccessibleDescription(chosen->text());
+}
+
 void AgreedPointsPage::refresh() {
     const Edition *edition = m_test < m_evaluated.tests.size() ? m_evaluated.tests[m_test]->edition : nullptr;
     m_scroll->setVisible(edition != nullptr);
@@ -270,50 +383,27 @@ void AgreedPointsPage::refresh() {
     m_source->clear();
     if (!edition)
         return;
-    build(*edition);
     const Test &test = *m_evaluated.document->tests[m_test];
+    build(*edition, test);
     int open = 0;
+    int others = 0; // that do not apply: folded away
     for (const Row &row : m_rows) {
-        const auto found = std::ranges::find(test.agreedPoints, row.point->point, &AgreedPoint::point);
-        const std::optional<AgreementState> state =
-            found == test.agreedPoints.end() ? std::nullopt : std::optional(found->state);
-        const bool settled = state == AgreementState::agreed || state == AgreementState::notApplicable ||
-                             roleOf(*row.point, test) == PointRole::notApplicable;
+        const AgreedPoint *agreed = agreedPoint(test, row.point->point);
+        const bool applies = roleOf(*row.point, test) != PointRole::notApplicable;
+        const bool settled = !applies || (agreed && agreed->state != AgreementState::notAgreed);
+        const bool folded = !m_showsAll && !agreed && !applies;
         open += settled ? 0 : 1;
-        const QString letter = QString::fromUtf8(row.point->letter);
-        row.letter->setContent(
-            letter, letter.isEmpty() ? QString::fromLatin1(settled ? "check" : "miss") : QString(),
-            settled ? Token::ok : Token::unsure, settled ? Token::okGround : Token::unsureGround);
-        row.letter->setAccessibleName(settled ? tr("settled")
-                                      : state ? tr("not agreed")
-                                              : tr("not declared"));
-        row.letter->setFixedWidth(letterWidth);
-        row.name->setText(m_language.text(row.point->name));
-        row.agreed->setText(tr("Agreed"));
-        row.notAgreed->setText(tr("Not agreed"));
-        row.notApplicable->setText(tr("Not applicable"));
-        row.notDeclared->setText(tr("Not declared"));
-        row.agreed->setChecked(state == AgreementState::agreed);
-        row.notAgreed->setChecked(state == AgreementState::notAgreed);
-        row.notApplicable->setChecked(state == AgreementState::notApplicable);
-        row.notDeclared->setChecked(!state);
-        const QString text =
-            found == test.agreedPoints.end() ? QString() : QString::fromStdString(found->text);
-        if (row.text->text() != text && row.refusal->isHidden()) {
-            row.text->setText(text);
-            row.text->setCursorPosition(0);
-        }
-        row.take->setText(tr("take from the conditions"));
-        row.take->setFont(themeFont(TextSize::small));
-        row.take->setVisible(text.isEmpty() && !settled &&
-                             !agreedTextFromConditions(test, row.point->point, m_language).isEmpty());
-        row.text->setPlaceholderText(tr("text of the agreement"));
-        row.text->setAccessibleName(row.name->text());
-        row.text->setAccessibleDescription(!state                               ? row.notDeclared->text()
-                                           : state == AgreementState::agreed    ? row.agreed->text()
-                                           : state == AgreementState::notAgreed ? row.notAgreed->text()
-                                                                                : row.notApplicable->text());
+        others += folded ? 1 : 0;
+        row.area->setVisible(!folded);
+        refreshRow(row, test, agreed, settled);
     }
+    m_of = QString::fromStdString(test.id);
+    for (const Row &row : m_rows) {
+        if (row.value)
+            m_refused.giveBack(m_of, *row.value);
+    }
+    m_others->setVisible(others > 0);
+    m_others->setText(tr("%n point(s) that do not apply", nullptr, others));
     const int all = static_cast<int>(m_rows.size());
     m_chip->setVisible(open > 0);
     m_chip->setContent(tr("%n of %1 points not agreed", nullptr, open).arg(all), QStringLiteral("warn"),
@@ -329,6 +419,10 @@ bool AgreedPointsPage::focusField(const QString &id) {
     for (const Row &row : m_rows) {
         if (id != QStringLiteral("agreedPoints.") + QString::fromLatin1(row.point->point))
             continue;
+        if (row.area->isHidden()) {
+            m_showsAll = true;
+            refresh();
+        }
         m_scroll->ensureWidgetVisible(row.text);
         row.text->setFocus(Qt::OtherFocusReason);
         return true;

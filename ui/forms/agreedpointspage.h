@@ -2,6 +2,7 @@
 
 #include "document/evaluateddocument.h"
 #include "language/language.h"
+#include "ui/forms/refusedfields.h"
 #include "ui/model/selection.h"
 
 #include <QWidget>
@@ -31,6 +32,8 @@ public:
     void setLanguage(const Language &language);
     /// Moves the focus to the text of a point, by the id of its finding ("agreedPoints.…").
     bool focusField(const QString &id);
+    /// Numbers typed here, for any test, that cannot be taken.
+    [[nodiscard]] QStringList refusedTexts() const;
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -38,6 +41,7 @@ protected:
 private:
     struct Row {
         const AgreementPoint *point;
+        QWidget *area;
         Chip *letter;
         QLabel *name;
         QToolButton *agreed;
@@ -47,25 +51,33 @@ private:
         AgreementEdit *text;
         QPushButton *take; ///< what the conditions say
         QLabel *refusal;   ///< of a text that is too long
+        Field *value;      ///< the number that was agreed; null where words alone agree
     };
 
-    void build(const Edition &edition);
+    void build(const Edition &edition, const Test &test);
     [[nodiscard]] const AgreedPoint *agreed(const AgreementPoint &point) const;
     void setState(const AgreementPoint &point, std::optional<AgreementState> state);
+    Field *makeValue(const AgreementPoint &point, Quantity quantity, QWidget *parent);
     [[nodiscard]] bool refuses(const Row &row, const QString &text) const;
     void setText(const AgreementPoint &point, const QString &text);
     void takeFromConditions(const AgreementPoint &point);
     void refresh();
+    void refreshRow(const Row &row, const Test &test, const AgreedPoint *agreed, bool settled);
 
     DocumentModel &m_model;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
     const Edition *m_built = nullptr;
+    bool m_builtRotary = false;
     Chip *m_chip;
     QLabel *m_source;
     QScrollArea *m_scroll;
     QVBoxLayout *m_body;
+    QPushButton *m_others = nullptr; ///< shows the points that do not apply
+    bool m_showsAll = false;
+    RefusedFields m_refused;
+    QString m_of; ///< id of the test the fields show
     std::vector<Row> m_rows;
     int m_visit = 0; ///< counts the texts the focus came to
 };

@@ -4,6 +4,7 @@
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "language/decimals.h"
+#include "ui/forms/agreedvalue.h"
 #include "ui/forms/templatebutton.h"
 
 #include <QCheckBox>
@@ -125,26 +126,6 @@ SensorLabels labelsOf(SensorMeasures what, bool another) {
                                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, end")};
 }
 
-/// The number that was agreed on a point; to state one is to agree.
-Member<std::optional<double>> agreedValue(const char *point) {
-    return {[point](const FormSource &source) {
-                const AgreedPoint *agreed = source.test ? agreedPoint(*source.test, point) : nullptr;
-                return agreed ? agreed->value : std::nullopt;
-            },
-            [point](Document &document, std::size_t index, const std::optional<double> &value) {
-                editTest(document, index, [&](Test &test) {
-                    const AgreedPoint *before = agreedPoint(test, point);
-                    if (value || before)
-                        setAgreedPoint(test, point, value ? AgreementState::agreed : before->state,
-                                       before ? before->text : std::string());
-                    for (AgreedPoint &agreed : test.agreedPoints) {
-                        if (agreed.point == point)
-                            agreed.value = value;
-                    }
-                });
-            }};
-}
-
 /// Faces of the polygon: a whole number.
 Member<std::optional<double>> faces() {
     const auto member = positioning<&PositioningMeasurement::targetChoice, &TargetChoice::faces>();
@@ -240,11 +221,11 @@ void ConditionsPage::prepare() {
     clear();
     if (!conditions)
         return;
+    addTestAndAxis(measurement);
     addTemperatures(*shown);
     addDeclarations(edition);
     addLoad(measurement != nullptr, rotary);
     addPositions(measurement != nullptr);
-    addTestAndAxis(measurement);
     addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks"));
     beginRow();
     addLongText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks on the test"),
@@ -463,6 +444,13 @@ void ConditionsPage::addDeclarations(const Edition *edition) {
                 addYesNo(declaration.key, declaration.label, ofDeclaration(declaration.member));
         }
     }
+    beginRow();
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Rest of the requirements declared met by"),
+            ofTest([](auto &test) { return &test.declaredAccordance.by; }), 6);
+    addDate("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declared on"),
+            ofTest([](auto &test) { return &test.declaredAccordance.date; }), 4);
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Text of the declaration"),
+            ofTest([](auto &test) { return &test.declaredAccordance.text; }), 6);
 }
 
 void ConditionsPage::addPositions(bool isPositioning) {
@@ -543,13 +531,6 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
                                  {TestRole::notStated, TestRole::asFound, TestRole::asLeft}),
               true);
     addInstruments();
-    beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Rest of the requirements declared met by"),
-            ofTest([](auto &test) { return &test.declaredAccordance.by; }), 6);
-    addDate("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declared on"),
-            ofTest([](auto &test) { return &test.declaredAccordance.date; }), 4);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Text of the declaration"),
-            ofTest([](auto &test) { return &test.declaredAccordance.text; }), 6);
     if (!measurement) {
         beginRow();
         addText("positionFeedback",

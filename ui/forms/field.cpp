@@ -273,6 +273,12 @@ void Field::setBare() {
     retranslate();
 }
 
+void Field::hideLabel() {
+    m_labelHidden = true;
+    m_label->hide();
+    retranslate();
+}
+
 void Field::typed() {
     m_isTyped = true;
     m_ofNothing.reset();
@@ -332,7 +338,7 @@ void Field::retranslate() {
                               ? m_labelSource
                               : m_labelSource.arg(m_labelArgument);
     m_label->setText(label);
-    m_mark->setVisible(m_required && !m_bare);
+    m_mark->setVisible(m_required && !m_bare && !m_labelHidden);
     const QString placeholder = !m_placeholder.isEmpty()                              ? m_placeholder
                                 : m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
                                                                                       : tr("not stated");

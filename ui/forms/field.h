@@ -59,6 +59,8 @@ public:
     void reread();
     /// Without label and reason, for a place that has both: the label is still its accessible name.
     void setBare();
+    /// Without label alone: the row above has it, of a table of fields.
+    void hideLabel();
 
     /// The part that takes the focus.
     [[nodiscard]] QWidget *edit() const;
@@ -97,6 +99,7 @@ private:
     std::size_t m_most;
     std::optional<QString> m_ofNothing; ///< what an emptied field is taken for, until it is left
     bool m_bare = false;
+    bool m_labelHidden = false;
     bool m_required = false;
     bool m_none = false;    ///< the first choice states nothing
     bool m_isTyped = false; ///< since the field was shown or left

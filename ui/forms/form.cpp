@@ -24,6 +24,8 @@ namespace {
 constexpr int pageMargin = 16;
 constexpr int fieldGap = 12;
 constexpr int sectionGap = 18;
+constexpr int barHeight = 28;
+constexpr int mostWidth = 720; ///< of the fields: wider they are no easier to read
 
 /// Takes a widget out of the page at once; it may be in one of its own signals.
 void dispose(QWidget *widget) {
@@ -48,6 +50,8 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     connect(m_next, &QPushButton::clicked, this, &Form::nextWanted);
     auto *content = new QWidget(m_scroll);
     content->setProperty("ground", QStringLiteral("base"));
+    content->setMaximumWidth(mostWidth + 2 * pageMargin);
+    m_scroll->viewport()->setProperty("ground", QStringLiteral("base"));
     m_body = new QVBoxLayout(content);
     m_body->setContentsMargins(pageMargin, 8, pageMargin, pageMargin);
     m_body->setSpacing(fieldGap);
@@ -62,6 +66,7 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     m_bar = new QHBoxLayout;
     m_bar->setContentsMargins(pageMargin, 8, pageMargin, 4);
     m_bar->setSpacing(8);
+    m_bar->addStrut(barHeight); // the fields stay where they are when nothing is missing any more
     m_bar->addWidget(m_chip);
     m_bar->addStretch();
     m_bar->addWidget(m_next);
@@ -394,6 +399,7 @@ void Form::clear() {
     m_buttons.clear();
     m_row = nullptr;
     m_head = nullptr;
+    m_isRebuilt = true;
     removeItems(*m_body);
 }
 
@@ -443,6 +449,8 @@ void Form::refresh() {
     for (const Entry &entry : m_entries)
         m_refused.giveBack(m_of, *entry.field);
     refreshOthers();
+    if (std::exchange(m_isRebuilt, false))
+        chainFields();
     if (!m_focused.isEmpty()) {
         if (auto *field = findChild<QWidget *>(std::exchange(m_focused, QString())))
             field->setFocus(Qt::OtherFocusReason);
@@ -478,6 +486,40 @@ bool Form::focusField(const QString &id) {
         m_entries, [&](const Entry &entry) { return has(entry) && entry.field->isRequired(); });
     if (found == m_entries.end())
         found = std::ranges::find_if(m_entries, has);
+    if (found == m_entries.end())
+        return false;
+    focusPart(*found->field);
+    return true;
+}
+
+void Form::chainAfter(QWidget *before) {
+    setTabOrder(before, m_next);
+    chainFields();
+}
+
+/// Tab walks the bar, then the fields as they stand, whenever they were made.
+void Form::chainFields() {
+    QWidget *last = m_next;
+    const auto chain = [&last](QWidget *widget) {
+        if (!(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy() || widget == last)
+            return;
+        setTabOrder(last, widget);
+        last = widget;
+    };
+    for (int i = 0; i < m_bar->count(); ++i) {
+        if (QWidget *widget = m_bar->itemAt(i)->widget())
+            chain(widget);
+    }
+    for (QWidget *widget : body()->findChildren<QWidget *>())
+        chain(widget);
+}
+
+bool Form::focusLabel(const QByteArray &label, const QString &argument) {
+    if (std::exchange(m_isStale, false))
+        refresh();
+    const auto found = std::ranges::find_if(m_entries, [&](const Entry &entry) {
+        return label == entry.label && entry.field->labelArgument() == argument;
+    });
     if (found == m_entries.end())
         return false;
     focusPart(*found->field);

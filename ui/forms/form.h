@@ -44,6 +44,8 @@ public:
     void setLanguage(const Language &language);
     /// Moves the focus to the field of a finding; false: it has none here.
     virtual bool focusField(const QString &id);
+    /// The same by the label of the field, as in EditPlace.
+    bool focusLabel(const QByteArray &label, const QString &argument);
     /// Moves the focus to the first field, as Tab does; nothing on a page without fields.
     void focusFirst();
     /// Moves the focus to the next field that is required and empty, or the one before; false: there is none
@@ -51,6 +53,8 @@ public:
     bool focusNextRequired(bool forward);
     /// The walk begins at the first field again.
     void startOver() { m_place.reset(); }
+    /// Puts the page behind that widget in the order of Tab.
+    void chainAfter(QWidget *before);
     /// What was typed here, for any test, and cannot be taken.
     [[nodiscard]] QStringList refusedTexts() const;
     /// Moves the focus to fields that are chosen while the page is in view.
@@ -152,6 +156,7 @@ private:
     void commit(const Field *field);
     void refreshTexts();
     void keepRefused();
+    void chainFields();
     void removeItems(class QLayout &layout);
     [[nodiscard]] bool isMissingHere(const char *key) const;
 
@@ -171,6 +176,7 @@ private:
     QHBoxLayout *m_head = nullptr; ///< of the section added last
     QGridLayout *m_row = nullptr;
     int m_column = 0;
+    bool m_isRebuilt = true;            ///< the fields came after others in the order of Tab
     bool m_isStale = false;             ///< not filled since the document changed: out of view
     int m_visit = 0;                    ///< counts the fields the focus came to
     std::optional<std::size_t> m_place; ///< of the field the focus came to last while the page is in view

@@ -2,11 +2,13 @@
 
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "report/resulttable.h"
+#include "ui/elidedlabel.h"
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/templatebutton.h"
 
 #include <QCoreApplication>
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -14,6 +16,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr char context[] = "palmer::ui::LimitsPage";
+constexpr int fieldHeight = 28;
 
 /// A member of the limit of a parameter; one that says nothing more goes.
 template <auto member>
@@ -35,6 +38,7 @@ auto ofLimit(const std::string &id) {
 struct LimitRow {
     std::string id;
     QString symbol;
+    Text name = {};
 };
 
 /// What limits can be agreed for: the parameters of the edition, and those the test has limits for already.
@@ -42,7 +46,7 @@ std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
     std::vector<LimitRow> rows;
     const auto add = [&](const Term &term) {
         if (std::ranges::find(rows, term.id, &LimitRow::id) == rows.end())
-            rows.push_back({term.id, symbolFormula(term.symbol).plain()});
+            rows.push_back({term.id, symbolFormula(term.symbol).plain(), term.name});
     };
     for (const Row &row : edition.rows)
         add(row.term);
@@ -60,6 +64,26 @@ std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
             rows.push_back({id, QString::fromStdString(id)});
     }
     return rows;
+}
+
+/// The origin that all limits agreed have in common; nothing where they differ.
+Member<std::string> originOfAll() {
+    return {[](const FormSource &source) -> std::string {
+                std::optional<std::string> common;
+                for (const auto &[id, limit] : source.test ? source.test->limits : decltype(Test::limits)()) {
+                    if (common && *common != limit.source)
+                        return {};
+                    common = limit.source;
+                }
+                return common.value_or(std::string());
+            },
+            [](Document &document, std::size_t index, const std::string &value) {
+                editTest(document, index, [&](Test &test) {
+                    for (auto &[id, limit] : test.limits)
+                        limit.source = value;
+                    std::erase_if(test.limits, [](const auto &limit) { return limit.second == Limit(); });
+                });
+            }};
 }
 
 } // namespace
@@ -95,6 +119,7 @@ void LimitsPage::prepare() {
     if (wanted == m_built || onlyLess)
         return;
     m_built = wanted;
+    m_names.clear();
     clear();
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Decision rule"));
     beginRow();
@@ -107,16 +132,31 @@ void LimitsPage::prepare() {
               Quantity::number, guardFactorMember(), 1, Allowed::notNegative);
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed limits"));
     for (const LimitRow &row : rows)
-        addLimit(row.id, row.symbol, rotary ? Quantity::angularDeviation : Quantity::deviation,
-                 edition->kind);
+        addLimit({nullptr, row.symbol, row.name}, row.id,
+                 rotary ? Quantity::angularDeviation : Quantity::deviation, edition->kind);
+    beginRow();
+    addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Origin of all limits"), originOfAll());
     addStretch();
 }
 
-void LimitsPage::addLimit(const std::string &id, const QString &symbol, Quantity quantity, Kind kind) {
+void LimitsPage::addLimit(const Name &of, const std::string &id, Quantity quantity, Kind kind) {
+    const bool first = m_names.empty();
     beginRow();
+    auto *place = new QWidget(body());
+    auto *label = new ElidedLabel(place);
+    label->setFixedHeight(fieldHeight);
+    label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    auto *column = new QVBoxLayout(place);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addStretch(); // beside the field, not beside its label
+    column->addWidget(label);
+    place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    addWidget(place, 4);
+    m_names.push_back({label, of.symbol, of.name});
     Field *limit = addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"), quantity,
                              ofLimit<&Limit::value>(id), 2);
-    limit->setLabelArgument(symbol);
+    limit->setLabelArgument(of.symbol);
     std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "that of the test")};
     std::vector<std::optional<std::string>> values{std::nullopt};
     for (const Edition *edition : editions()) {
@@ -125,9 +165,21 @@ void LimitsPage::addLimit(const std::string &id, const QString &symbol, Quantity
         words.push_back(edition->word);
         values.emplace_back(edition->word);
     }
-    addChoice("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed for edition"), words,
-              choiceOf(ofLimit<&Limit::edition>(id), values), false, 3);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source"), ofLimit<&Limit::source>(id), 4);
+    Field *edition = addChoice("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed for edition"), words,
+                               choiceOf(ofLimit<&Limit::edition>(id), values), false, 3);
+    Field *origin =
+        addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source"), ofLimit<&Limit::source>(id), 3);
+    if (!first) {
+        for (Field *field : {limit, edition, origin})
+            field->hideLabel();
+    }
+}
+
+void LimitsPage::refreshOthers() {
+    for (const Name &of : m_names) {
+        const QString name = of.name.empty() ? QString() : language().text(of.name);
+        of.label->setText(name.isEmpty() ? of.symbol : of.symbol + QStringLiteral("   ") + name);
+    }
 }
 
 } // namespace palmer::ui

@@ -4,6 +4,8 @@
 
 namespace palmer::ui {
 
+class ElidedLabel;
+
 /// The agreed limits of a test and the decision rule. Never beside a verdict.
 class LimitsPage : public Form {
     Q_OBJECT
@@ -13,10 +15,18 @@ public:
 
 protected:
     void prepare() override;
+    void refreshOthers() override;
 
 private:
-    void addLimit(const std::string &id, const QString &symbol, Quantity quantity, Kind kind);
+    /// A limit as a row of the table: what it is of, its value, edition and origin.
+    struct Name {
+        ElidedLabel *label;
+        QString symbol;
+        Text name;
+    };
+    void addLimit(const Name &of, const std::string &id, Quantity quantity, Kind kind);
 
+    std::vector<Name> m_names;
     QStringList m_built; ///< for which edition and parameters there are fields
 };
 

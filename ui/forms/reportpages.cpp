@@ -24,7 +24,7 @@ void ReportPages::show(const EvaluatedDocument &evaluated) {
         form->show(evaluated, 0);
 }
 
-void ReportPages::showPage(Page page) {
+void ReportPages::showPage(Page page, QWidget *before) {
     Form *&form = m_forms[page];
     if (!form) {
         form = make(page);
@@ -33,6 +33,8 @@ void ReportPages::showPage(Page page) {
         addWidget(form);
         if (m_evaluated.document)
             form->show(m_evaluated, 0);
+        if (before)
+            form->chainAfter(before);
     }
     setCurrentWidget(form);
 }

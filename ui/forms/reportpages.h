@@ -21,7 +21,8 @@ public:
     ReportPages(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated);
-    void showPage(Page page);
+    /// `before`: what comes before the page in the order of Tab.
+    void showPage(Page page, QWidget *before = nullptr);
     /// What the report is called, for the head of the page; empty where it has no title.
     [[nodiscard]] QString subtitle() const;
 

@@ -5,9 +5,11 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -21,6 +23,7 @@ constexpr int listWidth = 210;
 
 HelpWindow::HelpWindow(QWidget *parent)
     : QDialog(parent)
+    , m_search(new QLineEdit(this))
     , m_list(new QListWidget(this))
     , m_browser(new QTextBrowser(this))
     , m_close(new QPushButton(this)) {
@@ -34,7 +37,13 @@ HelpWindow::HelpWindow(QWidget *parent)
     m_close->setObjectName(QStringLiteral("closeHelp"));
     m_close->setAutoDefault(false);
     auto *row = new QHBoxLayout;
-    row->addWidget(m_list);
+    m_search->setObjectName(QStringLiteral("helpSearch"));
+    m_search->setClearButtonEnabled(true);
+    m_search->setFixedWidth(listWidth);
+    auto *side = new QVBoxLayout;
+    side->addWidget(m_search);
+    side->addWidget(m_list, 1);
+    row->addLayout(side);
     row->addWidget(m_browser, 1);
     auto *foot = new QHBoxLayout;
     foot->addStretch();
@@ -43,6 +52,7 @@ HelpWindow::HelpWindow(QWidget *parent)
     layout->addLayout(row, 1);
     layout->addLayout(foot);
     connect(m_list, &QListWidget::currentRowChanged, this, &HelpWindow::showRow);
+    connect(m_search, &QLineEdit::returnPressed, this, [this] { find(m_search->text()); });
     connect(m_close, &QPushButton::clicked, this, &QWidget::close);
     retranslate();
 }
@@ -75,6 +85,28 @@ QString HelpWindow::text() const {
     return m_browser->toPlainText();
 }
 
+bool HelpWindow::find(const QString &words) {
+    if (words.isEmpty())
+        return false;
+    if (m_browser->find(words))
+        return true;
+    const int pages = m_list->count();
+    for (int step = 1; step <= pages; ++step) {
+        const int row = (m_list->currentRow() + step) % pages;
+        if (row != m_list->currentRow() && m_pages[static_cast<std::size_t>(row)].id == u"validation")
+            continue; // it would have to be computed
+        QTextDocument text;
+        text.setHtml(reportHtml(m_pages[static_cast<std::size_t>(row)].content));
+        if (row != m_list->currentRow() && text.find(words).isNull())
+            continue;
+        m_list->setCurrentRow(row);
+        m_browser->moveCursor(QTextCursor::Start);
+        if (m_browser->find(words))
+            return true;
+    }
+    return false;
+}
+
 void HelpWindow::changeEvent(QEvent *event) {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
@@ -84,6 +116,8 @@ void HelpWindow::changeEvent(QEvent *event) {
 void HelpWindow::retranslate() {
     const QString current = currentPage();
     setWindowTitle(tr("Help"));
+    m_search->setPlaceholderText(tr("Search, Enter: next place"));
+    m_search->setAccessibleName(tr("Search the help"));
     m_list->setAccessibleName(tr("Pages of the help"));
     m_browser->setAccessibleName(tr("Text of the help"));
     m_close->setText(tr("&Close"));

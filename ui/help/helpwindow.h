@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+class QLineEdit;
 class QListWidget;
 class QPushButton;
 class QTextBrowser;
@@ -23,6 +24,9 @@ public:
     void showPage(const QString &id, const QString &anchor = {});
     [[nodiscard]] QString currentPage() const;
     [[nodiscard]] QString text() const;
+    /// Goes to the next place where the words are, on this page or on one behind it, round and round; false:
+    /// they are nowhere. The validation is looked through only while it is in view.
+    bool find(const QString &words);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -33,6 +37,7 @@ private:
 
     std::vector<HelpPage> m_pages;
     std::optional<std::vector<SetValidation>> m_validated; ///< computed when it is first looked at
+    QLineEdit *m_search;
     QListWidget *m_list;
     QTextBrowser *m_browser;
     QPushButton *m_close;

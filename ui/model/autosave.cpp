@@ -2,6 +2,7 @@
 
 #include "document/recovery.h"
 #include "document/savedocument.h"
+#include "ui/settings.h"
 
 #include <QDir>
 #include <QStandardPaths>
@@ -28,7 +29,7 @@ Autosave::Autosave(DocumentModel &model, QObject *parent)
     m_timer.setSingleShot(true);
     m_timer.setInterval(delay);
     connect(&m_timer, &QTimer::timeout, this, [this] {
-        if (m_model.isModified())
+        if (m_model.isModified() && keepsCopies())
             write();
     });
     connect(&m_model, &DocumentModel::changed, this, &Autosave::follow);

@@ -5,8 +5,42 @@
 
 #include <QFileInfo>
 #include <QUndoStack>
+#include <algorithm>
+#include <variant>
 
 namespace palmer::ui {
+
+namespace {
+
+constexpr std::size_t mostMemory = 256 * 1024 * 1024; ///< of all steps together, about
+constexpr std::size_t readingSize = 24;               ///< bytes a reading takes in a test that is copied
+constexpr int leastSteps = 10;
+constexpr int mostSteps = 1000;
+
+std::size_t readingsOf(const Test &test) {
+    std::size_t count = 0;
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
+        for (const Run &run : positioning->runs)
+            count += run.deviations.size();
+    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
+        for (const Arc &arc : circular->arcs)
+            count += arc.angles.size();
+    } else {
+        count = std::get<DriftMeasurement>(test.measurement).times.size();
+    }
+    return count;
+}
+
+/// A step holds the test it changed anew; the other tests of the file are shared.
+int stepsFor(const Document &document) {
+    std::size_t most = 1;
+    for (const TestPointer &test : document.tests)
+        most = std::max(most, readingsOf(*test));
+    const std::size_t steps = mostMemory / (most * readingSize);
+    return std::clamp(static_cast<int>(std::min<std::size_t>(steps, mostSteps)), leastSteps, mostSteps);
+}
+
+} // namespace
 
 DocumentModel::DocumentModel(QObject *parent)
     : QObject(parent)
@@ -27,6 +61,7 @@ void DocumentModel::setDocument(Document document, const QString &path, bool mod
     m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath();
     m_document = std::make_shared<const Document>(std::move(document));
     m_stack->clear();
+    m_stack->setUndoLimit(stepsFor(*m_document)); // of an empty stack only
     if (modified)
         m_stack->resetClean();
     emit changed();

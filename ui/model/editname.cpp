@@ -15,6 +15,11 @@ QByteArray changeOf(const char *context, const char *label, const QString &argum
     return QByteArray(context) + separator + label + separator + argument.toUtf8();
 }
 
+std::optional<EditPlace> editPlace(const QString &source) {
+    const QStringList parts = source.split(QLatin1Char(separator));
+    return parts.size() < 3 ? std::nullopt : std::optional(EditPlace{parts[0], parts[1].toUtf8(), parts[2]});
+}
+
 QByteArray countedEdit(const char *source, int count) {
     return QByteArray(source) + separator + QByteArray::number(count);
 }

@@ -2,6 +2,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <optional>
 
 namespace palmer::ui {
 
@@ -12,6 +13,16 @@ namespace palmer::ui {
 /// The name of a step that did something so many times: `source` is a counted text of the context "edits",
 /// "clear %n reading(s)".
 [[nodiscard]] QByteArray countedEdit(const char *source, int count);
+
+/// The field a step changed: context and source of its label, and what stands for %1 in it.
+struct EditPlace {
+    QString context;
+    QByteArray label;
+    QString argument;
+};
+
+/// Where a step was made, from its name (its source); null for steps that are no change of one field.
+[[nodiscard]] std::optional<EditPlace> editPlace(const QString &source);
 
 /// The name of a step (its source) in the language of the window.
 [[nodiscard]] QString editName(const QString &source);

@@ -78,6 +78,9 @@ private:
         const QString mark = index.data(NavigationModel::markRole).toString();
         const QColor markColour =
             token(static_cast<Token>(index.data(NavigationModel::markColourRole).toInt()), option.palette);
+        const QString accordance = index.data(NavigationModel::accordanceRole).toString();
+        const QColor accordanceColour = token(
+            static_cast<Token>(index.data(NavigationModel::accordanceColourRole).toInt()), option.palette);
         const int count = index.data(NavigationModel::countRole).toInt();
         if (m_list.isRail()) {
             drawLineIcon(painter, option.rect, icon, text);
@@ -88,6 +91,10 @@ private:
                                           : option.palette.color(QPalette::Window));
                 painter.drawEllipse(corner);
                 drawLineIcon(painter, corner, mark, markColour);
+            }
+            if (!accordance.isEmpty()) {
+                drawLineIcon(painter, QRect(option.rect.center() + QPoint(6, -15), QSize(14, 14)), accordance,
+                             accordanceColour);
             } else if (count > 0) {
                 painter.setPen(Qt::NoPen);
                 painter.setBrush(token(Token::unsure, option.palette));
@@ -117,10 +124,14 @@ private:
             paintBadge(painter, markArea, count, option.palette);
         if (!detail.isEmpty()) {
             painter.setPen(token(Token::secondaryText, option.palette));
+            const int room = accordance.isEmpty() ? margin / 2 : markWidth;
             const QRect area(option.rect.left() + textLeft, option.rect.top() + 22,
-                             option.rect.width() - textLeft - margin / 2, 16);
+                             option.rect.width() - textLeft - room, 16);
             painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
                              painter.fontMetrics().elidedText(detail, Qt::ElideRight, area.width()));
+            if (!accordance.isEmpty())
+                drawLineIcon(painter, QRect(markArea.left(), area.top(), markArea.width(), area.height()),
+                             accordance, accordanceColour);
         }
     }
 

@@ -1,6 +1,8 @@
 #include "ui/navigation/navigationmodel.h"
 
 #include "kernel/measurement/readingsaside.h"
+#include "report/resultparts.h"
+#include "report/wording.h"
 #include "ui/testname.h"
 #include "ui/windowlanguage.h"
 
@@ -10,6 +12,8 @@
 namespace palmer::ui {
 
 QString testIcon(const Test &test) {
+    if (std::holds_alternative<DriftMeasurement>(test.measurement))
+        return QStringLiteral("trend");
     return std::holds_alternative<CircularMeasurement>(test.measurement) ? QStringLiteral("circle")
                                                                          : QStringLiteral("axis");
 }
@@ -56,29 +60,44 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
         return most;
     };
     const auto page = [&](const QString &name, const QString &icon, Page which) {
-        return Row{name, {}, icon, missing(which), {}, which, {}};
+        Row row;
+        row.name = name;
+        row.icon = icon;
+        row.count = missing(which);
+        row.page = which;
+        return row;
     };
-    result.push_back({tr("Report"), {}, {}, 0, {}, {}, {}});
+    const auto head = [](const QString &name) {
+        Row row;
+        row.name = name;
+        return row;
+    };
+    result.push_back(head(tr("Report")));
     result.push_back(page(tr("Identification"), QStringLiteral("doc"), Page::identification));
     result.push_back(page(tr("Machine"), QStringLiteral("machine"), Page::machine));
     result.push_back(page(tr("Instruments"), QStringLiteral("laser"), Page::instruments));
-    result.push_back({tr("Tests"), {}, {}, 0, {}, {}, {}});
+    result.push_back(head(tr("Tests")));
     for (std::size_t i = 0; i < m_evaluated.document->tests.size(); ++i) {
         const Test &test = *m_evaluated.document->tests[i];
         Row row;
         row.name = testName(test);
         row.icon = testIcon(test);
         row.test = i;
-        row.mark = verdictMark(m_evaluated.tests[i]->verdict);
+        const TestEvaluation &evaluation = *m_evaluated.tests[i];
+        if (test.role != TestRole::notStated)
+            row.role = windowLanguage().text(roleText(test.role));
         const bool unfinished = isUnfinished(test);
-        if (unfinished)
+        if (unfinished) {
             row.mark = {QStringLiteral("dots"), Token::secondaryText, tr("unfinished")};
+        } else if (evaluation.edition && !evaluation.view) {
+            row.mark = limitsMark(evaluation.verdict, hasLimits(test));
+            row.accordance = accordanceMark(evaluation.accordance());
+        }
         QStringList detail;
         if (unfinished)
             detail += tr("unfinished");
         else if (test.date)
             detail += windowLanguage().shortDate(*test.date);
-        const TestEvaluation &evaluation = *m_evaluated.tests[i];
         if (evaluation.edition)
             detail += shortStandard(evaluation.edition->word);
         row.detail = detail.join(QStringLiteral(" · "));
@@ -141,10 +160,10 @@ QVariant NavigationModel::data(const QModelIndex &index, int role) const {
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole: {
         QStringList parts{row->name};
-        if (!row->detail.isEmpty())
-            parts += row->detail;
-        if (!row->mark.word.isEmpty())
-            parts += row->mark.word;
+        for (const QString &text : {row->detail, row->role, row->mark.word, row->accordance.word}) {
+            if (!text.isEmpty() && !parts.contains(text))
+                parts += text;
+        }
         if (row->count > 0)
             parts += tr("%n required statement(s) missing", nullptr, row->count);
         if (role == Qt::ToolTipRole && row->isHead())
@@ -163,6 +182,10 @@ QVariant NavigationModel::data(const QModelIndex &index, int role) const {
         return row->mark.icon;
     case markColourRole:
         return static_cast<int>(row->mark.colour);
+    case accordanceRole:
+        return row->accordance.icon;
+    case accordanceColourRole:
+        return static_cast<int>(row->accordance.colour);
     default:
         return {};
     }

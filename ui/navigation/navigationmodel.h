@@ -12,7 +12,7 @@
 namespace palmer::ui {
 
 /// What the navigation of a window lists: the pages of the report with the number of their missing
-/// statements, then the tests with name, date and standard, and verdict mark.
+/// statements, then the tests with name, date and standard, and the marks of limits and accordance.
 class NavigationModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -22,8 +22,10 @@ public:
         detailRole,                  ///< second line
         iconRole,                    ///< name of the line icon
         countRole,                   ///< missing statements
-        markRole,                    ///< line icon of the verdict
-        markColourRole,              ///< Token of the verdict, as int
+        markRole,                    ///< line icon of the limits
+        markColourRole,              ///< its Token, as int
+        accordanceRole,              ///< line icon of the accordance
+        accordanceColourRole,        ///< its Token, as int
     };
 
     using QAbstractListModel::QAbstractListModel;
@@ -48,7 +50,9 @@ private:
         QString detail;
         QString icon;
         int count = 0;
-        VerdictMark mark;
+        VerdictMark mark;       ///< limits
+        VerdictMark accordance; ///< with the edition
+        QString role;           ///< as found, as left
         std::optional<Page> page;
         std::optional<std::size_t> test;
 

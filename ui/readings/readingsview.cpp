@@ -28,7 +28,7 @@ constexpr int cellMargin = 12;
 constexpr int rowHeightNormal = 26;
 constexpr int rowHeightLow = 24;
 constexpr int rowHeightHigh = 32;
-constexpr int lowWindow = 799; ///< eleven targets fit without scrolling
+constexpr int lowWindow = 820; ///< eleven targets fit without scrolling
 constexpr int highWindow = 1000;
 
 ReadingsDelegate *delegateOf(const QAbstractItemView *view) {
@@ -125,6 +125,7 @@ void ReadingsView::fitColumns() {
     };
     const int columns = m_model.columnCount();
     int reading = readingWidth;
+    m_widths.clear();
     for (int column = 0; column < columns; ++column) {
         int width = readingWidth;
         if (column == ReadingsModel::numberColumn)
@@ -137,12 +138,26 @@ void ReadingsView::fitColumns() {
             width = reading;
         else
             width = std::max(readingWidth, widest(column));
+        m_widths.push_back(width);
         setColumnWidth(column, width);
         m_frozen->setColumnWidth(column, width);
         m_frozen->setColumnHidden(column, column > ReadingsModel::positionColumn);
     }
     setRowHeight();
+    showComputed();
     placeFrozen();
+}
+
+/// The computed columns stand there only where all of them fit: what was measured needs no scrolling then.
+void ReadingsView::showComputed() {
+    int needed = 0;
+    for (const int width : m_widths)
+        needed += width;
+    const bool fit = needed <= width() - 2 * frameWidth();
+    for (int column = m_model.computedColumn(); column < m_model.columnCount(); ++column) {
+        if (isColumnHidden(column) == fit)
+            setColumnHidden(column, !fit);
+    }
 }
 
 void ReadingsView::placeFrozen() {
@@ -167,6 +182,7 @@ void ReadingsView::updateGeometries() {
 
 void ReadingsView::resizeEvent(QResizeEvent *event) {
     setRowHeight();
+    showComputed();
     QTableView::resizeEvent(event);
     placeFrozen();
 }
@@ -284,8 +300,20 @@ void ReadingsView::moveTo(const QModelIndex &index) {
     scrollTo(index, EnsureVisible);
 }
 
+bool ReadingsView::isAtEnd(bool forward) {
+    const QModelIndex now = currentIndex();
+    if (!now.isValid())
+        return true;
+    const QModelIndex next = moveCursor(forward ? MoveNext : MovePrevious, Qt::NoModifier);
+    return forward ? !(now < next) : !(next < now); // else it begins anew
+}
+
 void ReadingsView::step(ReadingsDelegate::Step step) {
     using Step = ReadingsDelegate::Step;
+    if ((step == Step::right || step == Step::left) && isAtEnd(step == Step::right)) {
+        QAbstractScrollArea::focusNextPrevChild(step == Step::right);
+        return;
+    }
     const QModelIndex current = currentIndex();
     const auto place = m_model.placeAt(current);
     switch (step) {
@@ -319,6 +347,19 @@ void ReadingsView::step(ReadingsDelegate::Step step) {
 void ReadingsView::keyPressEvent(QKeyEvent *event) {
     using Step = ReadingsDelegate::Step;
     const bool enter = event->key() == Qt::Key_Enter || event->key() == Qt::Key_Return;
+    const bool home = event->key() == Qt::Key_Home;
+    if ((home || event->key() == Qt::Key_End) && event->modifiers() == Qt::ControlModifier) {
+        // With Ctrl Qt would keep what was selected before.
+        const QModelIndex cell = moveCursor(home ? MoveHome : MoveEnd, Qt::ControlModifier);
+        selectionModel()->setCurrentIndex(cell, QItemSelectionModel::ClearAndSelect);
+        scrollTo(cell, EnsureVisible);
+        return;
+    }
+    const bool back = event->key() == Qt::Key_Backtab;
+    if ((event->key() == Qt::Key_Tab || back) && isAtEnd(!back)) {
+        event->ignore(); // on to the next field
+        return;
+    }
     if (enter && state() != EditingState)
         step(event->modifiers().testFlag(Qt::ShiftModifier) ? Step::previous : Step::next);
     else

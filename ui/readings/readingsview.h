@@ -66,7 +66,10 @@ private:
     void showReason();
     void take(const QModelIndex &index, const QString &text);
     void moveTo(const QModelIndex &index);
+    /// Whether Tab, or Shift+Tab, leaves the table: nothing lies further on.
+    [[nodiscard]] bool isAtEnd(bool forward);
     void placeFrozen();
+    void showComputed();
     void setRowHeight();
 
     ReadingsModel &m_model;
@@ -74,6 +77,7 @@ private:
     Selection &m_selection;
     QTableView *m_frozen;
     QLabel *m_reason;              ///< why a text is no number, beside its cell
+    std::vector<int> m_widths;     ///< of the columns, also of those that are hidden
     QPersistentModelIndex m_typed; ///< the cell typed last
     QString m_said;                ///< of the current cell
     QModelIndex m_hovered;

@@ -47,7 +47,9 @@ void Chip::paintEvent(QPaintEvent *) {
     }
     painter.setFont(themeFont(TextSize::small));
     painter.setPen(colour);
-    painter.drawText(rect().adjusted(left, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, m_text);
+    const QRect room = rect().adjusted(left, 0, 0, 0);
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(m_text, Qt::ElideRight, room.width()));
 }
 
 } // namespace palmer::ui

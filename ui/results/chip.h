@@ -14,6 +14,7 @@ class Chip : public QWidget {
 public:
     explicit Chip(QWidget *parent = nullptr);
 
+    /// A text that is wider than the chip ends in an ellipsis: where that may be, it needs a tooltip.
     void setContent(const QString &text, const QString &icon, Token colour, Token ground);
     [[nodiscard]] QString text() const { return m_text; }
 

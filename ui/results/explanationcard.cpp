@@ -68,8 +68,8 @@ ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
     foot->addStretch();
     foot->addWidget(m_keys);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 6, pageMargin, 6);
-    layout->setSpacing(4);
+    layout->setContentsMargins(pageMargin, 2, pageMargin, 2); // no higher than the card of a target
+    layout->setSpacing(1);
     layout->addLayout(head);
     layout->addLayout(body, 1);
     layout->addLayout(foot);

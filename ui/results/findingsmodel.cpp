@@ -1,6 +1,7 @@
 #include "ui/results/findingsmodel.h"
 
 #include "export/findingtext.h"
+#include "kernel/evaluation/accordance.h"
 #include "report/wording.h"
 
 #include <QStringList>
@@ -44,7 +45,7 @@ QString FindingsModel::gradeWord(Grade grade) {
     case Grade::requirement:
         return tr("Required");
     case Grade::recommendation:
-        return tr("Warning");
+        return tr("Recommendation");
     case Grade::note:
         return tr("Note");
     }
@@ -99,10 +100,13 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
             m_lines.push_back({worst, other, {}, line, line, {}});
         }
         QStringList parts;
-        if (counts[0] > 0)
-            parts << tr("%n requirement(s) not met", nullptr, counts[0]);
+        const RequirementCounts asked = countRequirements(evaluation->findings); // as the verdict counts them
+        if (asked.unmet > 0)
+            parts << tr("%n requirement(s) not met", nullptr, asked.unmet);
+        if (asked.undeclared > 0)
+            parts << tr("%n not declared", nullptr, asked.undeclared);
         if (counts[1] > 0)
-            parts << tr("%n warning(s)", nullptr, counts[1]);
+            parts << tr("%n recommendation(s)", nullptr, counts[1]);
         if (counts[2] > 0)
             parts << tr("%n note(s)", nullptr, counts[2]);
         m_summary = parts.isEmpty() ? tr("none") : parts.join(QStringLiteral(" · "));

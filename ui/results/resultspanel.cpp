@@ -1,5 +1,7 @@
 #include "ui/results/resultspanel.h"
 
+#include "report/accordancetext.h"
+#include "report/resultparts.h"
 #include "ui/elidedlabel.h"
 #include "ui/formulatext.h"
 #include "ui/results/chip.h"
@@ -27,9 +29,10 @@ namespace palmer::ui {
 namespace {
 
 constexpr int pageMargin = 16;
-constexpr int rowHeight = 20;
+constexpr int lineHeight = 20;
 constexpr int headHeight = 22;
 constexpr int mostRows = 13;
+constexpr int leastRows = 6;
 constexpr int symbolWidth = 40;
 constexpr int symbolMargin = 14; ///< before a symbol and after it
 constexpr int scaleWidth = 62;
@@ -61,6 +64,29 @@ protected:
     }
 };
 
+/// As high as its rows; in a low window it gives way, down to a few, and scrolls.
+class ResultsTable : public QTableView {
+public:
+    using QTableView::QTableView;
+
+    void setRows(int rows) {
+        m_rows = rows;
+        setMaximumHeight(heightOf(rows));
+        updateGeometry();
+    }
+    [[nodiscard]] QSize sizeHint() const override {
+        return {QTableView::sizeHint().width(), heightOf(m_rows)};
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        return {QTableView::minimumSizeHint().width(), heightOf(std::min(m_rows, leastRows))};
+    }
+
+private:
+    static int heightOf(int rows) { return headHeight + rows * lineHeight + 2; }
+
+    int m_rows = 0;
+};
+
 } // namespace
 
 ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
@@ -70,13 +96,18 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     , m_rule(new ElidedLabel(this))
     , m_viewNote(new QLabel(this))
     , m_chip(new Chip(this))
+    , m_limits(new Chip(this))
+    , m_accordance(new Chip(this))
     , m_copy(new QToolButton(this))
-    , m_table(new QTableView(this))
+    , m_table(new ResultsTable(this))
     , m_delegate(new ResultsDelegate(m_table)) {
     setObjectName(QStringLiteral("resultsPanel"));
     m_rule->setObjectName(QStringLiteral("resultsRule"));
     m_viewNote->setObjectName(QStringLiteral("viewNote"));
     m_chip->setObjectName(QStringLiteral("verdictChip"));
+    m_limits->setObjectName(QStringLiteral("limitsChip"));
+    m_accordance->setObjectName(QStringLiteral("accordanceChip"));
+    m_accordance->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); // gives way; its tooltip says all
     m_copy->setObjectName(QStringLiteral("copyResults"));
     m_table->setObjectName(QStringLiteral("results"));
     m_rule->setProperty("secondary", true);
@@ -99,8 +130,8 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setMinimumSectionSize(rowHeight);
-    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_table->verticalHeader()->setMinimumSectionSize(lineHeight);
+    m_table->verticalHeader()->setDefaultSectionSize(lineHeight);
     QHeaderView *header = m_table->horizontalHeader();
     header->setFixedHeight(headHeight);
     header->setSectionResizeMode(QHeaderView::Fixed);
@@ -124,10 +155,17 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     head->addWidget(m_rule, 1);
     head->addWidget(m_chip);
     head->addWidget(m_copy);
+    auto *statements = new QHBoxLayout;
+    statements->setContentsMargins(0, 0, 4, 2);
+    statements->setSpacing(8);
+    statements->addWidget(m_limits);
+    statements->addWidget(m_accordance);
+    statements->addStretch();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(pageMargin, 2, pageMargin - 4, 2);
     layout->setSpacing(0);
     layout->addLayout(head);
+    layout->addLayout(statements);
     layout->addWidget(m_viewNote);
     layout->addWidget(m_table, 1);
     retranslate();
@@ -162,19 +200,51 @@ void ResultsPanel::refresh() {
     m_rule->setText(rule.join(QStringLiteral(" · ")));
     m_viewNote->setText(table.viewNote);
     m_viewNote->setVisible(table.view);
-    if (table.provisional) {
-        m_chip->setContent(tr("provisional"), QStringLiteral("dots"), Token::secondaryText, Token::hover);
-    } else if (table.verdict) {
-        const VerdictMark look = verdictMark(table.verdict);
-        m_chip->setContent(table.verdictWord, look.icon, look.colour, verdictGround(*table.verdict));
-    }
-    m_chip->setVisible(!table.view && (table.provisional || table.verdict) && !table.lines.empty());
+    showVerdict();
     m_copy->setEnabled(!table.lines.empty());
-    m_table->setFixedHeight(headHeight + std::min(mostRows, m_model.rowCount()) * rowHeight + 2);
+    static_cast<ResultsTable *>(m_table)->setRows(std::min(mostRows, m_model.rowCount()));
     fitColumns();
     showExplained();
     if (m_selection.parameter().isEmpty() && row >= 0 && row < m_model.rowCount())
         m_table->setCurrentIndex(m_model.index(row, 0));
+}
+
+/// The large word, and beside it what it does not say: limits and accordance, each by itself.
+void ResultsPanel::showVerdict() {
+    const ResultTable &table = m_model.table();
+    const bool any = !table.view && !table.lines.empty();
+    for (Chip *chip : {m_chip, m_limits, m_accordance})
+        chip->setVisible(any);
+    if (!any)
+        return;
+    const Test &test = *m_evaluated.document->tests[m_test];
+    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
+    const bool anyLimit = hasLimits(test);
+    const Accordance accordance = evaluation.accordance();
+    if (table.provisional) {
+        m_chip->setContent(tr("provisional"), QStringLiteral("dots"), Token::secondaryText, Token::hover);
+    } else {
+        VerdictMark look = verdictMark(largeMark(evaluation.verdict, accordance));
+        if (look.icon.isEmpty() && evaluation.verdict)
+            look = {QStringLiteral("warn"), Token::unsure, {}};
+        m_chip->setContent(m_language.text(largeWord(evaluation.verdict, anyLimit, accordance)), look.icon,
+                           look.colour, groundOf(look.colour));
+    }
+    VerdictMark limits = limitsMark(evaluation.verdict, anyLimit);
+    if (table.provisional)
+        limits.colour = Token::secondaryText;
+    m_chip->setVisible(table.provisional || m_chip->text() != limits.word); // not the same twice
+    m_limits->setContent(limits.word, limits.icon, limits.colour, groundOf(limits.colour));
+    const VerdictMark edition = accordanceMark(accordance);
+    const RequirementCounts counts = countRequirements(evaluation.findings);
+    const QString said = accordance == Accordance::no ? tr("%n requirement(s) not met", nullptr, counts.unmet)
+                         : accordance == Accordance::notShown
+                             ? tr("%n requirement(s) not declared", nullptr, counts.undeclared)
+                             : edition.word;
+    m_accordance->setContent(said, edition.icon, edition.colour, groundOf(edition.colour));
+    const QString sentence = accordanceText(test, evaluation, m_language, false);
+    m_accordance->setToolTip(sentence);
+    m_accordance->setAccessibleName(sentence);
 }
 
 void ResultsPanel::fitColumns() {

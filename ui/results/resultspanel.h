@@ -41,6 +41,7 @@ private:
     void explain(const QModelIndex &index);
     void showExplained();
     void fitColumns();
+    void showVerdict();
     void retranslate();
 
     Selection &m_selection;
@@ -52,7 +53,9 @@ private:
     QLabel *m_title;
     QLabel *m_rule;
     QLabel *m_viewNote;
-    Chip *m_chip;
+    Chip *m_chip;       ///< the large word
+    Chip *m_limits;     ///< the first statement of the verdict
+    Chip *m_accordance; ///< the second
     QToolButton *m_copy;
     QTableView *m_table;
     ResultsDelegate *m_delegate;

@@ -676,10 +676,11 @@ void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
     const std::array names{linear ? tr("Annex A") : tr("Budget"), tr("Actual targets"), tr("Monte Carlo"),
                            tr("Direct"), tr("None")};
     const std::array tips{
-        linear ? tr("The simplified budget after the model of ISO 230-2:2006 Annex A decides")
-               : tr("The simplified budget of the contributors of ISO 230-4, 4.6 decides"),
-        tr("The budget with what the actual targets carry of its systematic part (ours) decides"),
-        tr("The Monte Carlo simulation (GUM Supplement 1) decides"),
+        linear ? tr("The verdict is based on the simplified budget after the model of ISO 230-2:2006 Annex A")
+               : tr("The verdict is based on the simplified budget of the contributors of ISO 230-4, 4.6"),
+        tr("The verdict is based on the budget with what the actual targets carry of its systematic part "
+           "(ours)"),
+        tr("The verdict is based on the Monte Carlo simulation (GUM Supplement 1)"),
         tr("The expanded uncertainty of every result is entered"), tr("No uncertainty is stated")};
     for (std::size_t i = 0; i < methods.size(); ++i) {
         m_methods[i]->setText(names.at(i));
@@ -691,8 +692,8 @@ void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
     m_methodNote->setFont(themeFont(TextSize::small));
     const QString coverage = coverageNote(coverageOf(evaluation, evaluated().document->report), language());
     m_methodNote->setText(evaluation.view      ? tr("a view: see the edition")
-                          : coverage.isEmpty() ? tr("decides")
-                                               : tr("decides · %1").arg(coverage));
+                          : coverage.isEmpty() ? tr("used for the verdict")
+                                               : tr("used for the verdict · %1").arg(coverage));
     m_typical->setText(tr("Values"));
     m_typical->setToolTip(tr("Take a typical value, with its source"));
     m_typical->setAccessibleName(tr("Typical values with their source"));
@@ -783,7 +784,7 @@ void UncertaintyPage::showContributions(const TestEvaluation &evaluation) {
     m_advice->setVisible(first);
     if (first)
         m_advice->setText(
-            tr("to improve first: %1, %2 % of U²")
+            tr("improve first: %1, %2 % of U²")
                 .arg(lowered(shortName(*first)), shareText(shareOf(*first, contributions), language())));
 }
 
@@ -850,11 +851,12 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
             ofMethod(simulated ? std::optional(simulated->expanded()) : std::nullopt, bySimulation), true,
             bySimulation);
         if (byActual)
-            actual->setData(Qt::AccessibleTextRole, tr("%1, decides").arg(actual->text()));
+            actual->setData(Qt::AccessibleTextRole, tr("%1, used for the verdict").arg(actual->text()));
         if (byBudget)
-            budget->setData(Qt::AccessibleTextRole, tr("%1, decides").arg(budget->text()));
+            budget->setData(Qt::AccessibleTextRole, tr("%1, used for the verdict").arg(budget->text()));
         if (bySimulation)
-            simulation->setData(Qt::AccessibleTextRole, tr("%1, decides").arg(simulation->text()));
+            simulation->setData(Qt::AccessibleTextRole,
+                                tr("%1, used for the verdict").arg(simulation->text()));
         for (int empty = column::interval; empty < column::count; ++empty)
             m_results->setCell(row, empty, empty == column::distribution ? QString() : none,
                                empty != column::difference);
@@ -881,7 +883,8 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
         shift->setFont(themeFont(TextSize::small));
         if (simulated->largeShift()) {
             shift->setForeground(token(Token::unsure, palette()));
-            shift->setToolTip(tr("More than a third of the U of the simulation: the budget decides"));
+            shift->setToolTip(
+                tr("More than a third of the U of the simulation: the budget U is used for the verdict"));
         }
         if (auto figure = histogramFigure(*shownTest(), evaluation, parameter, language())) {
             auto *distribution = m_results->setCell(row, column::distribution, {}, false);
@@ -915,7 +918,7 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
     const Writer write(language());
     const TestPart part{write, evaluated(), *shownTest(), evaluation, test(), 1, 1};
     m_decides->setFont(themeFont(TextSize::small));
-    m_decides->setText(tr("Bold: the U that decides.") + u' ' + methodText(part));
+    m_decides->setText(tr("Bold: the U used for the verdict.") + u' ' + methodText(part));
 }
 
 /// The histogram of the result that is chosen in the table.

@@ -1,8 +1,11 @@
 #include "ui/welcome/recentfiles.h"
 
+#include "document/testsofverdict.h"
+
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
+#include <array>
 
 namespace palmer::ui {
 
@@ -34,6 +37,43 @@ std::optional<Verdict> verdictOf(const QString &text) {
     return std::nullopt;
 }
 
+/// From the worst to the best; the words are those of the settings.
+struct AccordanceWord {
+    Accordance accordance;
+    const char *word;
+};
+constexpr std::array accordanceWords{
+    AccordanceWord{Accordance::no, "no"}, AccordanceWord{Accordance::notShown, "notShown"},
+    AccordanceWord{Accordance::notChecked, "notChecked"}, AccordanceWord{Accordance::partly, "partly"},
+    AccordanceWord{Accordance::yes, "yes"}};
+
+QString wordOf(std::optional<Accordance> accordance) {
+    const auto found = std::ranges::find(accordanceWords, accordance,
+                                         [](const auto &entry) { return std::optional(entry.accordance); });
+    return found == accordanceWords.end() ? QString() : QString::fromLatin1(found->word);
+}
+
+std::optional<Accordance> accordanceOf(const QString &text) {
+    const auto found = std::ranges::find(accordanceWords, text,
+                                         [](const auto &entry) { return QString::fromLatin1(entry.word); });
+    return found == accordanceWords.end() ? std::nullopt : std::optional(found->accordance);
+}
+
+std::optional<Accordance> worstAccordance(const EvaluatedDocument &evaluated) {
+    const auto isOf = [&](Accordance wanted) {
+        for (std::size_t test = 0; test < evaluated.tests.size(); ++test) {
+            const TestEvaluation &evaluation = *evaluated.tests[test];
+            if (evaluation.edition && countsForVerdict(*evaluated.document, test) &&
+                evaluation.accordance() == wanted)
+                return true;
+        }
+        return false;
+    };
+    const auto found =
+        std::ranges::find_if(accordanceWords, [&](const auto &entry) { return isOf(entry.accordance); });
+    return found == accordanceWords.end() ? std::nullopt : std::optional(found->accordance);
+}
+
 std::vector<RecentFile> stored() {
     QSettings settings;
     std::vector<RecentFile> files;
@@ -43,7 +83,8 @@ std::vector<RecentFile> stored() {
         const auto text = [&](const char *key) { return settings.value(QLatin1StringView(key)).toString(); };
         files.push_back({text("path"), text("machine"), text("axes"),
                          QDate::fromString(text("date"), Qt::ISODate),
-                         settings.value(QStringLiteral("circular")).toBool(), verdictOf(text("verdict"))});
+                         settings.value(QStringLiteral("circular")).toBool(), verdictOf(text("verdict")),
+                         accordanceOf(text("accordance"))});
     }
     settings.endArray();
     return files;
@@ -57,6 +98,7 @@ RecentFile describeFile(const QString &path, const EvaluatedDocument &evaluated)
     file.path = path;
     file.machine = QString::fromStdString(document.machine.name);
     file.verdict = evaluated.verdict();
+    file.accordance = worstAccordance(evaluated);
     file.circular = !document.tests.empty();
     QStringList axes;
     for (const TestPointer &test : document.tests) {
@@ -88,6 +130,10 @@ std::vector<RecentFile> recentFiles() {
     return files;
 }
 
+void forgetFiles() {
+    QSettings().remove(QLatin1StringView(arrayKey));
+}
+
 void rememberFile(const RecentFile &file) {
     std::vector<RecentFile> files = stored();
     std::erase_if(files, [&](const RecentFile &other) { return other.path == file.path; });
@@ -104,6 +150,7 @@ void rememberFile(const RecentFile &file) {
         settings.setValue(QStringLiteral("date"), files[i].date.toString(Qt::ISODate));
         settings.setValue(QStringLiteral("circular"), files[i].circular);
         settings.setValue(QStringLiteral("verdict"), word(files[i].verdict));
+        settings.setValue(QStringLiteral("accordance"), wordOf(files[i].accordance));
     }
     settings.endArray();
 }

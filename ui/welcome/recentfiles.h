@@ -17,7 +17,8 @@ struct RecentFile {
     QString axes; ///< "X, Y, XY"
     QDate date;   ///< of the latest test; null: not stated
     bool circular = false;
-    std::optional<Verdict> verdict;
+    std::optional<Verdict> verdict;            ///< on the limits, of the report
+    std::optional<Accordance> accordance = {}; ///< the worst of the tests it rests on; null: not known
 
     bool operator==(const RecentFile &) const = default;
 };
@@ -27,6 +28,9 @@ struct RecentFile {
 
 /// The files opened last, the latest first, without those that are gone; kept in the settings of the user.
 [[nodiscard]] std::vector<RecentFile> recentFiles();
+
+/// Empties the list.
+void forgetFiles();
 
 /// Puts a file first in the list; twelve are kept.
 void rememberFile(const RecentFile &file);

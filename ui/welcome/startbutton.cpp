@@ -3,17 +3,72 @@
 #include "ui/theme.h"
 
 #include <QPainter>
+#include <QPainterPath>
+#include <array>
+#include <cmath>
 
 namespace palmer::ui {
 
-StartButton::StartButton(const QString &icon, QWidget *parent)
+namespace {
+
+constexpr int textHeight = 56;
+constexpr int pictureHeight = 116;
+constexpr int pictureMargin = 16;
+
+// What a picture shows is nobody's measurement: the shapes of one, from 0 to 1.
+constexpr int points = 11;
+constexpr std::array upward{0.62, 0.45, 0.80, 0.38, 0.97, 0.72, 0.80, 0.72, 0.84, 0.80, 0.83};
+constexpr std::array downward{0.38, 0.16, 0.58, 0.26, 0.98, 0.76, 0.76, 0.74, 0.70, 0.68, 0.54};
+
+void drawBand(QPainter &painter, const QRectF &area, const std::array<double, points> &heights,
+              const QColor &colour, Qt::PenStyle style) {
+    QPolygonF mean, upper, lower;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const double x = area.left() + area.width() * static_cast<double>(i) / (points - 1);
+        const double y = area.top() + area.height() * heights.at(i) * 0.9;
+        const double half = area.height() * (0.07 + 0.006 * static_cast<double>(i));
+        mean << QPointF(x, y);
+        upper << QPointF(x, y - half);
+        lower.prepend(QPointF(x, y + half));
+    }
+    QColor ground = colour;
+    ground.setAlphaF(0.14F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawPolygon(upper + lower);
+    painter.setPen(QPen(colour, 2, style));
+    painter.drawPolyline(mean);
+}
+
+void drawTrace(QPainter &painter, const QPointF &centre, double radius, double squareness,
+               const QColor &colour) {
+    constexpr int steps = 120;
+    QPolygonF trace;
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = 2 * M_PI * i / steps;
+        const double r = radius * (1 + squareness * std::sin(2 * angle));
+        trace << centre + QPointF(r * std::cos(angle), -r * std::sin(angle));
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour, 2));
+    painter.drawPolyline(trace);
+}
+
+} // namespace
+
+StartButton::StartButton(const QString &icon, QWidget *parent, Picture picture)
     : QAbstractButton(parent)
-    , m_icon(icon) {
+    , m_icon(icon)
+    , m_picture(picture) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setCursor(Qt::PointingHandCursor);
     setMinimumSize(sizeHint());
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QSize StartButton::sizeHint() const {
+    return {200, textHeight + (m_picture == Picture::none ? 0 : pictureHeight)};
 }
 
 void StartButton::setTexts(const QString &title, const QString &detail, const QString &shortcut) {
@@ -25,26 +80,65 @@ void StartButton::setTexts(const QString &title, const QString &detail, const QS
     update();
 }
 
+void StartButton::paintPicture(QPainter &painter, const QRectF &area) const {
+    const QColor line = token(Token::line, palette());
+    const QColor up = token(Token::up, palette());
+    const QColor down = token(Token::down, palette());
+    if (m_picture == Picture::deviation) {
+        painter.setPen(QPen(line, 1));
+        for (int i = 0; i <= 3; ++i) {
+            const double y = std::round(area.top() + area.height() * i / 3) + 0.5;
+            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        }
+        drawBand(painter, area, downward, down, Qt::DashLine);
+        drawBand(painter, area, upward, up, Qt::SolidLine);
+        return;
+    }
+    const double radius = area.height() / 2 * 0.78;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(line, 1));
+    for (const double ring : {1.2, 0.84})
+        painter.drawEllipse(area.center(), radius * ring, radius * ring);
+    painter.drawLine(area.center() - QPointF(radius * 1.3, 0), area.center() + QPointF(radius * 1.3, 0));
+    painter.drawLine(area.center() - QPointF(0, radius * 1.2), area.center() + QPointF(0, radius * 1.2));
+    painter.setPen(QPen(token(Token::secondaryText, palette()), 1));
+    painter.drawEllipse(area.center(), radius, radius);
+    drawTrace(painter, area.center(), radius, 0.1, up);
+    drawTrace(painter, area.center(), radius, -0.1, down);
+}
+
 void StartButton::paintEvent(QPaintEvent *) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor accent = token(Token::accent, palette());
-    const double width = hasFocus() ? 2 : 1;
-    painter.setPen(QPen(hasFocus() ? accent : token(Token::line, palette()), width));
+    const double border = hasFocus() ? 2 : 1;
+    painter.setPen(QPen(hasFocus() ? accent : token(Token::line, palette()), border));
     painter.setBrush(underMouse() || isDown() ? token(Token::hover, palette())
                                               : palette().color(QPalette::Base));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(width / 2, width / 2, -width / 2, -width / 2), 6, 6);
-    drawLineIcon(painter, QRect(8, 0, 36, height()), m_icon, accent);
-    const QRect upper(48, 8, this->width() - 60, 20), lower(48, 28, this->width() - 60, 20);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(border / 2, border / 2, -border / 2, -border / 2), 6, 6);
+    const bool large = m_picture != Picture::none;
+    const int top = height() - textHeight;
+    if (large)
+        paintPicture(painter, QRectF(pictureMargin, pictureMargin, width() - 2.0 * pictureMargin,
+                                     top - pictureMargin - 4.0));
+    const int left = large ? pictureMargin : 48;
+    const QRect upper(left, top + 8, width() - left - 12, 20);
+    const QRect lower(left, top + 28, upper.width(), 20);
+    if (!large)
+        drawLineIcon(painter, QRect(8, top, 36, textHeight), m_icon, accent);
     painter.setFont(themeFont(TextSize::tiny));
     painter.setPen(token(Token::secondaryText, palette()));
     painter.drawText(upper, Qt::AlignRight | Qt::AlignVCenter, m_shortcut);
+    const int keys = painter.fontMetrics().horizontalAdvance(m_shortcut) + 8;
     painter.setFont(themeFont(TextSize::small));
     painter.drawText(lower, Qt::AlignLeft | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(m_detail, Qt::ElideRight, lower.width()));
     painter.setFont(themeFont(TextSize::head));
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(upper, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic, text());
+    const QRect room = upper.adjusted(0, 0, -keys, 0);
+    painter.drawText(
+        room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic,
+        painter.fontMetrics().elidedText(text(), Qt::ElideRight, room.width(), Qt::TextShowMnemonic));
 }
 
 } // namespace palmer::ui

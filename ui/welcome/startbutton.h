@@ -2,25 +2,33 @@
 
 #include <QAbstractButton>
 
+class QPainter;
+
 namespace palmer::ui {
 
-/// A card to click: icon, title with its shortcut, one line of explanation.
+/// A card to click: icon, title with its shortcut, one line of explanation; the large one with a picture of
+/// what it makes above them.
 class StartButton : public QAbstractButton {
     Q_OBJECT
 
 public:
-    explicit StartButton(const QString &icon, QWidget *parent = nullptr);
+    enum class Picture { none, deviation, circle };
+
+    explicit StartButton(const QString &icon, QWidget *parent = nullptr, Picture picture = Picture::none);
 
     /// The text of the button is its title; `&` marks the mnemonic.
     void setTexts(const QString &title, const QString &detail, const QString &shortcut);
 
-    [[nodiscard]] QSize sizeHint() const override { return {232, 56}; }
+    [[nodiscard]] QSize sizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    void paintPicture(QPainter &painter, const QRectF &area) const;
+
     QString m_icon;
+    Picture m_picture;
     QString m_detail;
     QString m_shortcut;
 };

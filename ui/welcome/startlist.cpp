@@ -11,10 +11,12 @@ namespace {
 
 class StartDelegate : public QStyledItemDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    explicit StartDelegate(StartList *list)
+        : QStyledItemDelegate(list)
+        , m_list(*list) {}
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &, const QModelIndex &) const override {
-        return {200, StartList::rowHeight};
+        return m_list.isCompact() ? m_list.compactSize() : QSize(200, StartList::rowHeight);
     }
 
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
@@ -26,6 +28,11 @@ public:
         if (option.state.testFlag(QStyle::State_HasFocus)) {
             painter->setPen(QPen(token(Token::accent, option.palette), 2));
             painter->drawRect(area.adjusted(1, 1, -1, -1));
+        }
+        if (m_list.isCompact()) {
+            paintLine(*painter, option, index);
+            painter->restore();
+            return;
         }
         if (index.row() > 0) {
             painter->setPen(token(Token::line, option.palette));
@@ -45,23 +52,48 @@ public:
         painter->setPen(secondary);
         draw(*painter, upper.adjusted(left, 0, -12, 0), Qt::AlignRight,
              index.data(StartModel::rightRole).toString());
-        draw(*painter, lower.adjusted(left, 0, -40, 0), Qt::AlignLeft,
-             index.data(StartModel::detailRole).toString());
-        const QString mark = index.data(StartModel::markRole).toString();
-        if (!mark.isEmpty()) {
-            drawLineIcon(
-                *painter, QRect(area.right() - 28, lower.top(), 16, lower.height()), mark,
-                token(static_cast<Token>(index.data(StartModel::markColourRole).toInt()), option.palette));
+        int marks = area.right() - 12; // limits and accordance, side by side
+        for (const auto &[iconRole, colourRole] :
+             {std::pair(StartModel::accordanceRole, StartModel::accordanceColourRole),
+              std::pair(StartModel::markRole, StartModel::markColourRole)}) {
+            const QString mark = index.data(iconRole).toString();
+            if (mark.isEmpty())
+                continue;
+            marks -= 20;
+            drawLineIcon(*painter, QRect(marks + 4, lower.top(), 16, lower.height()), mark,
+                         token(static_cast<Token>(index.data(colourRole).toInt()), option.palette));
         }
+        draw(*painter, QRect(QPoint(area.left() + left, lower.top()), QPoint(marks - 4, lower.bottom())),
+             Qt::AlignLeft, index.data(StartModel::detailRole).toString());
         painter->restore();
     }
 
 private:
+    /// One line: what it is and of which year.
+    static void paintLine(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) {
+        const QRect area = option.rect;
+        const QColor text = option.palette.color(QPalette::WindowText);
+        drawLineIcon(painter, QRect(area.left() + 12, area.top(), 16, area.height()),
+                     index.data(StartModel::iconRole).toString(), text);
+        painter.setFont(themeFont(TextSize::small));
+        painter.setPen(token(Token::secondaryText, option.palette));
+        const QString year = index.data(StartModel::rightRole).toString();
+        const int yearWidth = painter.fontMetrics().horizontalAdvance(year) + 8;
+        draw(painter, area.adjusted(0, 0, -12, 0), Qt::AlignRight, year);
+        painter.setFont(themeFont(TextSize::base));
+        painter.setPen(text);
+        draw(painter, area.adjusted(36, 0, -12 - yearWidth, 0), Qt::AlignLeft, index.data().toString());
+    }
+
     static void draw(QPainter &painter, const QRect &area, Qt::Alignment alignment, const QString &text) {
         painter.drawText(area, static_cast<int>(alignment | Qt::AlignVCenter),
                          painter.fontMetrics().elidedText(text, Qt::ElideRight, area.width()));
     }
+
+    const StartList &m_list;
 };
+
+constexpr int leastColumn = 270; ///< of a list in columns
 
 } // namespace
 
@@ -82,10 +114,14 @@ QVariant StartModel::data(const QModelIndex &index, int role) const {
     switch (role) {
     case Qt::DisplayRole:
         return entry.name;
-    case Qt::ToolTipRole:
-        return entry.path.startsWith(u':') ? QString() : entry.path;
+    case Qt::ToolTipRole: {
+        const bool example = entry.path.startsWith(u':'); // in a line of its own its detail has no room
+        QStringList lines{example ? entry.detail : entry.path, entry.mark.word, entry.accordance.word};
+        lines.removeAll(QString());
+        return lines.join(u'\n');
+    }
     case Qt::AccessibleTextRole: {
-        QStringList parts{entry.name, entry.detail, entry.right, entry.mark.word};
+        QStringList parts{entry.name, entry.detail, entry.right, entry.mark.word, entry.accordance.word};
         parts.removeAll(QString());
         return parts.join(QStringLiteral(", "));
     }
@@ -99,6 +135,10 @@ QVariant StartModel::data(const QModelIndex &index, int role) const {
         return entry.mark.icon;
     case markColourRole:
         return static_cast<int>(entry.mark.colour);
+    case accordanceRole:
+        return entry.accordance.icon;
+    case accordanceColourRole:
+        return static_cast<int>(entry.accordance.colour);
     case pathRole:
         return entry.path;
     default:
@@ -121,8 +161,40 @@ StartList::StartList(StartModel &model, int mostRows, QWidget *parent)
     connect(&model, &QAbstractItemModel::modelReset, this, [this] { updateGeometry(); });
 }
 
+StartList::StartList(StartModel &model, QWidget *parent)
+    : StartList(model, 0, parent) {
+    setFlow(QListView::TopToBottom);
+    setWrapping(true);
+    setResizeMode(QListView::Adjust);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+int StartList::columns() const {
+    return std::max(1, std::min(width() / leastColumn, model()->rowCount()));
+}
+
+QSize StartList::compactSize() const {
+    return {width() / columns(), lineHeight};
+}
+
 QSize StartList::sizeHint() const {
-    return {200, rowHeight * std::min(model()->rowCount(), m_mostRows)};
+    if (!isCompact())
+        return {200, rowHeight * std::min(model()->rowCount(), m_mostRows)};
+    const int lines = (model()->rowCount() + columns() - 1) / columns();
+    return {leastColumn, lineHeight * lines + 2}; // what fills it to the last pixel Qt wraps already
+}
+
+QSize StartList::minimumSizeHint() const {
+    return isCompact() ? sizeHint() : QSize(200, rowHeight);
+}
+
+void StartList::resizeEvent(QResizeEvent *event) {
+    QListView::resizeEvent(event);
+    if (isCompact() && event->oldSize().width() != event->size().width()) {
+        scheduleDelayedItemsLayout();
+        updateGeometry();
+    }
 }
 
 void StartList::keyPressEvent(QKeyEvent *event) {

@@ -15,15 +15,25 @@ struct StartEntry {
     QString icon;
     QString name;
     QString detail;
-    QString right; ///< date, or year of the edition
-    VerdictMark mark;
+    QString right;               ///< date, or year of the edition
+    VerdictMark mark;            ///< limits
+    VerdictMark accordance = {}; ///< with the editions
 };
 
 class StartModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
-    enum Role { detailRole = Qt::UserRole + 1, rightRole, iconRole, markRole, markColourRole, pathRole };
+    enum Role {
+        detailRole = Qt::UserRole + 1,
+        rightRole,
+        iconRole,
+        markRole,
+        markColourRole,
+        accordanceRole,
+        accordanceColourRole,
+        pathRole
+    };
 
     using QAbstractListModel::QAbstractListModel;
 
@@ -36,26 +46,35 @@ private:
     std::vector<StartEntry> m_entries;
 };
 
-/// Files to start from, two lines each; a click or Enter chooses one. As high as its rows, up to `mostRows`.
+/// Files to start from; a click or Enter chooses one. Of two lines each and as high as its rows, up to
+/// `mostRows`; or of one line each, in as many columns as the width has room for, all in sight.
 class StartList : public QListView {
     Q_OBJECT
 
 public:
     StartList(StartModel &model, int mostRows, QWidget *parent = nullptr);
+    explicit StartList(StartModel &model, QWidget *parent = nullptr);
 
     [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override { return {200, rowHeight}; }
+    [[nodiscard]] QSize minimumSizeHint() const override;
+    [[nodiscard]] bool isCompact() const { return m_mostRows == 0; }
+    /// Of an entry of one line.
+    [[nodiscard]] QSize compactSize() const;
 
     static constexpr int rowHeight = 52;
+    static constexpr int lineHeight = 26;
 
 signals:
     void chosen(const QString &path);
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
-    int m_mostRows;
+    [[nodiscard]] int columns() const;
+
+    int m_mostRows; ///< 0: one line each, in columns
 };
 
 } // namespace palmer::ui

@@ -13,12 +13,14 @@
 #include <QKeySequence>
 #include <QLabel>
 #include <QPainter>
+#include <QScrollArea>
 
 namespace palmer::ui {
 
 namespace {
 
-constexpr int contentWidth = 1152;
+constexpr int contentWidth = 1216;
+constexpr int mostRecent = 12;
 
 QString kindIcon(bool circular) {
     return circular ? QStringLiteral("circle") : QStringLiteral("axis");
@@ -32,7 +34,7 @@ public:
         setAlignment(Qt::AlignCenter);
         setFont(themeFont(TextSize::small));
         setProperty("secondary", true);
-        setMinimumHeight(48);
+        setMinimumHeight(40);
         setWordWrap(true);
     }
 
@@ -80,12 +82,12 @@ WelcomePage::WelcomePage(QWidget *parent)
     , m_noRecent(new QLabel(this))
     , m_examplesTitle(new QLabel(this))
     , m_examplesNote(new QLabel(this))
-    , m_new(new StartButton(QStringLiteral("axis"), this))
-    , m_newCircle(new StartButton(QStringLiteral("circle"), this))
+    , m_new(new StartButton(QStringLiteral("axis"), this, StartButton::Picture::deviation))
+    , m_newCircle(new StartButton(QStringLiteral("circle"), this, StartButton::Picture::circle))
     , m_open(new StartButton(QStringLiteral("open"), this))
     , m_import(new StartButton(QStringLiteral("imp"), this))
-    , m_recentList(new StartList(m_recent, 6, this))
-    , m_examplesList(new StartList(m_examples, 6, this)) {
+    , m_recentList(new StartList(m_recent, mostRecent, this))
+    , m_examplesList(new StartList(m_examples, this)) {
     setObjectName(QStringLiteral("welcome"));
     m_new->setObjectName(QStringLiteral("welcomeNew"));
     m_newCircle->setObjectName(QStringLiteral("welcomeNewCircle"));
@@ -112,14 +114,17 @@ WelcomePage::WelcomePage(QWidget *parent)
     head->addLayout(names, 1);
     head->addWidget(new LanguageSwitch(LanguageSwitch::Names::full, this), 0, Qt::AlignVCenter);
 
-    auto *starts = new QVBoxLayout;
+    auto *starts = new QGridLayout;
     starts->setSpacing(16);
-    starts->addWidget(m_new);
-    starts->addWidget(m_newCircle);
-    starts->addWidget(m_open);
-    starts->addWidget(m_import);
-    starts->addWidget(m_dropHint);
-    starts->addStretch();
+    starts->addWidget(m_new, 0, 0);
+    starts->addWidget(m_newCircle, 0, 1);
+    starts->addWidget(m_open, 1, 0);
+    starts->addWidget(m_import, 1, 1);
+    starts->addWidget(m_dropHint, 2, 0, 1, 2);
+    starts->addWidget(makeCard(this, m_examplesTitle, m_examplesNote, {m_examplesList}), 3, 0, 1, 2);
+    starts->setColumnStretch(0, 1);
+    starts->setColumnStretch(1, 1);
+    starts->setRowStretch(4, 1);
 
     m_noRecent->setWordWrap(true);
     m_noRecent->setContentsMargins(12, 0, 12, 8);
@@ -127,7 +132,6 @@ WelcomePage::WelcomePage(QWidget *parent)
     auto *lists = new QVBoxLayout;
     lists->setSpacing(16);
     lists->addWidget(makeCard(this, m_recentTitle, nullptr, {m_noRecent, m_recentList}));
-    lists->addWidget(makeCard(this, m_examplesTitle, m_examplesNote, {m_examplesList}));
     lists->addStretch();
 
     auto *content = new QWidget(this);
@@ -140,15 +144,24 @@ WelcomePage::WelcomePage(QWidget *parent)
     grid->addLayout(head, 0, 0, 1, 2);
     grid->addLayout(starts, 1, 0);
     grid->addLayout(lists, 1, 1);
-    grid->setColumnStretch(0, 1);
-    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(0, 9);
+    grid->setColumnStretch(1, 5);
     grid->setRowStretch(1, 1);
 
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(32, 64, 32, 16);
+    auto *page = new QWidget(this); // on low screens higher than its place
+    auto *row = new QHBoxLayout(page);
+    row->setContentsMargins(32, 24, 32, 16);
     row->addStretch(1);
     row->addWidget(content, 1000);
     row->addStretch(1);
+    auto *place = new QScrollArea(this);
+    place->setWidget(page);
+    place->setWidgetResizable(true);
+    place->setFrameShape(QFrame::NoFrame);
+    place->setFocusPolicy(Qt::NoFocus);
+    auto *whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(place);
 
     setTabOrder(m_new, m_newCircle);
     setTabOrder(m_newCircle, m_open);
@@ -173,7 +186,8 @@ void WelcomePage::refresh() {
             {file.path, kindIcon(file.circular), QFileInfo(file.path).fileName(),
              detail.join(QStringLiteral(" · ")),
              file.date.isValid() ? QLocale().toString(file.date, QLocale::ShortFormat) : QString(),
-             verdictMark(file.verdict)});
+             file.verdict ? limitsMark(file.verdict, true) : VerdictMark(),
+             file.accordance ? accordanceMark(*file.accordance) : VerdictMark()});
     }
     m_noRecent->setVisible(recent.empty());
     m_recentList->setVisible(!recent.empty());
@@ -210,7 +224,7 @@ void WelcomePage::retranslate() {
                        QKeySequence(Qt::CTRL | Qt::Key_I).toString(QKeySequence::NativeText));
     m_dropHint->setText(tr("or drop files into the window — .palmer, .csv, .xlsx, .rtl, .b5r …"));
     m_recentTitle->setText(tr("Recent files"));
-    m_noRecent->setText(tr("No file yet. Begin with an example below."));
+    m_noRecent->setText(tr("No file yet. Begin with an example."));
     m_examplesTitle->setText(tr("Examples"));
     m_examplesNote->setText(tr("verified results"));
     m_recentList->setAccessibleName(tr("Recent files"));

@@ -15,12 +15,15 @@
 #include "ui/dialogs/plandialog.h"
 #include "ui/dialogs/recoverydialog.h"
 #include "ui/dialogs/reportdialog.h"
+#include "ui/dialogs/settingsdialog.h"
+#include "ui/dialogs/shortcutsdialog.h"
 #include "ui/help/helpwindow.h"
 #include "ui/import/importassistant.h"
 #include "ui/model/editname.h"
 #include "ui/proof/reportbar.h"
 #include "ui/proof/verifyreport.h"
 #include "ui/readings/readingspage.h"
+#include "ui/settings.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/typingguard.h"
@@ -38,6 +41,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>
+#include <QDir>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -48,6 +52,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -78,6 +83,24 @@ bool isMeasurement(const QString &path) {
     } catch (const Error &) {
         return false;
     }
+}
+
+/// The name a file that has none yet is saved under: the number of its report, else machine and axes, else
+/// its title; without what no file may be called.
+QString proposedName(const Document &document) {
+    QStringList parts{QString::fromStdString(document.report.number)};
+    if (parts.first().isEmpty()) {
+        parts = {QString::fromStdString(document.machine.name)};
+        for (const TestPointer &test : document.tests)
+            parts << testName(*test);
+        parts.removeAll(QString());
+        parts.removeDuplicates();
+    }
+    QString name = parts.join(u' ').left(80);
+    static const QRegularExpression forbidden(QStringLiteral("[/\\\\:*?\"<>|\\x00-\\x1f]+"));
+    name.replace(forbidden, QStringLiteral("-"));
+    name = name.trimmed();
+    return name.isEmpty() ? name : name + QStringLiteral(".palmer");
 }
 
 /// The tooltip of an action: its name and its shortcut.
@@ -224,6 +247,10 @@ void MainWindow::makeActions() {
     m_setEditionAction = addAction(m_testMenu, QStringLiteral("setEditionAction"));
     m_ownEditionAction = addAction(m_testMenu, QStringLiteral("ownEdition"));
     m_feedAction = addAction(m_toolsMenu, QStringLiteral("contouringFeed"));
+    m_toolsMenu->addSeparator();
+    m_settingsAction = addAction(m_toolsMenu, QStringLiteral("settings"), QStringLiteral("gear"));
+    m_settingsAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
+    m_settingsAction->setMenuRole(QAction::PreferencesRole);
 
     for (std::size_t i = 0; i < m_pageActions.size(); ++i) {
         m_pageActions[i] = addAction(m_viewMenu, QStringLiteral("page%1").arg(i + 1));
@@ -235,6 +262,12 @@ void MainWindow::makeActions() {
     m_nextMissingAction->setShortcut(QKeySequence(Qt::Key_F8));
     m_previousMissingAction = addAction(m_viewMenu, QStringLiteral("previousMissing"));
     m_previousMissingAction->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_F8));
+    m_viewMenu->addSeparator();
+    m_nextPaneAction = addAction(m_viewMenu, QStringLiteral("nextPane"));
+    m_nextPaneAction->setShortcuts({QKeySequence(Qt::Key_F6), QKeySequence(Qt::CTRL | Qt::Key_Tab)});
+    m_previousPaneAction = addAction(m_viewMenu, QStringLiteral("previousPane"));
+    m_previousPaneAction->setShortcuts(
+        {QKeySequence(Qt::SHIFT | Qt::Key_F6), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Tab)});
     m_viewMenu->addSeparator();
     m_maximiseAction = addAction(m_viewMenu, QStringLiteral("maximiseFigure"), QStringLiteral("maxi"));
     m_maximiseAction->setShortcut(QKeySequence(Qt::Key_F11));
@@ -260,6 +293,8 @@ void MainWindow::makeActions() {
 
     m_helpAction = addAction(m_helpMenu, QStringLiteral("help"), QStringLiteral("ques"));
     m_helpAction->setShortcut(QKeySequence(Qt::Key_F1));
+    m_shortcutsAction = addAction(m_helpMenu, QStringLiteral("shortcuts"));
+    m_validationAction = addAction(m_helpMenu, QStringLiteral("validation"));
     m_helpMenu->addSeparator();
     m_aboutAction = addAction(m_helpMenu, QStringLiteral("about"));
     m_aboutQtAction = addAction(m_helpMenu, QStringLiteral("aboutQt"));
@@ -364,9 +399,9 @@ void MainWindow::connectParts() {
     connect(m_helpAction, &QAction::triggered, this, &MainWindow::showHelp);
     connect(m_newWindowAction, &QAction::triggered, this, [] { (new MainWindow)->show(); });
     connect(m_closeAction, &QAction::triggered, this, &QWidget::close);
-    connect(m_quitAction, &QAction::triggered, qApp, &QApplication::closeAllWindows);
-    connect(m_undoAction, &QAction::triggered, m_model.undoStack(), &QUndoStack::undo);
-    connect(m_redoAction, &QAction::triggered, m_model.undoStack(), &QUndoStack::redo);
+    connect(m_quitAction, &QAction::triggered, this, &MainWindow::quit);
+    connect(m_undoAction, &QAction::triggered, this, [this] { step(false); });
+    connect(m_redoAction, &QAction::triggered, this, [this] { step(true); });
     connect(m_model.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::showState);
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
     connect(m_examplesMenu, &QMenu::aboutToShow, this, &MainWindow::fillExamplesMenu);
@@ -393,6 +428,8 @@ void MainWindow::connectParts() {
     connect(m_nextMissingAction, &QAction::triggered, this, [this] { m_workplace->showNextMissing(true); });
     connect(m_previousMissingAction, &QAction::triggered, this,
             [this] { m_workplace->showNextMissing(false); });
+    connect(m_nextPaneAction, &QAction::triggered, this, [this] { m_workplace->focusNextPane(true); });
+    connect(m_previousPaneAction, &QAction::triggered, this, [this] { m_workplace->focusNextPane(false); });
     connect(m_maximiseAction, &QAction::triggered, this,
             [this] { m_workplace->setFigureMaximised(!m_workplace->isFigureMaximised()); });
     for (std::size_t i = 0; i < m_lengthActions.size(); ++i)
@@ -405,6 +442,10 @@ void MainWindow::connectParts() {
         });
     connect(m_frenchAction, &QAction::triggered, this, [] { setWindowLanguage(Language::Id::french); });
     connect(m_englishAction, &QAction::triggered, this, [] { setWindowLanguage(Language::Id::english); });
+    connect(m_validationAction, &QAction::triggered, this,
+            [this] { showHelpPage(QStringLiteral("validation")); });
+    connect(m_shortcutsAction, &QAction::triggered, this, &MainWindow::showShortcuts);
+    connect(m_settingsAction, &QAction::triggered, this, &MainWindow::showSettings);
     connect(m_aboutAction, &QAction::triggered, this, &MainWindow::about);
     connect(m_aboutQtAction, &QAction::triggered, qApp, &QApplication::aboutQt);
 
@@ -729,12 +770,41 @@ void MainWindow::watchFile(const std::optional<FileState> &known) {
     m_autosave.setFileState(m_watch.known());
     m_outsideAsked = false;
     m_fileGone = false;
+    lockFile();
+}
+
+void MainWindow::lockFile() {
+    const QFileInfo file(m_model.path());
+    const QString name = m_model.path().isEmpty()
+                             ? QString()
+                             : file.dir().filePath(QStringLiteral(".~lock.%1#").arg(file.fileName()));
+    if (m_lock && m_lock->fileName() == name)
+        return;
+    m_lock.reset();
+    if (name.isEmpty() || !file.exists())
+        return;
+    auto lock = std::make_unique<QLockFile>(name);
+    lock->setStaleLockTime(0); // only what a program that is gone has left behind is taken over
+    if (lock->tryLock(0)) {
+        m_lock = std::move(lock);
+        return;
+    }
+    qint64 process = 0;
+    QString host, program;
+    if (lock->error() != QLockFile::LockFailedError || !lock->getLockInfo(&process, &host, &program))
+        return; // a folder that nobody may write to
+    m_notice->show(tr("%1 is open already: %2 on %3, process %4. Who saves last overwrites the other.")
+                       .arg(file.fileName(), program, host)
+                       .arg(process),
+                   {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
+                    {QStringLiteral("closeNotice"), tr("&Close"), {}}});
 }
 
 void MainWindow::keepCopy() {
     commitTyping();
     if (isUnsaved())
         m_autosave.flush();
+    m_lock.reset(); // no destructor will; the next saving locks again
 }
 
 void MainWindow::offerRecoveries() {
@@ -825,15 +895,18 @@ bool MainWindow::saveAs() {
     const QFileInfo report(m_reportPath);
     if (!m_reportPath.isEmpty() && m_model.path().isEmpty())
         dialog.selectFile(report.dir().filePath(report.completeBaseName() + QStringLiteral(".palmer")));
-    else if (m_model.path().isEmpty())
+    else if (m_model.path().isEmpty()) {
         dialog.setDirectory(QSettings().value(QStringLiteral("window/folder")).toString());
-    else
+        dialog.selectFile(proposedName(*m_model.document()));
+    } else
         dialog.selectFile(m_model.path());
     return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().constFirst());
 }
 
 bool MainWindow::saveTo(const QString &path) {
     try {
+        if (keepsBackups() && QFileInfo::exists(path))
+            saveBytes(readBytes(path), path + QStringLiteral(".bak"));
         m_model.save(path);
     } catch (const Error &error) {
         showError(tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), path, error);
@@ -877,6 +950,8 @@ bool MainWindow::isUnsaved() const {
 }
 
 bool MainWindow::mayClose() {
+    if (std::exchange(m_discarded, false))
+        return true;
     commitTyping();
     m_fileGone = m_open && !m_model.path().isEmpty() && !QFileInfo::exists(m_model.path());
     if (!m_open)
@@ -916,6 +991,61 @@ void MainWindow::setEdition(std::size_t test, const QString &edition) {
     m_evaluator.setView(test, {});
 }
 
+void MainWindow::step(bool forward) {
+    QUndoStack *stack = m_model.undoStack();
+    if (forward ? !stack->canRedo() : !stack->canUndo())
+        return;
+    const DocumentPointer before = m_model.document();
+    const QString name = forward ? stack->redoText() : stack->undoText();
+    if (forward)
+        stack->redo();
+    else
+        stack->undo();
+    m_workplace->showChange(*before, *m_model.document(), name);
+}
+
+/// Closes all windows; where several have changes, one question asks about all of them.
+void MainWindow::quit() {
+    QList<MainWindow *> unsaved;
+    for (QWidget *widget : QApplication::topLevelWidgets()) {
+        auto *window = qobject_cast<MainWindow *>(widget);
+        if (window && window->isVisible() && window->isUnsaved())
+            unsaved << window;
+    }
+    if (unsaved.size() < 2) {
+        QApplication::closeAllWindows();
+        return;
+    }
+    QStringList names;
+    for (MainWindow *window : unsaved)
+        names << window->windowTitle().remove(QStringLiteral("[*] — Palmer"));
+    QMessageBox box(
+        QMessageBox::Question, tr("Quit"),
+        tr("%n file(s) have changes that are not saved.", nullptr, static_cast<int>(names.size())),
+        QMessageBox::NoButton, QApplication::activeWindow());
+    box.setObjectName(QStringLiteral("quitBox"));
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(names.join(u'\n'));
+    auto *saveAll = box.addButton(tr("&Save all"), QMessageBox::AcceptRole);
+    auto *discardAll = box.addButton(tr("&Discard all"), QMessageBox::DestructiveRole);
+    auto *oneByOne = box.addButton(tr("&One by one"), QMessageBox::ActionRole);
+    box.addButton(tr("&Cancel"), QMessageBox::RejectRole);
+    saveAll->setObjectName(QStringLiteral("saveAll"));
+    discardAll->setObjectName(QStringLiteral("discardAll"));
+    oneByOne->setObjectName(QStringLiteral("oneByOne"));
+    box.setDefaultButton(saveAll);
+    box.exec();
+    const QAbstractButton *answer = box.clickedButton();
+    if (answer != saveAll && answer != discardAll && answer != oneByOne)
+        return;
+    for (MainWindow *window : unsaved) {
+        if (answer == saveAll && !window->save())
+            return;
+        window->m_discarded = answer == discardAll;
+    }
+    QApplication::closeAllWindows();
+}
+
 void MainWindow::fillRecentMenu() {
     m_recentMenu->clear();
     int number = 1;
@@ -925,8 +1055,17 @@ void MainWindow::fillRecentMenu() {
         action->setToolTip(file.path);
         connect(action, &QAction::triggered, this, [this, path = file.path] { openFile(path); });
     }
-    if (m_recentMenu->isEmpty())
+    if (m_recentMenu->isEmpty()) {
         m_recentMenu->addAction(tr("No file yet"))->setEnabled(false);
+        return;
+    }
+    m_recentMenu->addSeparator();
+    QAction *clear = m_recentMenu->addAction(tr("&Clear the list"));
+    clear->setObjectName(QStringLiteral("clearRecent"));
+    connect(clear, &QAction::triggered, this, [this] {
+        forgetFiles();
+        m_welcome->refresh();
+    });
 }
 
 void MainWindow::fillExamplesMenu() {
@@ -978,6 +1117,8 @@ void MainWindow::showState() {
         action->setEnabled(tests > 0);
     m_nextMissingAction->setEnabled(tests > 0);
     m_previousMissingAction->setEnabled(tests > 0);
+    m_nextPaneAction->setEnabled(m_open);
+    m_previousPaneAction->setEnabled(m_open);
     m_maximiseAction->setEnabled(m_open);
     m_toolBar->setVisible(m_open);
     m_content->setVisible(m_open);
@@ -1039,19 +1180,23 @@ void MainWindow::showCompensation() {
 
 /// What has the focus decides where the help opens: a field, the edition of a result, else the workflow.
 void MainWindow::showHelp() {
-    if (!m_help)
-        m_help = new HelpWindow(this);
     const QWidget *focused = QApplication::focusWidget();
     const QString topic = focused ? focused->property("helpTopic").toString() : QString();
     const std::size_t test = m_workplace->selection().test();
     const auto &evaluated = m_evaluator.latest().tests;
     if (!topic.isEmpty())
-        m_help->showPage(QStringLiteral("fields"), topic);
+        showHelpPage(QStringLiteral("fields"), topic);
     else if (!m_workplace->selection().parameter().isEmpty() && test < evaluated.size() &&
              evaluated[test]->edition)
-        m_help->showPage(QStringLiteral("editions.") + QString::fromUtf8(evaluated[test]->edition->word));
+        showHelpPage(QStringLiteral("editions.") + QString::fromUtf8(evaluated[test]->edition->word));
     else
-        m_help->showPage(QStringLiteral("workflow"));
+        showHelpPage(QStringLiteral("workflow"));
+}
+
+void MainWindow::showHelpPage(const QString &id, const QString &anchor) {
+    if (!m_help)
+        m_help = new HelpWindow(this);
+    m_help->showPage(id, anchor);
     m_help->show();
     m_help->raise();
     m_help->activateWindow();
@@ -1071,6 +1216,18 @@ void MainWindow::showFeed() {
         }
     }
     dialog->show();
+}
+
+void MainWindow::showShortcuts() {
+    auto *dialog = new ShortcutsDialog(*menuBar(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+void MainWindow::showSettings() {
+    auto *dialog = new SettingsDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void MainWindow::about() {
@@ -1133,6 +1290,8 @@ void MainWindow::resizeEvent(QResizeEvent *event) {
 void MainWindow::keyPressEvent(QKeyEvent *event) {
     if (event->key() == Qt::Key_Escape && m_workplace->isFigureMaximised())
         m_workplace->setFigureMaximised(false);
+    else if (event->key() == Qt::Key_Escape && !m_workplace->selection().parameter().isEmpty())
+        m_workplace->selection().setParameter({});
     else
         QMainWindow::keyPressEvent(event);
 }
@@ -1175,6 +1334,9 @@ void MainWindow::retranslate() {
     m_planAction->setIconText(tr("Plan…"));
     m_compareAction->setText(tr("Co&mpare…"));
     m_helpAction->setText(tr("&Help"));
+    m_shortcutsAction->setText(tr("&Keyboard shortcuts"));
+    m_validationAction->setText(tr("&Validation"));
+    m_settingsAction->setText(tr("&Settings…"));
     m_previousTestAction->setText(tr("&Previous test"));
     m_nextTestAction->setText(tr("&Next test"));
     m_setEditionAction->setText(tr("&Set as edition of the test"));
@@ -1187,6 +1349,8 @@ void MainWindow::retranslate() {
     m_pageActions[4]->setText(tr("Uncertaint&y"));
     m_nextMissingAction->setText(tr("&Next missing statement"));
     m_previousMissingAction->setText(tr("&Previous missing statement"));
+    m_nextPaneAction->setText(tr("Ne&xt pane"));
+    m_previousPaneAction->setText(tr("Pre&vious pane"));
     m_maximiseAction->setText(tr("&Maximise the figure"));
     m_unitsMenu->setTitle(tr("&Units"));
     m_lengthActions[0]->setText(tr("Lengths: µm and mm"));

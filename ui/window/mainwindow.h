@@ -10,8 +10,10 @@
 
 #include "kernel/evaluation/edition.h"
 
+#include <QLockFile>
 #include <QMainWindow>
 #include <QPointer>
+#include <memory>
 
 class QLabel;
 class QMenu;
@@ -95,6 +97,8 @@ private:
     [[nodiscard]] bool isUnsaved() const;
     /// Takes the file as it is, or as it was, for what this document was read from.
     void watchFile(const std::optional<FileState> &known = {});
+    /// Marks the file as open here for other programs and other machines, and says where it is open already.
+    void lockFile();
     bool mayForget(const QStringList &refused);
     [[nodiscard]] static QString notTaken(const QStringList &refused);
     void read(const QString &path);
@@ -114,6 +118,9 @@ private:
     void fileChangedOutside();
     void reload();
     void showError(const QString &title, const QString &fileName, const Error &error);
+    /// Undoes or redoes a step and brings what it changed into view.
+    void step(bool forward);
+    static void quit();
     void fillRecentMenu();
     void fillExamplesMenu();
     void showState();
@@ -125,6 +132,9 @@ private:
     void showCompensation();
     void showHelp();
     void showFeed();
+    void showHelpPage(const QString &id, const QString &anchor = {});
+    void showShortcuts();
+    void showSettings();
     void about();
     void retranslate();
 
@@ -132,7 +142,8 @@ private:
     Evaluator m_evaluator;
     Autosave m_autosave{m_model};
     FileWatch m_watch;
-    QStringList m_reading; ///< files being read
+    std::unique_ptr<QLockFile> m_lock; ///< beside the file; null where there is none, or another has it
+    QStringList m_reading;             ///< files being read
     Background m_reader;
     QString m_reportPath; ///< of the report that the document was opened from; empty: it was not
     bool m_open = false;
@@ -142,6 +153,7 @@ private:
     QString m_savedAt;
     QPointer<HelpWindow> m_help;
     QString m_autosavedAt;
+    bool m_discarded = false;    ///< the user said that all changes may go
     bool m_outsideAsked = false; ///< the user knows that the file is another
     bool m_fileGone = false;     ///< the file is no longer there
 
@@ -199,12 +211,17 @@ private:
     std::array<QAction *, 5> m_pageActions{};
     QAction *m_nextMissingAction;
     QAction *m_previousMissingAction;
+    QAction *m_nextPaneAction;
+    QAction *m_previousPaneAction;
     QAction *m_maximiseAction;
     std::array<QAction *, 3> m_lengthActions{};
     std::array<QAction *, 2> m_angleActions{};
     QAction *m_frenchAction;
     QAction *m_englishAction;
     QAction *m_helpAction;
+    QAction *m_shortcutsAction;
+    QAction *m_validationAction;
+    QAction *m_settingsAction;
     QAction *m_aboutAction;
     QAction *m_aboutQtAction;
 };

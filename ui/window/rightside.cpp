@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <array>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -64,6 +65,13 @@ RightSide::RightSide(Selection &selection, QWidget *parent)
     arrange();
 }
 
+void RightSide::setHasResults(bool has) {
+    if (std::exchange(m_hasResults, has) == has)
+        return;
+    m_tabs->setTabVisible(1, has);
+    arrange();
+}
+
 void RightSide::setTabbed(bool tabbed) {
     if (m_tabbed == tabbed)
         return;
@@ -98,7 +106,7 @@ void RightSide::arrange() {
     m_tabs->setVisible(m_tabbed && !m_maximised);
     for (std::size_t i = 0; i < widgets.size(); ++i) {
         const bool chosen = !m_tabbed || m_tabs->currentIndex() == static_cast<int>(i);
-        const bool visible = m_maximised ? i == 0 : chosen;
+        const bool visible = m_maximised ? i == 0 : chosen && (i != 1 || m_hasResults);
         if (widgets[i]->isHidden() == visible) // to show it again would polish all below it, at the start too
             widgets[i]->setVisible(visible);
     }

@@ -28,6 +28,8 @@ public:
     [[nodiscard]] ResultsPanel *results() const { return m_results; }
     [[nodiscard]] FindingsPanel *findings() const { return m_findings; }
 
+    /// A drift test has no results: no empty table for it.
+    void setHasResults(bool has);
     void setTabbed(bool tabbed);
     [[nodiscard]] bool isTabbed() const { return m_tabbed; }
     /// The figure alone.
@@ -51,6 +53,7 @@ private:
     QLabel *m_mark; ///< over the figure
     QTimer *m_markLater;
     bool m_computing = false;
+    bool m_hasResults = true;
     bool m_tabbed = false;
     bool m_maximised = false;
 };

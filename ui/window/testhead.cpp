@@ -1,6 +1,7 @@
 #include "ui/window/testhead.h"
 
 #include "kernel/evaluation/edition.h"
+#include "report/wording.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -47,6 +48,8 @@ QString testSummary(const Test &test) {
     }
     if (test.date)
         parts += language.shortDate(*test.date);
+    if (test.role != TestRole::notStated)
+        parts += language.text(roleText(test.role));
     return parts.join(QStringLiteral(" · "));
 }
 

@@ -1,6 +1,8 @@
 #include "ui/window/workplace.h"
 
+#include "editing/editreadings.h"
 #include "editing/measuringcycle.h"
+#include "kernel/measurement/readingsaside.h"
 #include "ui/circles/arctexts.h"
 #include "ui/circles/circlespage.h"
 #include "ui/drift/driftpage.h"
@@ -9,6 +11,7 @@
 #include "ui/forms/conditionspage.h"
 #include "ui/forms/limitspage.h"
 #include "ui/forms/reportpages.h"
+#include "ui/model/editname.h"
 #include "ui/navigation/navigationlist.h"
 #include "ui/readings/keyhints.h"
 #include "ui/readings/readingspage.h"
@@ -26,6 +29,8 @@
 #include "ui/windowlanguage.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QEvent>
 #include <QFrame>
 #include <QScrollArea>
@@ -47,6 +52,8 @@ constexpr int rightWidth = 496;
 constexpr int leastRightWidth = 380;
 constexpr int railBelow = 1180;
 constexpr int stackedBelow = 1000;
+constexpr int wideFrom = 1580;
+constexpr int wideShare = 42; ///< per cent of the right side in a wide window
 // Heights of the workplace; menu, toolbar and status bar take 99 of the window's.
 constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
@@ -54,6 +61,59 @@ constexpr int noKeysBelow = 740 - 99;
 
 constexpr std::array testPages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits,
                                Page::uncertainty};
+
+/// What of a pane the keyboard is for: its table, else what is no button, else its first button.
+QWidget *mainPart(QWidget *pane) {
+    const auto takesKeys = [](const QWidget *widget) {
+        return widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) != 0;
+    };
+    if (takesKeys(pane))
+        return pane;
+    QWidget *best = nullptr;
+    for (QWidget *part : pane->findChildren<QWidget *>()) {
+        if (!takesKeys(part))
+            continue;
+        if (qobject_cast<QAbstractItemView *>(part))
+            return part;
+        const bool isButton = qobject_cast<QAbstractButton *>(part) || qobject_cast<QComboBox *>(part);
+        if (!best || (qobject_cast<QAbstractButton *>(best) && !isButton))
+            best = part;
+    }
+    return best;
+}
+
+/// The first reading that differs in value, or in being set aside; null where targets or runs differ.
+std::optional<ReadingPlace> changedReading(const Test &before, const Test &after) {
+    const auto *was = std::get_if<PositioningMeasurement>(&before.measurement);
+    const auto *is = std::get_if<PositioningMeasurement>(&after.measurement);
+    if (!was || !is || was->targets.size() != is->targets.size() || was->runs.size() != is->runs.size())
+        return std::nullopt;
+    const ReadingsAside wasAside(*was);
+    const ReadingsAside isAside(*is);
+    for (std::size_t run = 0; run < is->runs.size(); ++run) {
+        for (std::size_t target = 0; target < is->targets.size(); ++target) {
+            const bool same = readingAt(*was, {run, target}) == readingAt(*is, {run, target}) &&
+                              (wasAside.at(run, target) == nullptr) == (isAside.at(run, target) == nullptr);
+            if (!same)
+                return ReadingPlace{run, target};
+        }
+    }
+    return std::nullopt;
+}
+
+/// The page whose labels are of that context.
+std::optional<Page> pageOfContext(const QString &context) {
+    static const std::map<QString, Page> pages{
+        {QStringLiteral("palmer::ui::ConditionsPage"), Page::conditions},
+        {QStringLiteral("palmer::ui::AgreedPointsPage"), Page::agreedPoints},
+        {QStringLiteral("palmer::ui::LimitsPage"), Page::limits},
+        {QStringLiteral("palmer::ui::UncertaintyPage"), Page::uncertainty},
+        {QStringLiteral("palmer::ui::IdentificationPage"), Page::identification},
+        {QStringLiteral("palmer::ui::MachinePage"), Page::machine},
+        {QStringLiteral("palmer::ui::InstrumentsPage"), Page::instruments}};
+    const auto found = pages.find(context);
+    return found == pages.end() ? std::nullopt : std::optional(found->second);
+}
 
 int tabOf(Page page) {
     const auto found = std::ranges::find(testPages, page);
@@ -176,6 +236,14 @@ void Workplace::connectParts() {
         if (tab >= 0)
             showPage(testPages.at(static_cast<std::size_t>(tab)));
     });
+    // When the tab has the focus that the click gives it.
+    connect(
+        m_tabs, &QTabBar::tabBarClicked, this,
+        [this](int tab) {
+            if (tab >= 0)
+                focusPage();
+        },
+        Qt::QueuedConnection);
     connect(m_head, &TestHead::viewChosen, this,
             [this](const QString &edition) { emit viewChosen(m_selection.test(), edition); });
     connect(m_head, &TestHead::editionSet, this,
@@ -259,6 +327,53 @@ void Workplace::focusPage() {
     }
 }
 
+void Workplace::focusNextPane(bool forward) {
+    const std::array<QWidget *, 6> panes{m_navigation, m_tabs, m_pages, m_figure, m_results, m_findings};
+    const auto count = static_cast<int>(panes.size());
+    const QWidget *focused = window()->focusWidget();
+    int now = forward ? -1 : count;
+    for (int i = 0; focused && i < count; ++i) {
+        if (panes.at(static_cast<std::size_t>(i)) == focused ||
+            panes.at(static_cast<std::size_t>(i))->isAncestorOf(focused))
+            now = i;
+    }
+    for (int step = 1; step <= count; ++step) {
+        const int next = ((forward ? now + step : now - step) + 2 * count) % count;
+        QWidget *pane = panes.at(static_cast<std::size_t>(next));
+        if (!pane->isVisible())
+            continue;
+        if (pane == m_pages)
+            return focusPage();
+        if (QWidget *part = mainPart(pane))
+            return part->setFocus(Qt::TabFocusReason);
+    }
+}
+
+void Workplace::showChange(const Document &before, const Document &after, const QString &edit) {
+    const auto place = editPlace(edit);
+    if (before.tests.size() == after.tests.size()) {
+        const auto [was, is] =
+            std::ranges::mismatch(before.tests, after.tests, [](const TestPointer &a, const TestPointer &b) {
+                return a == b || *a == *b;
+            });
+        if (is != after.tests.end()) {
+            showTest(static_cast<std::size_t>(is - after.tests.begin()));
+            if (!place && (*was)->measurement != (*is)->measurement) {
+                showPage(Page::readings);
+                if (const auto reading = changedReading(**was, **is))
+                    m_selection.setReading(reading);
+                return;
+            }
+        }
+    }
+    const auto page = place ? pageOfContext(place->context) : std::nullopt;
+    if (!page)
+        return;
+    showPage(*page);
+    if (Form *form = formInView())
+        form->focusLabel(place->label, place->argument);
+}
+
 void Workplace::present() {
     presentTest();
     presentPage();
@@ -312,6 +427,7 @@ void Workplace::presentResults() {
     const std::string &id = m_evaluated.document->tests[test]->id;
     const bool pending = m_evaluated.isPending(test);
     m_right->setComputing(pending);
+    m_right->setHasResults(!isDrift());
     if (pending && id == m_resultsOf)
         return;
     m_resultsOf = id;
@@ -343,7 +459,7 @@ void Workplace::presentPage() {
         m_navigation->setCurrentRow(m_navigationModel.indexOfTest(m_selection.test()));
     } else {
         m_pages->setCurrentWidget(m_reportPages);
-        m_reportPages->showPage(page);
+        m_reportPages->showPage(page, m_tabs);
         const QModelIndex row = m_navigationModel.indexOf(page);
         m_head->showTitle(row.data().toString(), m_reportPages->subtitle());
         m_navigation->setCurrentRow(row);
@@ -355,6 +471,9 @@ void Workplace::presentPage() {
 void Workplace::presentCard() {
     const bool explains = !m_selection.parameter().isEmpty();
     const bool wanted = explains || (m_selection.page() == Page::readings && isPositioning());
+    // One height for both, so that nothing above moves when a result is explained.
+    const bool readings = m_selection.page() == Page::readings && isPositioning() && height() >= noCardBelow;
+    m_card->setMinimumHeight(readings ? m_target->sizeHint().height() : 0);
     m_explanation->setVisible(explains);
     m_target->setVisible(!explains);
     m_card->setVisible(wanted && (explains || height() >= noCardBelow) && !m_maximised);
@@ -417,7 +536,8 @@ void Workplace::presentCircularStatus(const CircularMeasurement &measurement) {
 }
 
 QStringList Workplace::refusedTexts() const {
-    QStringList texts = m_readings->refusedTexts() + m_circles->refusedTexts() + m_drift->refusedTexts();
+    QStringList texts = m_readings->refusedTexts() + m_circles->refusedTexts() + m_drift->refusedTexts() +
+                        m_agreedPoints->refusedTexts();
     for (const Form *form : findChildren<Form *>())
         texts += form->refusedTexts();
     return texts;
@@ -523,8 +643,8 @@ void Workplace::arrange() {
         m_right->setTabbed(stacked);
         m_right->setMinimumWidth(stacked ? 0 : leastRightWidth);
         m_sizesOf.clear();
-        restoreSizes();
     }
+    restoreSizes(); // where they are others now: stacked, wide
     m_findings->setFolded(!stacked && height() < foldBelow);
     presentCard();
 }
@@ -549,16 +669,23 @@ QString Workplace::sizesKey() const {
     const bool circular = isCircular();
     return QStringLiteral("sizes/%1%2")
         .arg(circular ? QStringLiteral("circular") : QStringLiteral("positioning"),
-             m_right->isTabbed() ? QStringLiteral("-stacked") : QString());
+             m_right->isTabbed()   ? QStringLiteral("-stacked")
+             : width() >= wideFrom ? QStringLiteral("-wide")
+                                   : QString());
 }
 
 void Workplace::restoreSizes() {
     const QString key = sizesKey();
-    if (key == m_sizesOf)
+    const bool wide = width() >= wideFrom;
+    const bool known = key == m_sizesOf;
+    if (known && !wide)
         return;
     m_sizesOf = key;
-    restoreNavigation();
     const QByteArray kept = QSettings().value(key).toByteArray();
+    if (known && !kept.isEmpty())
+        return;
+    if (!known)
+        restoreNavigation();
     const bool stacked = m_right->isTabbed();
     if (!kept.isEmpty()) {
         const int right = kept.toInt();
@@ -566,7 +693,9 @@ void Workplace::restoreSizes() {
     } else if (stacked) {
         m_inner->setSizes({m_inner->height() * 3 / 5, m_inner->height() * 2 / 5});
     } else {
-        m_inner->setSizes({std::max(centreWidth, m_inner->width() - rightWidth), rightWidth});
+        const int whole = width() - m_side->width(); // what both will share
+        const int right = wide ? whole * wideShare / 100 : rightWidth;
+        m_inner->setSizes({std::max(centreWidth, whole - right), right});
     }
 }
 

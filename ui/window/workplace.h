@@ -61,6 +61,11 @@ public:
     void showTest(std::size_t test);
     /// Puts the keyboard into the page in view, on its first field.
     void focusPage();
+    /// Puts the keyboard into the next pane, or the one before: navigation, tabs, page, figure, results,
+    /// findings, round and round.
+    void focusNextPane(bool forward);
+    /// Brings what a step changed into view, with the keyboard on it; `edit`: the name of the step.
+    void showChange(const Document &before, const Document &after, const QString &edit);
 
     /// What the button "+ Test" offers, and the menu of a test in the navigation.
     void setTestActions(const QList<QAction *> &add, const QList<QAction *> &change);

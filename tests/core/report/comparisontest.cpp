@@ -59,6 +59,14 @@ private slots:
         const ComparisonRow &systematic = row(comparison, "E");
         QVERIFY(systematic.values[0].isEmpty());
         QVERIFY2(systematic.reason.contains("No parameter of ISO 230-2:1988"), qPrintable(systematic.reason));
+        // In French a standard of ISO takes its article, another designation none.
+        const ResultComparison french =
+            compareEditions(inDocument(test), 0, editionsToCompare(test), Language(Language::Id::french));
+        QVERIFY2(row(french, "E").reason.contains("Pas un paramètre de l’ISO\u00A0230-2:1988") ||
+                     row(french, "E").reason.contains("Pas un paramètre de l’ISO 230-2:1988"),
+                 qPrintable(row(french, "E").reason));
+        QVERIFY2(row(french, "A").reason.contains("Pas un paramètre de VDI/DGQ 3441:1977"),
+                 qPrintable(row(french, "A").reason));
     }
 
     void laterEditionsShareTheirArithmetic() {

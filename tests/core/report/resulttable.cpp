@@ -227,6 +227,30 @@ private slots:
         QVERIFY(html.contains(u"<td align=\"right\">18.0</td>"_s));
     }
 
+    /// Where no result of both directions stands above, the names say what they are of.
+    void oneDirectionHasItsNoun() {
+        int seen = 0;
+        for (const Edition *edition : editions()) {
+            if (edition->kind != Kind::positioning)
+                continue;
+            Test test = testdata::exactHand(edition->word);
+            std::erase_if(measurement(test).runs,
+                          [](const Run &run) { return run.approach == Direction::negative; });
+            for (const ResultLine &line : table(test, Language::Id::french).lines) {
+                ++seen;
+                QVERIFY2(!line.name.startsWith(u"unidirection"_s), qPrintable(edition->word + line.id));
+                if (line.id == u"A+"_s)
+                    QCOMPARE(line.name, QString::fromUtf8(edition->word) == u"ISO 230-2:1988"_s
+                                            ? u"précision unidirectionnelle"_s
+                                            : u"exactitude unidirectionnelle"_s);
+                if (line.id == u"R+"_s)
+                    QCOMPARE(line.name, u"répétabilité unidirectionnelle"_s);
+            }
+        }
+        QVERIFY(seen > 10);
+        QCOMPARE(line(table(decided(), Language::Id::french), u"A+"_s).name, u"unidirectionnelle"_s);
+    }
+
     void everyTermHasAShortName() {
         for (const Edition *edition : editions()) {
             if (edition->kind != Kind::positioning)

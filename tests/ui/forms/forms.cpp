@@ -177,13 +177,14 @@ private slots:
     }
 
     void theFirstFieldIsToBeTypedOver() {
-        Edited<ConditionsPage> edited(example());
-        edited.type(u"sensors"_s, u"20.5"_s);
+        Test test = example1988("ISO 230-2:2006");
+        test.title = "X axis, as found";
+        Edited<ConditionsPage> edited(documentOf(test));
         edited.enter(u"dwell"_s);
         edited.page.focusFirst();
         auto *first = qobject_cast<QLineEdit *>(edited.page.focusWidget());
         QVERIFY(first);
-        QCOMPARE(first->selectedText(), u"20.5"_s);
+        QCOMPARE(first->selectedText(), u"X axis, as found"_s);
     }
 
     void everyMissingStatementHasAField() {

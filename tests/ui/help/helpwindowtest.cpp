@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QLineEdit>
 #include <QTest>
+#include <QTextBrowser>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -48,6 +49,30 @@ private slots:
             QApplication::focusWidget()->clearFocus();
         shown.find<QAction>("help")->trigger();
         QCOMPARE(shown.find<HelpWindow>("helpWindow")->currentPage(), QString("editions.ISO 230-2:1988"));
+    }
+
+    void searchesPageAfterPage() {
+        setWindowLanguage(Language::Id::english);
+        HelpWindow help;
+        help.showPage("workflow");
+        auto *search = help.findChild<QLineEdit *>("helpSearch");
+        QVERIFY(!help.text().contains("wavelength")); // another page says it
+        search->setText("wavelength");
+        QTest::keyClick(search, Qt::Key_Return);
+        QCOMPARE(help.currentPage(), QString("fields"));
+        QCOMPARE(help.findChild<QTextBrowser *>("helpText")->textCursor().selectedText(),
+                 QString("wavelength"));
+        // Round and round: from there it comes back to the one page that has a word.
+        QVERIFY(help.find("wavelength"));
+        QCOMPARE(help.currentPage(), QString("fields"));
+        QVERIFY(!help.find("no such word anywhere"));
+        QCOMPARE(help.currentPage(), QString("fields"));
+    }
+
+    void theMenuLeadsToTheValidation() {
+        const ShownWindow shown;
+        shown.find<QAction>("validation")->trigger();
+        QCOMPARE(shown.find<HelpWindow>("helpWindow")->currentPage(), QString("validation"));
     }
 
     void anUnknownPageIsTheFirst() {

@@ -79,8 +79,14 @@ private slots:
         panel.show(evaluatedDocument(decidedExample()), 0);
         QCOMPARE(panel.findChild<QLabel *>(u"resultsRule"_s)->text(), u"µm · ISO 14253-1 · k = 2"_s);
         auto *chip = panel.findChild<Chip *>(u"verdictChip"_s);
-        QCOMPARE(chip->text(), u"does not conform"_s);
-        QVERIFY(chip->isVisibleTo(&panel));
+        // A requirement is unmet: the large word is of the limits alone.
+        QCOMPARE(chip->text(), u"limits exceeded"_s);
+        QVERIFY(!chip->isVisibleTo(&panel)); // which the first statement says already
+        QCOMPARE(panel.findChild<Chip *>(u"limitsChip"_s)->text(), u"limits exceeded"_s);
+        const auto *accordance = panel.findChild<Chip *>(u"accordanceChip"_s);
+        QVERIFY2(accordance->text().endsWith(u"requirements not met"_s), qPrintable(accordance->text()));
+        QVERIFY2(accordance->toolTip().startsWith(u"Test NOT in accordance with ISO 230-2:2006"_s),
+                 qPrintable(accordance->toolTip()));
     }
 
     void aViewCarriesNoVerdict() {

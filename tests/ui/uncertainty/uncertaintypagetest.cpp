@@ -299,7 +299,8 @@ private slots:
         auto *table = edited.part<RowTable>("methods");
         QVERIFY(table->item(0, 1)->font().bold());
         QVERIFY(!table->item(0, 3)->font().bold());
-        QVERIFY(table->item(0, 1)->data(Qt::AccessibleTextRole).toString().endsWith(u"decides"_s));
+        QVERIFY(
+            table->item(0, 1)->data(Qt::AccessibleTextRole).toString().endsWith(u"used for the verdict"_s));
         QVERIFY(edited.part<QLabel>("decides")->text().contains(u"The U of the budget decides."_s));
         edited.part<QToolButton>("method3")->click();
         table = edited.part<RowTable>("methods");
@@ -319,7 +320,7 @@ private slots:
         };
         QVERIFY(head(1).endsWith(u"k = 2"_s));
         QVERIFY(head(3).endsWith(u"95.45 %"_s));
-        QCOMPARE(edited.part<QLabel>("methodNote")->text(), u"decides · k = 2"_s);
+        QCOMPARE(edited.part<QLabel>("methodNote")->text(), u"used for the verdict · k = 2"_s);
         edited.part<QToolButton>("method3")->click(); // Monte Carlo, for what it does not shift
         const QString both = edited.part<QLabel>("methodNote")->text();
         QVERIFY2(both.contains(u"95.45 % for "_s) && both.contains(u"k = 2 for the others"_s),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/fonts.h"
+#include "ui/standardbuttons.h"
 #include "ui/theme.h"
 #include "ui/typingguard.h"
 #include "ui/wheelguard.h"
@@ -25,6 +26,7 @@ inline void prepareApplication() {
     palmer::ui::loadFonts();
     palmer::ui::installTheme();
     palmer::ui::guardWheel(*qApp);
+    palmer::ui::nameStandardButtons(*qApp);
     palmer::ui::guardTyping(*qApp);
 }
 

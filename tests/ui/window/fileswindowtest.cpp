@@ -1,0 +1,224 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/window/shownwindow.h"
+
+#include "document/savedocument.h"
+#include "editing/newtest.h"
+#include "ui/welcome/recentfiles.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QUndoStack>
+
+using namespace palmer;
+using namespace palmer::ui;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+void change(const ShownWindow &shown, const char *number) {
+    shown.window->model().edit("rename the test",
+                               [number](Document &document) { document.report.number = number; });
+}
+
+/// Presses a button of the box that asks on quitting.
+void answer(const char *button) {
+    QTimer::singleShot(0, qApp, [button] {
+        auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+        QVERIFY(box);
+        QCOMPARE(box->objectName(), u"quitBox"_s);
+        auto *pressed = box->findChild<QPushButton *>(QLatin1StringView(button));
+        if (pressed)
+            pressed->click();
+        else
+            box->reject();
+    });
+}
+
+} // namespace
+
+/// Files and windows: names that are proposed, the list of recent files, several windows, memory.
+class FilesWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        prepareApplication();
+        QApplication::setQuitOnLastWindowClosed(false); // boxes are still to be asked
+    }
+    void init() {
+        QSettings().clear();
+        setWindowLanguage(Language::Id::english);
+    }
+    void savingProposesAName_data();
+    void savingProposesAName();
+    void theListOfRecentFilesIsCleared();
+    void oneQuestionForSeveralWindows();
+    void undoIsBoundedByMemory();
+    void saysThatAFileIsOpenElsewhere();
+};
+
+void FilesWindowTest::savingProposesAName_data() {
+    QTest::addColumn<QString>("number");
+    QTest::addColumn<QString>("machine");
+    QTest::addColumn<QString>("proposed");
+    QTest::newRow("the number of the report") << u"RE-2026-031"_s << u"M 1"_s << u"RE-2026-031.palmer"_s;
+    QTest::newRow("else machine and test") << QString() << u"M 1"_s << u"M 1 C axis.palmer"_s;
+    QTest::newRow("without what no file may be called")
+        << u"17/2026: <a>"_s << u"M"_s << u"17-2026- -a-.palmer"_s;
+}
+
+void FilesWindowTest::savingProposesAName() {
+    QFETCH(QString, number);
+    QFETCH(QString, machine);
+    QFETCH(QString, proposed);
+    const ShownWindow shown(examplePath("rotary-axis"));
+    shown.window->model().edit("rename the test", [&](Document &document) {
+        document.report.number = number.toStdString();
+        document.machine.name = machine.toStdString();
+        auto test = std::make_shared<palmer::Test>(*document.tests[0]);
+        test->title.clear();
+        document.tests = {std::move(test)};
+    });
+    QString name;
+    QTimer::singleShot(0, shown.window, [&name] {
+        auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+        QVERIFY(dialog);
+        name = dialog->findChild<QLineEdit *>(u"fileNameEdit"_s)->text();
+        dialog->reject();
+    });
+    shown.find<QAction>("save")->trigger();
+    QCOMPARE(name, proposed);
+}
+
+void FilesWindowTest::theListOfRecentFilesIsCleared() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.palmer"_s);
+    saveDocument(openDocument(examplePath("rotary-axis")), path);
+    const ShownWindow shown(path);
+    QCOMPARE(recentFiles().size(), std::size_t{1});
+    const auto menus = shown.window->findChildren<QMenu *>();
+    QAction *clear = nullptr;
+    for (QMenu *menu : menus) {
+        emit menu->aboutToShow();
+        for (QAction *action : menu->actions())
+            clear = action->objectName() == u"clearRecent"_s ? action : clear;
+    }
+    QVERIFY(clear);
+    clear->trigger();
+    QVERIFY(recentFiles().empty());
+    QVERIFY(QFile::exists(path));
+}
+
+void FilesWindowTest::oneQuestionForSeveralWindows() {
+    const QTemporaryDir folder;
+    const QString first = folder.filePath(u"a.palmer"_s);
+    const QString second = folder.filePath(u"b.palmer"_s);
+    for (const QString &path : {first, second})
+        saveDocument(openDocument(examplePath("rotary-axis")), path);
+    const auto numberOf = [](const QString &path) { return openDocument(path).report.number; };
+    const std::string before = numberOf(first);
+    const ShownWindow one(first);
+    const ShownWindow two(second);
+    change(one, "17");
+    change(two, "18");
+    answer("cancel");
+    one.find<QAction>("quit")->trigger();
+    QVERIFY(one.window->isVisible() && two.window->isVisible());
+    answer("saveAll");
+    one.find<QAction>("quit")->trigger();
+    QVERIFY(!one.window || !one.window->isVisible());
+    QVERIFY(!two.window || !two.window->isVisible());
+    QCOMPARE(numberOf(first), std::string("17"));
+    QCOMPARE(numberOf(second), std::string("18"));
+    const ShownWindow three(first);
+    const ShownWindow four(second);
+    change(three, "19");
+    change(four, "20");
+    answer("discardAll");
+    three.find<QAction>("quit")->trigger();
+    QVERIFY(!three.window || !three.window->isVisible());
+    QVERIFY(!four.window || !four.window->isVisible());
+    QCOMPARE(numberOf(first), std::string("17"));
+    QCOMPARE(numberOf(second), std::string("18"));
+}
+
+void FilesWindowTest::undoIsBoundedByMemory() {
+    DocumentModel model;
+    model.setDocument(openDocument(examplePath("rotary-axis")), {});
+    QVERIFY(model.undoStack()->undoLimit() >= 500); // of a test of the usual size nothing is felt
+    Document large;
+    large.tests.push_back(std::make_shared<const palmer::Test>(newDriftTest(Axis{})));
+    auto test = std::make_shared<palmer::Test>(*large.tests[0]);
+    auto &drift = std::get<DriftMeasurement>(test->measurement);
+    drift.times.resize(1'000'000);
+    drift.deviations.resize(1'000'000);
+    large.tests[0] = std::move(test);
+    model.setDocument(std::move(large), {});
+    for (int i = 0; i < 30; ++i)
+        model.edit("rename the test",
+                   [i](Document &document) { document.report.number = std::to_string(i); });
+    const int limit = model.undoStack()->undoLimit();
+    QVERIFY(limit >= 10 && limit * 24LL * 1'000'000 <= 512LL * 1024 * 1024);
+    QCOMPARE(model.undoStack()->count(), std::min(30, limit));
+}
+
+void FilesWindowTest::saysThatAFileIsOpenElsewhere() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.palmer"_s);
+    const QString lock = folder.filePath(u".~lock.a.palmer#"_s);
+    saveDocument(openDocument(examplePath("rotary-axis")), path);
+    const auto write = [&](const QByteArray &content) {
+        QFile file(lock);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    };
+    const auto notice = [](const ShownWindow &shown) {
+        const auto *sentence = shown.find<QLabel>("noticeSentence");
+        return sentence->isVisible() ? sentence->text() : QString();
+    };
+    {
+        const ShownWindow shown(path);
+        QVERIFY(notice(shown).isEmpty());
+        QVERIFY(QFile::exists(lock)); // for all others
+    }
+    QVERIFY(!QFile::exists(lock));
+    // Another machine has it.
+    write("4711\npalmer\nworkshop-2\n\n\n");
+    {
+        const ShownWindow shown(path);
+        QVERIFY2(notice(shown).contains(u"a.palmer"_s) && notice(shown).contains(u"workshop-2"_s) &&
+                     notice(shown).contains(u"4711"_s),
+                 qPrintable(notice(shown)));
+        QVERIFY(shown.window->hasDocument());
+        const QString other = folder.filePath(u"b.palmer"_s);
+        QVERIFY(shown.window->saveTo(other)); // under another name nobody is in the way
+        QVERIFY(notice(shown).isEmpty());
+        QVERIFY(QFile::exists(folder.filePath(u".~lock.b.palmer#"_s)));
+    }
+    QVERIFY(QFile::exists(lock)); // not ours
+    // A program of this machine that is gone.
+    QProcess gone;
+    gone.start(u"true"_s, {});
+    const qint64 process = gone.processId();
+    QVERIFY(gone.waitForFinished());
+    write(QByteArray::number(process) + "\npalmer\n" + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
+    {
+        const ShownWindow shown(path);
+        QVERIFY(notice(shown).isEmpty());
+        QVERIFY(QFile::exists(lock));
+    }
+    QVERIFY(!QFile::exists(lock));
+}
+
+QTEST_MAIN(FilesWindowTest)
+#include "fileswindowtest.moc"

@@ -1,0 +1,352 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/window/shownwindow.h"
+
+#include "document/savedocument.h"
+#include "ui/dialogs/shortcutsdialog.h"
+#include "ui/forms/field.h"
+#include "ui/readings/readingsmodel.h"
+#include "ui/welcome/recentfiles.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTabBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+using namespace palmer;
+using namespace palmer::ui;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// The parts of a window that F6 walks, as they follow one another.
+constexpr std::array panes{"navigation", "pageTabs", "page", "figureView", "resultsPanel", "findingsPanel"};
+
+QString paneOf(const ShownWindow &shown) {
+    const QWidget *focused = QApplication::focusWidget();
+    for (const char *name : panes) {
+        const QWidget *pane =
+            name == QLatin1StringView("page") ? shown.find("pageTabs")->parentWidget() : shown.find(name);
+        const bool inPage = name == QLatin1StringView("page");
+        if (focused && (pane == focused || pane->isAncestorOf(focused)) &&
+            !(inPage && shown.find("pageTabs") == focused))
+            return QString::fromLatin1(name);
+    }
+    return {};
+}
+
+void setText(QLineEdit *edit, const QString &text) {
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, text);
+}
+
+} // namespace
+
+/// What can be done without a mouse, and where the keyboard is afterwards.
+class KeyboardTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareApplication(); }
+    void init() {
+        QSettings().clear();
+        setWindowLanguage(Language::Id::english);
+    }
+    void f6WalksThePanes();
+    void ctrlTabDoesTheSame();
+    void aClickOnATabGivesThePageTheKeyboard();
+    void escClosesTheExplanationFromAnywhere_data();
+    void escClosesTheExplanationFromAnywhere();
+    void tabLeavesTheReadingsAtTheirEnd();
+    void ctrlHomeClearsTheSelection();
+    void tabWalksTheFieldsAsTheyStand_data();
+    void tabWalksTheFieldsAsTheyStand();
+    void undoBringsTheReadingIntoView();
+    void undoBringsTheFieldIntoView();
+    void everyShortcutIsListed();
+    void buttonsOfAgreedPointsNameTheirPoint();
+    void standardButtonsHaveAKey_data();
+    void standardButtonsHaveAKey();
+};
+
+void KeyboardTest::f6WalksThePanes() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    shown.find("navigation")->setFocus();
+    QStringList walked;
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+        walked << paneOf(shown);
+        QTest::keyClick(shown.window, Qt::Key_F6);
+    }
+    QCOMPARE(walked,
+             QStringList({"navigation", "pageTabs", "page", "figureView", "resultsPanel", "findingsPanel"}));
+    QCOMPARE(paneOf(shown), u"navigation"_s); // round and round
+    QStringList back;
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+        QTest::keyClick(shown.window, Qt::Key_F6, Qt::ShiftModifier);
+        back << paneOf(shown);
+    }
+    std::ranges::reverse(walked);
+    QCOMPARE(back, walked);
+}
+
+void KeyboardTest::ctrlTabDoesTheSame() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    auto *view = shown.find<QTableView>("readings");
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_Tab, Qt::ControlModifier);
+    QCOMPARE(paneOf(shown), u"figureView"_s);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(view->hasFocus());
+}
+
+void KeyboardTest::aClickOnATabGivesThePageTheKeyboard() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    auto *tabs = shown.find<QTabBar>("pageTabs");
+    for (const int tab : {1, 3, 4, 0, 0}) {
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(tab).center());
+        QTRY_VERIFY2(!tabs->hasFocus(), qPrintable(QString::number(tab)));
+        QCOMPARE(paneOf(shown), u"page"_s);
+    }
+    QVERIFY(shown.find("readings")->hasFocus());
+}
+
+void KeyboardTest::escClosesTheExplanationFromAnywhere_data() {
+    QTest::addColumn<QByteArray>("where");
+    for (const char *name : {"readings", "results", "navigation", "findings", "figureCanvas", "pageTabs",
+                             "edition", "addTestButton"})
+        QTest::newRow(name) << QByteArray(name);
+}
+
+void KeyboardTest::escClosesTheExplanationFromAnywhere() {
+    QFETCH(QByteArray, where);
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    Selection &selection = shown.window->workplace().selection();
+    selection.setParameter(u"A"_s);
+    auto *widget = shown.find(where.constData());
+    widget->setFocus();
+    QTest::keyClick(widget, Qt::Key_Escape);
+    QCOMPARE(selection.parameter(), QString());
+}
+
+void KeyboardTest::tabLeavesTheReadingsAtTheirEnd() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    auto *view = shown.find<QTableView>("readings");
+    const auto *model = view->model();
+    int last = model->columnCount() - 1;
+    while (view->isColumnHidden(last))
+        --last;
+    view->setFocus();
+    view->setCurrentIndex(model->index(model->rowCount() - 1, last - 1));
+    QTest::keyClick(view, Qt::Key_Tab);
+    QVERIFY(view->hasFocus());
+    QCOMPARE(view->currentIndex().column(), last);
+    QTest::keyClick(view, Qt::Key_Tab);
+    QVERIFY(!view->hasFocus());
+    QCOMPARE(view->currentIndex(), model->index(model->rowCount() - 1, last));
+    view->setFocus();
+    view->setCurrentIndex(model->index(0, 0));
+    QTest::keyClick(view, Qt::Key_Backtab, Qt::ShiftModifier);
+    QVERIFY(!view->hasFocus());
+    // From a cell that is being typed, too; what was typed is taken.
+    view->setFocus();
+    view->setCurrentIndex(model->index(model->rowCount() - 1, ReadingsModel::firstReadingColumn));
+    for (int column = ReadingsModel::firstReadingColumn; column < last; ++column)
+        QTest::keyClick(view, Qt::Key_Tab);
+    QTest::keyClicks(view, u"1.5"_s);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    QTRY_VERIFY(!view->isAncestorOf(QApplication::focusWidget()) && !view->hasFocus());
+}
+
+void KeyboardTest::ctrlHomeClearsTheSelection() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    auto *view = shown.find<QTableView>("readings");
+    view->setFocus();
+    for (const auto &[key, row] :
+         {std::pair(Qt::Key_Home, 0), std::pair(Qt::Key_End, view->model()->rowCount() - 1)}) {
+        view->setCurrentIndex(view->model()->index(3, 4));
+        QTest::keyClick(view, Qt::Key_Down, Qt::ShiftModifier);
+        QCOMPARE(view->selectionModel()->selectedIndexes().size(), 2);
+        QTest::keyClick(view, key, Qt::ControlModifier);
+        QCOMPARE(view->currentIndex().row(), row);
+        QCOMPARE(view->selectionModel()->selectedIndexes().size(), 1);
+    }
+}
+
+void KeyboardTest::tabWalksTheFieldsAsTheyStand_data() {
+    QTest::addColumn<Page>("page");
+    QTest::addColumn<QByteArray>("form");
+    QTest::newRow("conditions, built for the test") << Page::conditions << QByteArray("conditionsPage");
+    QTest::newRow("limits, built for the edition") << Page::limits << QByteArray("limitsPage");
+    QTest::newRow("machine, made when first shown") << Page::machine << QByteArray("machinePage");
+    QTest::newRow("identification") << Page::identification << QByteArray("identificationPage");
+}
+
+/// From field to field in the order they stand in: downwards, and in a row to the right.
+void KeyboardTest::tabWalksTheFieldsAsTheyStand() {
+    QFETCH(Page, page);
+    QFETCH(QByteArray, form);
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    shown.window->workplace().showPage(page);
+    QCoreApplication::processEvents();
+    auto *whole = shown.find(form.constData());
+    QList<QWidget *> fields;
+    for (const auto *field : whole->findChildren<Field *>())
+        fields << field->edit();
+    QVERIFY(fields.size() > 5);
+    fields.first()->setFocus(Qt::TabFocusReason);
+    QList<QWidget *> walked{fields.first()};
+    for (int i = 0; i < 400 && walked.size() < fields.size(); ++i) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QVERIFY2(whole->isAncestorOf(QApplication::focusWidget()), "the walk leaves the page");
+        if (fields.contains(QApplication::focusWidget()))
+            walked << QApplication::focusWidget();
+    }
+    QCOMPARE(walked.size(), fields.size());
+    for (qsizetype i = 1; i < walked.size(); ++i) {
+        const QPoint before = walked[i - 1]->mapTo(whole, QPoint());
+        const QPoint now = walked[i]->mapTo(whole, QPoint());
+        // The page may have scrolled in between: places are compared now.
+        QVERIFY2(now.y() > before.y() || (now.y() == before.y() && now.x() > before.x()),
+                 qPrintable(walked[i]->accessibleName()));
+    }
+}
+
+void KeyboardTest::undoBringsTheReadingIntoView() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    Selection &selection = shown.window->workplace().selection();
+    auto *view = shown.find<QTableView>("readings");
+    view->setFocus();
+    const QModelIndex cell = view->model()->index(4, 5);
+    view->setCurrentIndex(cell);
+    const auto place = selection.reading();
+    QTest::keyClicks(view, u"12"_s);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QTRY_COMPARE(shown.window->model().undoStack()->count(), 1);
+    view->setCurrentIndex(view->model()->index(0, 2));
+    shown.window->workplace().showPage(Page::limits);
+    shown.find<QAction>("undo")->trigger();
+    QCOMPARE(selection.page(), Page::readings);
+    QCOMPARE(selection.reading(), place);
+    QCOMPARE(view->currentIndex(), cell);
+    view->setCurrentIndex(view->model()->index(0, 2));
+    shown.window->workplace().showPage(Page::machine);
+    shown.find<QAction>("redo")->trigger();
+    QCOMPARE(selection.page(), Page::readings);
+    QCOMPARE(view->currentIndex(), cell);
+}
+
+void KeyboardTest::undoBringsTheFieldIntoView() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    Selection &selection = shown.window->workplace().selection();
+    for (const auto &[page, form] :
+         {std::pair(Page::conditions, "conditionsPage"), std::pair(Page::limits, "limitsPage"),
+          std::pair(Page::machine, "machinePage")}) {
+        shown.window->workplace().showPage(page);
+        QLineEdit *edit = nullptr;
+        for (auto *candidate : shown.find(form)->findChildren<QLineEdit *>()) {
+            if (candidate->isVisible() && !candidate->text().isEmpty())
+                edit = candidate;
+        }
+        QVERIFY(edit);
+        const QString before = edit->text();
+        setText(edit, u"7"_s);
+        const QPointer<QLineEdit> changed = edit;
+        shown.window->workplace().showPage(Page::readings);
+        shown.find<QAction>("undo")->trigger();
+        QCOMPARE(selection.page(), page);
+        QTRY_VERIFY(changed && changed->hasFocus());
+        QCOMPARE(changed->text(), before);
+    }
+}
+
+void KeyboardTest::everyShortcutIsListed() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    shown.find<QAction>("shortcuts")->trigger();
+    auto *dialog = shown.window->findChild<ShortcutsDialog *>();
+    QVERIFY(dialog && dialog->isVisible());
+    QString listed;
+    const auto *tree = dialog->findChild<QTreeWidget *>();
+    for (int group = 0; group < tree->topLevelItemCount(); ++group) {
+        for (int row = 0; row < tree->topLevelItem(group)->childCount(); ++row)
+            listed += tree->topLevelItem(group)->child(row)->text(1) + u'\n';
+    }
+    int seen = 0;
+    for (const QAction *action : shown.window->findChildren<QAction *>()) {
+        if (action->associatedObjects().isEmpty() || action->shortcut().isEmpty() ||
+            qobject_cast<QLineEdit *>(action->parent()))
+            continue;
+        ++seen;
+        QVERIFY2(listed.contains(action->shortcut().toString(QKeySequence::NativeText)),
+                 qPrintable(action->text()));
+    }
+    QVERIFY(seen > 20);
+}
+
+void KeyboardTest::buttonsOfAgreedPointsNameTheirPoint() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    shown.window->workplace().showPage(Page::agreedPoints);
+    QStringList names;
+    for (const auto *button : shown.find("agreedPointsPage")->findChildren<QToolButton *>()) {
+        if (button->isCheckable())
+            names << button->accessibleName();
+    }
+    QVERIFY(names.size() >= 20);
+    QCOMPARE(QSet<QString>(names.begin(), names.end()).size(), names.size()); // no two are called alike
+}
+
+void KeyboardTest::standardButtonsHaveAKey_data() {
+    QTest::addColumn<Language::Id>("language");
+    QTest::addColumn<QString>("discard");
+    QTest::newRow("in English") << Language::Id::english << u"&Discard"_s;
+    QTest::newRow("in French") << Language::Id::french << u"&Ne pas enregistrer"_s;
+}
+
+void KeyboardTest::standardButtonsHaveAKey() {
+    QFETCH(Language::Id, language);
+    QFETCH(QString, discard);
+    setWindowLanguage(language);
+    QMessageBox box(QMessageBox::Question, u"a"_s, u"b"_s,
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+    box.open();
+    QCOMPARE(box.button(QMessageBox::Discard)->text(), discard);
+    QInputDialog asking;
+    asking.open();
+    QSet<QChar> keys;
+    for (const auto *dialog : {static_cast<QDialog *>(&box), static_cast<QDialog *>(&asking)}) {
+        keys.clear();
+        for (const auto *button : dialog->findChildren<QPushButton *>()) {
+            const qsizetype mark = button->text().indexOf(u'&');
+            QVERIFY2(mark >= 0, qPrintable(button->text()));
+            const QChar key = button->text()[mark + 1].toLower();
+            QVERIFY2(!keys.contains(key), qPrintable(button->text()));
+            keys += key;
+        }
+        QVERIFY(keys.size() > 1);
+    }
+}
+
+QTEST_MAIN(KeyboardTest)
+#include "keyboardtest.moc"

@@ -1,0 +1,354 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/window/shownwindow.h"
+
+#include "document/savedocument.h"
+#include "editing/newtest.h"
+#include "ui/elidedlabel.h"
+#include "ui/forms/field.h"
+#include "ui/navigation/navigationmodel.h"
+#include "ui/readings/readingsmodel.h"
+#include "ui/welcome/examples.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+using namespace palmer;
+using namespace palmer::ui;
+using namespace Qt::StringLiterals;
+
+/// What is in sight in windows of the sizes that are used.
+class LayoutTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareApplication(); }
+    void init() {
+        QSettings().clear();
+        setWindowLanguage(Language::Id::english);
+    }
+    void elevenTargetsAndFiveRunsNeedNoScrolling();
+    void computedColumnsAreThereWhereTheyFit();
+    void nothingOfACircleIsCutOff_data();
+    void nothingOfACircleIsCutOff();
+    void aWideWindowGivesTheFigureItsShare();
+    void nothingMovesWhenAResultIsExplained();
+    void lowWindowsHaveRoomForAll_data();
+    void lowWindowsHaveRoomForAll();
+    void formsEndAt720();
+    void limitsStandAsATable();
+    void conditionsBeginWithTestAndAxis();
+    void allExamplesAreInSight_data();
+    void allExamplesAreInSight();
+    void aDriftTestHasNoEmptyTable();
+    void pointsThatDoNotApplyAreFoldedAway();
+    void agreedPointsBeginWithACapital();
+    void theNumberOfAnAgreementIsTypedBesideItsText();
+    void symbolsInLabelsHaveTheirIndex();
+    void textsOfQtAreFrench();
+};
+
+void LayoutTest::elevenTargetsAndFiveRunsNeedNoScrolling() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"), {1280, 800});
+    const auto *view = shown.find<QTableView>("readings");
+    QTRY_VERIFY(!view->horizontalScrollBar()->isVisible());
+    QVERIFY(!view->verticalScrollBar()->isVisible());
+    QCOMPARE(view->model()->rowCount(), 11);
+    QVERIFY(view->viewport()->rect().contains(view->visualRect(view->model()->index(10, 11))));
+}
+
+void LayoutTest::computedColumnsAreThereWhereTheyFit() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"), {1280, 800});
+    const auto *view = shown.find<QTableView>("readings");
+    const auto *model = qobject_cast<const ReadingsModel *>(view->model());
+    const auto hidden = [&] {
+        int count = 0;
+        for (int column = model->computedColumn(); column < model->columnCount(); ++column)
+            count += view->isColumnHidden(column);
+        return count;
+    };
+    const int computed = model->columnCount() - model->computedColumn();
+    QVERIFY(computed > 3);
+    QTRY_COMPARE(hidden(), computed);
+    shown.window->resize(2400, 1000);
+    QTRY_COMPARE(hidden(), 0);
+    QVERIFY(!view->horizontalScrollBar()->isVisible());
+    shown.window->resize(1280, 800);
+    QTRY_COMPARE(hidden(), computed);
+    for (int column = 0; column < model->computedColumn(); ++column)
+        QVERIFY(!view->isColumnHidden(column)); // what was measured is always there
+}
+
+void LayoutTest::nothingOfACircleIsCutOff_data() {
+    QTest::addColumn<Language::Id>("language");
+    QTest::addColumn<QSize>("size");
+    for (const QSize size : {QSize(1280, 800), QSize(1180, 768), QSize(1024, 600), QSize(1920, 1080)}) {
+        QTest::newRow(qPrintable(u"French, %1"_s.arg(size.width()))) << Language::Id::french << size;
+        QTest::newRow(qPrintable(u"English, %1"_s.arg(size.width()))) << Language::Id::english << size;
+    }
+}
+
+void LayoutTest::nothingOfACircleIsCutOff() {
+    QFETCH(Language::Id, language);
+    QFETCH(QSize, size);
+    setWindowLanguage(language);
+    const ShownWindow shown(examplePath("iso230-4-full-circles-xy"), size);
+    QCoreApplication::processEvents();
+    auto *page = shown.find("circlesPage");
+    const auto *place = qobject_cast<QScrollArea *>(page->parentWidget()->parentWidget());
+    QVERIFY(place);
+    QVERIFY2(page->width() <= place->viewport()->width(),
+             qPrintable(u"%1 of %2"_s.arg(page->width()).arg(place->viewport()->width())));
+}
+
+void LayoutTest::aWideWindowGivesTheFigureItsShare() {
+    const ShownWindow shown(examplePath("rotary-axis"), {1280, 800});
+    auto *right = shown.find("rightSide");
+    const auto *inner = shown.find("innerSplitter");
+    QTRY_COMPARE(right->width(), 496);
+    for (const QSize size : {QSize(1600, 900), QSize(1920, 1080), QSize(2560, 1440)}) {
+        shown.window->resize(size);
+        QTRY_VERIFY(inner->width() > size.width() - 300);
+        QTRY_VERIFY2(right->width() >= inner->width() * 40 / 100 &&
+                         right->width() <= inner->width() * 45 / 100,
+                     qPrintable(QString::number(right->width())));
+    }
+    shown.window->resize(1280, 800);
+    QTRY_COMPARE(right->width(), 496);
+}
+
+void LayoutTest::nothingMovesWhenAResultIsExplained() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"), {1280, 800});
+    QCoreApplication::processEvents();
+    const QRect before = shown.find("readings")->geometry();
+    for (const QString &parameter : {u"A"_s, u"Bmean"_s, u"R+"_s}) {
+        shown.window->workplace().selection().setParameter(parameter);
+        QCoreApplication::processEvents();
+        QCOMPARE(shown.find("readings")->geometry(), before);
+    }
+}
+
+void LayoutTest::lowWindowsHaveRoomForAll_data() {
+    QTest::addColumn<QString>("example");
+    for (const char *name :
+         {"rotary-axis", "iso230-2-1988-example", "iso230-4-full-circles-xy", "one-direction"})
+        QTest::newRow(name) << examplePath(name);
+}
+
+void LayoutTest::lowWindowsHaveRoomForAll() {
+    QFETCH(QString, example);
+    for (const QSize size : {QSize(1024, 600), QSize(960, 720), QSize(1280, 720)}) {
+        const ShownWindow shown(example, size);
+        QCoreApplication::processEvents();
+        QCOMPARE(shown.window->size(), size); // nothing pushes it open
+        for (const Page page : {Page::readings, Page::conditions, Page::limits, Page::agreedPoints}) {
+            shown.window->workplace().showPage(page);
+            QCoreApplication::processEvents();
+            QCOMPARE(shown.window->size(), size);
+        }
+        const auto *findings = shown.find("findingsPanel");
+        if (findings->isVisible())
+            QVERIFY(findings->mapTo(shown.window, QPoint(0, findings->height())).y() <= size.height());
+    }
+}
+
+void LayoutTest::limitsStandAsATable() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    shown.window->workplace().showPage(Page::limits);
+    QCoreApplication::processEvents();
+    QList<Field *> limits;
+    for (auto *field : shown.find("limitsPage")->findChildren<Field *>()) {
+        if (field->edit()->objectName().startsWith(u"field.limits."_s))
+            limits << field;
+    }
+    QVERIFY(limits.size() > 8);
+    for (qsizetype i = 2; i < limits.size(); ++i) {
+        QCOMPARE(limits[i]->x(), limits[1]->x());
+        QVERIFY(limits[i]->y() - limits[i - 1]->y() <= 44); // a row, not a form
+    }
+    // One origin for all that were agreed.
+    auto *all = shown.find("limitsPage")->findChildren<Field *>().last();
+    QCOMPARE(all->edit()->accessibleName(), u"Origin of all limits"_s);
+    auto *edit = qobject_cast<QLineEdit *>(all->edit());
+    QVERIFY(edit);
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, u"contract 12"_s);
+    int seen = 0;
+    for (const auto &[id, limit] : shown.window->model().document()->tests[0]->limits) {
+        ++seen;
+        QCOMPARE(limit.source, std::string("contract 12"));
+    }
+    QVERIFY(seen > 1);
+}
+
+void LayoutTest::formsEndAt720() {
+    const ShownWindow shown(examplePath("rotary-axis"), {2400, 1000});
+    for (const auto &[page, name] :
+         {std::pair(Page::conditions, "conditionsPage"), std::pair(Page::machine, "machinePage")}) {
+        shown.window->workplace().showPage(page);
+        QCoreApplication::processEvents();
+        auto *form = shown.find(name);
+        QVERIFY(form->width() > 900);
+        for (const auto *field : form->findChildren<Field *>())
+            QVERIFY2(field->mapTo(form, QPoint(field->width(), 0)).x() <= 16 + 720,
+                     qPrintable(field->edit()->objectName()));
+    }
+}
+
+void LayoutTest::conditionsBeginWithTestAndAxis() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    shown.window->workplace().showPage(Page::conditions);
+    const auto *first = shown.find("conditionsPage")->findChild<Field *>();
+    QCOMPARE(first->edit()->accessibleName(), u"Title of the test"_s);
+}
+
+void LayoutTest::allExamplesAreInSight_data() {
+    QTest::addColumn<Language::Id>("language");
+    QTest::newRow("in English") << Language::Id::english;
+    QTest::newRow("in French") << Language::Id::french;
+}
+
+void LayoutTest::allExamplesAreInSight() {
+    QFETCH(Language::Id, language);
+    setWindowLanguage(language);
+    const ShownWindow shown({}, {1280, 800});
+    const auto *list = shown.find<QListView>("examplesList");
+    QTRY_COMPARE(list->model()->rowCount(), static_cast<int>(examples().size()));
+    QTRY_VERIFY([&] {
+        for (int row = 0; row < list->model()->rowCount(); ++row) {
+            const QRect place = list->visualRect(list->model()->index(row, 0));
+            const QPoint end = list->viewport()->mapTo(shown.window, place.bottomRight());
+            if (!list->viewport()->rect().contains(place) || !shown.window->rect().contains(end) ||
+                !list->isVisible())
+                return false;
+        }
+        return true;
+    }());
+    auto *scroll = qobject_cast<QScrollArea *>(shown.find("welcome")->findChild<QScrollArea *>());
+    QVERIFY(scroll && !scroll->verticalScrollBar()->isVisible());
+}
+
+void LayoutTest::aDriftTestHasNoEmptyTable() {
+    Document document = openDocument(examplePath("rotary-axis"));
+    insertTest(document, 1, newDriftTest(Axis{}));
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.palmer"_s);
+    saveDocument(document, path);
+    const ShownWindow shown(path);
+    auto *results = shown.find("resultsPanel");
+    QVERIFY(results->isVisible());
+    shown.window->workplace().showTest(1);
+    QVERIFY(!results->isVisible());
+    const auto *model = shown.find<QListView>("navigation")->model();
+    const auto icon = [&](int row) {
+        return model->index(row, 0).data(NavigationModel::iconRole).toString();
+    };
+    QVERIFY(icon(model->rowCount() - 1) != icon(model->rowCount() - 2));
+    shown.window->workplace().showTest(0);
+    QVERIFY(results->isVisible());
+    shown.window->resize(900, 720); // below one another, behind tabs
+    shown.window->workplace().showTest(1);
+    QVERIFY(!shown.find<QTabBar>("rightTabs")->isTabVisible(1));
+}
+
+void LayoutTest::pointsThatDoNotApplyAreFoldedAway() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    shown.window->workplace().showPage(Page::agreedPoints);
+    auto *zone = shown.find("field.agreedPoints.zone"); // of axes longer than 2 m
+    auto *gradient = shown.find("field.agreedPoints.gradient");
+    QVERIFY(!zone->isVisible() && gradient->isVisible());
+    auto *others = shown.find<QPushButton>("inapplicablePoints");
+    QVERIFY(others->isVisible() && others->text().startsWith(u"1 "_s));
+    others->click();
+    QVERIFY(zone->isVisible() && !others->isVisible());
+}
+
+void LayoutTest::agreedPointsBeginWithACapital() {
+    for (const Language::Id language : {Language::Id::english, Language::Id::french}) {
+        setWindowLanguage(language);
+        const ShownWindow shown(examplePath("iso230-2-1988-example"));
+        shown.window->workplace().showPage(Page::agreedPoints);
+        int seen = 0;
+        for (const auto *edit : shown.find("agreedPointsPage")->findChildren<QLineEdit *>()) {
+            if (!edit->objectName().startsWith(u"field."_s))
+                continue;
+            ++seen;
+            QVERIFY2(edit->accessibleName().at(0).isUpper(), qPrintable(edit->accessibleName()));
+        }
+        QVERIFY(seen > 4);
+    }
+}
+
+void LayoutTest::theNumberOfAnAgreementIsTypedBesideItsText() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    shown.window->workplace().showPage(Page::agreedPoints);
+    auto *value = shown.find<QLineEdit>("value.gradient");
+    value->setFocus();
+    QTest::keyClicks(value, u"0,5"_s);
+    const auto agreed = [&]() -> std::optional<AgreedPoint> {
+        for (const AgreedPoint &point : shown.window->model().document()->tests[0]->agreedPoints) {
+            if (point.point == "gradient")
+                return point;
+        }
+        return {};
+    };
+    QVERIFY(agreed());
+    QCOMPARE(agreed()->value, std::optional(0.5));
+    QCOMPARE(agreed()->state, AgreementState::agreed); // to state a number is to agree
+    shown.find("field.agreedPoints.gradient")->setFocus(); // a visit of its own
+    value->setFocus();
+    QTest::keyClick(value, Qt::Key_End);
+    QTest::keyClicks(value, u"x"_s);
+    QCOMPARE(agreed()->value, std::optional(0.5)); // what is no number is not taken, and is told on closing
+    QVERIFY(shown.window->workplace().refusedTexts().contains(u"0.5x"_s));
+    QVERIFY(shown.window->findChild<QLineEdit *>(u"value.feed"_s));
+    QVERIFY(!shown.window->findChild<QLineEdit *>(u"value.warmUp"_s));
+}
+
+/// E_VE and R_LSC are drawn with a lower index: narrower than the letters side by side.
+void LayoutTest::symbolsInLabelsHaveTheirIndex() {
+    QVERIFY(namesSymbol(u"Env. variation E_VE"_s) && namesSymbol(u"R_LSC − R"_s));
+    QVERIFY(!namesSymbol(u"a_file_name.palmer"_s));
+    const auto drawn = [](const QString &text) {
+        ElidedLabel label;
+        label.setText(text);
+        label.resize(300, 30);
+        const QImage picture = label.grab().toImage();
+        int right = 0;
+        for (int x = 0; x < picture.width(); ++x) {
+            for (int y = 0; y < picture.height(); ++y) {
+                if (picture.pixel(x, y) != picture.pixel(picture.width() - 1, 0))
+                    right = x;
+            }
+        }
+        return right;
+    };
+    QVERIFY(drawn(u"E_VE"_s) > 0);
+    QVERIFY(drawn(u"E_VE"_s) < drawn(u"EVE"_s));
+}
+
+/// What Qt's French catalogue lacks, and what it calls otherwise, stands in ours.
+void LayoutTest::textsOfQtAreFrench() {
+    setWindowLanguage(Language::Id::french);
+    const auto say = [](const char *context, const char *text, const char *comment) {
+        return QCoreApplication::translate(context, text, comment);
+    };
+    QCOMPARE(say("QAbstractFileIconProvider", "Folder", "All other platforms"), u"Dossier"_s);
+    QCOMPARE(say("QAbstractFileIconProvider", "Drive", nullptr), u"Lecteur"_s);
+    QCOMPARE(say("QPlatformTheme", "Discard", nullptr), u"Ne pas enregistrer"_s);
+    QCOMPARE(say("QFileDialog", "New Folder", nullptr), u"Nouveau dossier"_s); // Qt's own is there as before
+}
+
+QTEST_MAIN(LayoutTest)
+#include "layouttest.moc"

@@ -1,0 +1,110 @@
+#include "ui/dialogs/settingsdialog.h"
+
+#include "ui/dialogs/formrows.h"
+#include "ui/settings.h"
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int margin = 16;
+
+/// The words of a choice, the chosen one kept.
+void setWords(QComboBox &box, const QStringList &words, int chosen) {
+    const QSignalBlocker blocker(&box);
+    box.clear();
+    box.addItems(words);
+    box.setCurrentIndex(chosen);
+}
+
+} // namespace
+
+SettingsDialog::SettingsDialog(QWidget *parent)
+    : QDialog(parent) {
+    setObjectName(QStringLiteral("settingsDialog"));
+    auto *form = new QFormLayout;
+    m_language = addChoice(*form, "settingsLanguage");
+    m_theme = addChoice(*form, "settingsTheme");
+    m_lengths = addChoice(*form, "settingsLengths");
+    m_angles = addChoice(*form, "settingsAngles");
+    alignLabels(*form);
+    m_autosave = new QCheckBox(this);
+    m_backup = new QCheckBox(this);
+    m_buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    m_autosave->setObjectName(QStringLiteral("settingsAutosave"));
+    m_backup->setObjectName(QStringLiteral("settingsBackup"));
+    m_autosave->setChecked(keepsCopies());
+    m_backup->setChecked(keepsBackups());
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(12);
+    layout->addLayout(form);
+    layout->addWidget(m_autosave);
+    layout->addWidget(m_backup);
+    layout->addStretch();
+    layout->addWidget(m_buttons);
+    retranslate();
+    connect(m_language, &QComboBox::activated, this,
+            [](int index) { setWindowLanguage(index == 0 ? Language::Id::french : Language::Id::english); });
+    connect(m_theme, &QComboBox::activated, this,
+            [](int index) { setThemeChoice(static_cast<ThemeChoice>(index)); });
+    for (QComboBox *box : {m_lengths, m_angles})
+        connect(box, &QComboBox::activated, this, &SettingsDialog::setUnits);
+    connect(m_autosave, &QCheckBox::clicked, this, &setKeepsCopies);
+    connect(m_backup, &QCheckBox::clicked, this, &setKeepsBackups);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+QComboBox *SettingsDialog::addChoice(QFormLayout &form, const char *name) {
+    auto *box = new QComboBox(this);
+    box->setObjectName(QLatin1StringView(name));
+    box->setFocusPolicy(Qt::StrongFocus);
+    auto *label = new QLabel(this);
+    label->setBuddy(box);
+    form.addRow(label, box);
+    m_labels.push_back(label);
+    return box;
+}
+
+void SettingsDialog::setUnits() {
+    setWindowUnits({static_cast<LengthDisplay>(m_lengths->currentIndex()),
+                    static_cast<AngleDisplay>(m_angles->currentIndex())});
+}
+
+void SettingsDialog::retranslate() {
+    setWindowTitle(tr("Settings"));
+    const QStringList labels{tr("&Language of the window"), tr("&Theme"), tr("L&engths"), tr("&Angles")};
+    for (std::size_t i = 0; i < m_labels.size(); ++i) {
+        m_labels[i]->setText(labels[static_cast<qsizetype>(i)]);
+        m_labels[i]->buddy()->setAccessibleName(QString(labels[static_cast<qsizetype>(i)]).remove(u'&'));
+    }
+    const DisplayUnits units = windowLanguage().units();
+    setWords(*m_language, {QStringLiteral("Français"), QStringLiteral("English")},
+             windowLanguage().id() == Language::Id::french ? 0 : 1);
+    setWords(*m_theme, {tr("as the system"), tr("light"), tr("dark")}, static_cast<int>(themeChoice()));
+    setWords(*m_lengths, {tr("µm and mm"), tr("mm only"), tr("µin and inches")},
+             static_cast<int>(units.lengths));
+    setWords(*m_angles, {tr("arc seconds and degrees"), tr("degrees only")}, static_cast<int>(units.angles));
+    m_autosave->setText(tr("&Keep changes safe from a crash"));
+    m_autosave->setToolTip(tr("A copy of what is not saved, in a folder of Palmer; it goes when you save"));
+    m_backup->setText(tr("Keep the version &before when saving"));
+    m_backup->setToolTip(tr("Beside the file, with .bak at the end of its name"));
+    m_buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+}
+
+void SettingsDialog::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QDialog>
+
+class QMenuBar;
+class QTreeWidget;
+
+namespace palmer::ui {
+
+/// All shortcuts of a window: those of its menus, read from them, and the keys of the table of readings.
+class ShortcutsDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit ShortcutsDialog(const QMenuBar &menus, QWidget *parent = nullptr);
+
+private:
+    void addMenus(const QMenuBar &menus);
+    void addTable();
+
+    QTreeWidget *m_list;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,57 @@
+#include "ui/standardbuttons.h"
+
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace palmer::ui {
+
+namespace {
+
+QString nameOf(QDialogButtonBox::StandardButton button) {
+    const auto say = [](const char *text) {
+        return QCoreApplication::translate("palmer::ui::StandardButtons", text);
+    };
+    switch (button) {
+    case QDialogButtonBox::Ok:
+        return say(QT_TRANSLATE_NOOP("palmer::ui::StandardButtons", "&OK"));
+    case QDialogButtonBox::Save:
+        return say(QT_TRANSLATE_NOOP("palmer::ui::StandardButtons", "&Save"));
+    case QDialogButtonBox::Discard:
+        return say(QT_TRANSLATE_NOOP("palmer::ui::StandardButtons", "&Discard"));
+    case QDialogButtonBox::Cancel:
+        return say(QT_TRANSLATE_NOOP("palmer::ui::StandardButtons", "&Cancel"));
+    default:
+        return {};
+    }
+}
+
+class ButtonNames : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject *watched, QEvent *event) override {
+        if (event->type() != QEvent::Polish)
+            return false;
+        auto *button = qobject_cast<QPushButton *>(watched);
+        auto *box = button ? qobject_cast<QDialogButtonBox *>(button->parentWidget()) : nullptr;
+        if (!box ||
+            (!qobject_cast<QMessageBox *>(box->window()) && !qobject_cast<QInputDialog *>(box->window())))
+            return false;
+        const QString name = nameOf(box->standardButton(button));
+        if (!name.isEmpty())
+            button->setText(name);
+        return false;
+    }
+};
+
+} // namespace
+
+void nameStandardButtons(QApplication &application) {
+    application.installEventFilter(new ButtonNames(&application));
+}
+
+} // namespace palmer::ui
