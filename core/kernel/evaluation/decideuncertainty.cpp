@@ -166,10 +166,10 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
         note(evaluation, "monteCarloShift",
              {simulationDecides
                   ? REPORT_TEXT("report",
-                                "The errors of measurement shift %1 by more than a third of the uncertainty "
+                                "Measurement errors bias %1 by more than a third of the uncertainty "
                                 "that the Monte Carlo simulation gives: the budget decides.")
                   : REPORT_TEXT("report",
-                                "The errors of measurement shift %1 by more than a third of the uncertainty "
+                                "Measurement errors bias %1 by more than a third of the uncertainty "
                                 "that the Monte Carlo simulation gives."),
               {symbols}});
     findDifferences(evaluation, reason);
