@@ -226,7 +226,8 @@ std::optional<Interval> sectorOf(std::span<const PathProfile> profiles) {
         if (profile.angles.empty())
             continue;
         const auto [low, high] = std::ranges::minmax(profile.angles);
-        sector = sector ? Interval{std::min(sector->from, low), std::max(sector->to, high)} : Interval{low, high};
+        sector =
+            sector ? Interval{std::min(sector->from, low), std::max(sector->to, high)} : Interval{low, high};
     }
     constexpr double mostOfCircle = 270;
     return sector && sector->to - sector->from <= mostOfCircle ? sector : std::nullopt;
@@ -252,8 +253,8 @@ QRectF boxOf(const Interval &sector) {
 /// Radius and middle of a figure that shows a sector alone, where that makes it larger.
 void fillFrame(CircleFigure &figure, const Interval &sector) {
     constexpr double worthIt = 1.1;
-    constexpr double tails = 3;      // beside the axes, mm
-    constexpr double scaleRoom = 9;  // below, for the scale, mm
+    constexpr double tails = 3;     // beside the axes, mm
+    constexpr double scaleRoom = 9; // below, for the scale, mm
     const QRectF box = boxOf(sector);
     const double width = figure.size.width() - 2 * sideMargin;
     const double height = figure.size.height() - topMargin - scaleRoom - tails;
@@ -383,9 +384,8 @@ Interval reach(const CircleFigure &figure, std::span<const PathProfile> profiles
 /// Of a limit in mm, with the digits it was entered with.
 QString limitLabel(const std::string &of, double limit, const Language &language) {
     const int decimals = limitDecimals(limit, Quantity::deviation, language.units());
-    return language.sentence({REPORT_TEXT("report", "limit of %1: %2"),
-                              {of, Number{limit, Quantity::deviation, decimals}},
-                              {}});
+    return language.sentence(
+        {REPORT_TEXT("report", "limit of %1: %2"), {of, Number{limit, Quantity::deviation, decimals}}, {}});
 }
 
 /// Limits beyond what the figure shows are not drawn but named.

@@ -248,9 +248,9 @@ void addLegend(CurveFigure &figure, const AxisSource &source, const Language &la
         figure.legend.push_back({up ? LegendSample::up : LegendSample::down, text, band});
     }
     if (source.bothWays()) {
-        figure.legend.push_back({LegendSample::mean,
-                                 QStringLiteral("x̄ ") + language.text(REPORT_TEXT("report", "bi-directional")),
-                                 false});
+        figure.legend.push_back(
+            {LegendSample::mean,
+             QStringLiteral("x̄ ") + language.text(REPORT_TEXT("report", "bi-directional")), false});
     }
     if (!figure.readings.empty()) {
         figure.legend.push_back(
@@ -276,10 +276,10 @@ void addLimits(CurveFigure &figure, const Language &language) {
         band |= dimension.guard.has_value();
     }
     if (!beyond.isEmpty())
-        figure.note = language.sentence({beyond.size() == 1
-                                             ? REPORT_TEXT("report", "limit beyond the scale: %1")
-                                             : REPORT_TEXT("report", "limits beyond the scale: %1"),
-                                         {beyond.join(QStringLiteral(", ")).toStdString()}});
+        figure.note =
+            language.sentence({beyond.size() == 1 ? REPORT_TEXT("report", "limit beyond the scale: %1")
+                                                  : REPORT_TEXT("report", "limits beyond the scale: %1"),
+                               {beyond.join(QStringLiteral(", ")).toStdString()}});
     if (any)
         figure.legend.push_back({LegendSample::limit,
                                  band ? language.text(REPORT_TEXT_FOR("report", "limit ± g", "of a figure"))
@@ -392,9 +392,9 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
         const auto shown = std::ranges::find(evaluation.parameters, dimension.id.toStdString(),
                                              [](const Parameter &p) { return std::string(p.term.id); });
         if (dimension.limit && shown != evaluation.parameters.end())
-            dimension.limitText =
-                language.quantity(*shown->limit->value, shown->term.quantity,
-                                  limitDecimals(*shown->limit->value, shown->term.quantity, language.units()));
+            dimension.limitText = language.quantity(
+                *shown->limit->value, shown->term.quantity,
+                limitDecimals(*shown->limit->value, shown->term.quantity, language.units()));
     }
     addLimits(figure, language);
     return figure;

@@ -263,14 +263,14 @@ struct CircleFigure {
     QSizeF size;          ///< of the drawing, mm
     double keyHeight = 0; ///< of the legend below it on paper, mm; what is printed is that much higher
     int keyColumns = 3;
-    double figureRadius = 0;  ///< nothing that deviates is drawn farther out, mm
-    QPointF home;             ///< what stands in the middle of the whole figure, mm from the centre of the circles
+    double figureRadius = 0; ///< nothing that deviates is drawn farther out, mm
+    QPointF home; ///< what stands in the middle of the whole figure, mm from the centre of the circles
     std::optional<Interval> sector = {}; ///< degrees: the figure shows this part of the circles alone
-    double plotRadius = 0;    ///< of the nominal circle, mm
-    double magnification = 1; ///< 1, 2 or 5 times a power of ten
-    double division = 0;      ///< between rings, the length of the scale bar, µm
-    QString divisionLabel;    ///< "5 µm"
-    double pointStep = 0;     ///< of the traces, mm of the drawing
+    double plotRadius = 0;               ///< of the nominal circle, mm
+    double magnification = 1;            ///< 1, 2 or 5 times a power of ten
+    double division = 0;                 ///< between rings, the length of the scale bar, µm
+    QString divisionLabel;               ///< "5 µm"
+    double pointStep = 0;                ///< of the traces, mm of the drawing
     CircleView view;
     std::vector<DeviationCircle> rings; ///< ascending; of the whole figure 0 among them
     std::vector<CircleTrace> traces;

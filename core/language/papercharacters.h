@@ -5,9 +5,9 @@
 
 namespace palmer {
 
-/// Whether the font of paper (Liberation Sans) has the character; signs that are not seen count as had. What it
-/// lacks is drawn from another font where one is installed: what a page says and where it breaks its lines does
-/// not depend on that.
+/// Whether the font of paper (Liberation Sans) has the character; signs that are not seen count as had. What
+/// it lacks is drawn from another font where one is installed: what a page says and where it breaks its lines
+/// does not depend on that.
 [[nodiscard]] bool isOnPaper(char32_t character);
 
 /// The characters of a text that the font of paper lacks, each once, ascending.

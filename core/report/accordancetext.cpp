@@ -173,7 +173,8 @@ Mark markOf(Accordance accordance) {
 VerdictStatement accordanceStatement(const Test &test, const TestEvaluation &evaluation,
                                      const Language &language, bool page) {
     VerdictStatement result{language.text(REPORT_TEXT_FOR("report", "Test", "part of a verdict")),
-                            markOf(evaluation.accordance()), accordanceText(test, evaluation, language, page),
+                            markOf(evaluation.accordance()),
+                            accordanceText(test, evaluation, language, page),
                             {}};
     const qsizetype colon = result.state.indexOf(QLatin1String(": "));
     if (colon > 0) {

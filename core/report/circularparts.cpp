@@ -208,9 +208,8 @@ KeyValues parameterRows(const CircularPart &part) {
                                        points(measurement.arcs[path.arc].angles.size()).toStdString()});
                  }));
     } else {
-        rows.add(REPORT_TEXT("report", "Points"), ofEachPath(part, [&](const EvaluatedPath &path) {
-                     return points(path.source.size());
-                 }));
+        rows.add(REPORT_TEXT("report", "Points"),
+                 ofEachPath(part, [&](const EvaluatedPath &path) { return points(path.source.size()); }));
     }
     rows.add(REPORT_TEXT("report", "Start, stop"), startAndStop(part));
     rows.add(REPORT_TEXT("report", "Smoothing"), conditions.smoothing);

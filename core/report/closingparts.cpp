@@ -73,8 +73,8 @@ QString bounded(const QString &name) {
 }
 
 QString authorisedText(const ReportHead &head) {
-    return joined({QString::fromStdString(head.authorisedBy.name),
-                   QString::fromStdString(head.authorisedBy.function)});
+    return joined(
+        {QString::fromStdString(head.authorisedBy.name), QString::fromStdString(head.authorisedBy.function)});
 }
 
 QString knownName(Signer signer, const ReportHead &head) {
@@ -142,8 +142,8 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
 }
 
 QString scopeText(const Writer &write) {
-    return write.text(
-               REPORT_TEXT("report", "The results relate only to the machine tested in the stated condition.")) +
+    return write.text(REPORT_TEXT("report",
+                                  "The results relate only to the machine tested in the stated condition.")) +
            u' ' + write.text(REPORT_TEXT("report", "This report may be reproduced only in full."));
 }
 
@@ -161,7 +161,8 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
     };
     addStated(REPORT_TEXT("report", "Order"), QString::fromStdString(head.order));
     addStated(REPORT_TEXT("report", "Procedure"), QString::fromStdString(head.procedure));
-    addStated(REPORT_TEXT("report", "Tests carried out"), periodText(write, head.performedFrom, head.performedTo));
+    addStated(REPORT_TEXT("report", "Tests carried out"),
+              periodText(write, head.performedFrom, head.performedTo));
     addStated(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine));
     add(REPORT_TEXT("report", "Condition of the machine"),
         QString::fromStdString(document.machine.condition));
@@ -176,8 +177,9 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
     add(REPORT_TEXT("report", "Fingerprint SHA-256"), fingerprint);
     if (!foreign.isEmpty())
         add(REPORT_TEXT("report", "Characters"),
-            write.say(REPORT_TEXT("report", "not in the font of the report: %1; drawn from another font where one "
-                                            "is installed, else as boxes"),
+            write.say(REPORT_TEXT("report",
+                                  "not in the font of the report: %1; drawn from another font where one "
+                                  "is installed, else as boxes"),
                       foreign));
     addHeading(blocks, write.text(REPORT_TEXT("report", "Statements")));
     blocks.emplace_back(std::move(values));

@@ -137,8 +137,9 @@ public:
         }
         QStringList lines;
         for (const auto &[test, headings] : repeated)
-            lines << part.write.say(REPORT_TEXT("report", "As for test %1: %2."),
-                                    {std::to_string(test), headings.join(part.write.semicolon()).toStdString()});
+            lines << part.write.say(
+                REPORT_TEXT("report", "As for test %1: %2."),
+                {std::to_string(test), headings.join(part.write.semicolon()).toStdString()});
         if (!lines.isEmpty())
             result.insert(result.begin() + static_cast<std::ptrdiff_t>(place),
                           Paragraph{lines.join(u'\n'), TextSize::small});
@@ -181,7 +182,9 @@ QString foreignCharacters(const Report &report) {
             names << QStringLiteral("…");
             break;
         }
-        names << QStringLiteral("U+%1").arg(static_cast<uint>(character), digits, hexadecimal, QLatin1Char('0')).toUpper();
+        names << QStringLiteral("U+%1")
+                     .arg(static_cast<uint>(character), digits, hexadecimal, QLatin1Char('0'))
+                     .toUpper();
     }
     return names.join(QStringLiteral(", "));
 }

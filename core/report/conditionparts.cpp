@@ -404,9 +404,7 @@ bool saysMore(const std::vector<Sensor> &sensors) {
     });
 }
 
-void addSensors(std::vector<Block> &blocks, const Writer &write, const std::vector<Sensor> &sensors) {
-    if (!saysMore(sensors))
-        return;
+Table sensorTable(const Writer &write, const std::vector<Sensor> &sensors) {
     Table table;
     table.columns = {
         {write.text(REPORT_TEXT("report", "Temperature of")), {}, Alignment::left, false, 30},
@@ -428,8 +426,14 @@ void addSensors(std::vector<Block> &blocks, const Writer &write, const std::vect
         table.rows.push_back({write.text(sensorText(sensor.measures)),
                               QString::fromStdString(sensor.position), shown(startTemperature(sensor)),
                               shown(endTemperature(sensor))});
+    return table;
+}
+
+void addSensors(std::vector<Block> &blocks, const Writer &write, const std::vector<Sensor> &sensors) {
+    if (!saysMore(sensors))
+        return;
     addHeading(blocks, write.text(REPORT_TEXT("report", "Temperature sensors")));
-    blocks.emplace_back(std::move(table));
+    blocks.emplace_back(sensorTable(write, sensors));
 }
 
 constexpr double temperatureFigureHeight = 62; ///< mm
@@ -481,9 +485,8 @@ std::vector<KeyValue> commonConditions(const std::vector<TestPart> &parts) {
     std::vector<KeyValue> common = conditionRowsOf(parts.front()).rows;
     for (const TestPart &part : std::span(parts).subspan(1)) {
         const std::vector<KeyValue> rows = conditionRowsOf(part).rows;
-        std::erase_if(common, [&](const KeyValue &row) {
-            return std::ranges::find(rows, row) == rows.end();
-        });
+        std::erase_if(common,
+                      [&](const KeyValue &row) { return std::ranges::find(rows, row) == rows.end(); });
     }
     return common;
 }
@@ -502,9 +505,15 @@ void addCommonConditions(std::vector<Block> &blocks, const Writer &write,
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
     const Writer &write = part.write;
     addConditionsHeading(blocks, part);
+    const std::vector<Sensor> &sensors = part.measurement.conditions.common.sensors;
+    KeyValues own = ownConditions(part);
+    const bool sensorsBeside = own.rows.empty() && saysMore(sensors); // nothing else stands there
     SideBySide both;
     both.leftWidth = conditionsWidth;
-    both.left.emplace_back(ownConditions(part));
+    if (sensorsBeside)
+        both.left.emplace_back(sensorTable(write, sensors));
+    else
+        both.left.emplace_back(std::move(own));
     both.right.emplace_back(environment(part));
     if (part.measurement.axis.motion == Motion::linear)
         both.right.emplace_back(
@@ -512,7 +521,8 @@ void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
                                 {correctionText(part.measurement.conditions.common.correctionTo20)}),
                       TextSize::small});
     blocks.emplace_back(std::move(both));
-    addSensors(blocks, part.write, part.measurement.conditions.common.sensors);
+    if (!sensorsBeside)
+        addSensors(blocks, write, sensors);
     addTemperatureCurve(blocks, part, part.measurement.conditions.common.sensors);
 }
 

@@ -8,7 +8,8 @@ namespace palmer {
 [[nodiscard]] std::vector<KeyValue> commonConditions(const std::vector<TestPart> &parts);
 
 /// These, once for all tests.
-void addCommonConditions(std::vector<Block> &blocks, const Writer &write, const std::vector<KeyValue> &common);
+void addCommonConditions(std::vector<Block> &blocks, const Writer &write,
+                         const std::vector<KeyValue> &common);
 
 /// The test conditions with the environment and the temperature sensors.
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part);

@@ -53,13 +53,14 @@ void addGroupRules(Table &table) {
         table.rulesAfter.push_back(row - 1);
 }
 
-/// Targets (from 1) that rule R↑, R↓, R, B and their likes: the cells of the table per target that stand bold.
+/// Targets (from 1) that rule R↑, R↓, R, B and their likes: the cells of the table per target that stand
+/// bold.
 std::set<std::pair<std::string, int>> rulingCells(const TestEvaluation &evaluation) {
     struct Column {
         std::string_view parameter;
         const char *term;
     };
-    constexpr std::array columns{Column{"R+", "R+"},      Column{"R-", "R-"}, Column{"R", "R"},
+    constexpr std::array columns{Column{"R+", "R+"},      Column{"R-", "R-"},  Column{"R", "R"},
                                  Column{"B", "reversal"}, Column{"Umax", "U"}, Column{"Psmax", "Ps"}};
     std::set<std::pair<std::string, int>> cells;
     for (const Parameter &parameter : evaluation.parameters) {
@@ -299,14 +300,14 @@ bool hasScatter(const PositioningPart &part) {
 
 /// Of one run a direction the means are the readings.
 bool meansAreReadings(const PositioningPart &part) {
-    return !hasScatter(part) && part.results.corrections.empty() &&
-           !part.leavesOut(ReportPart::targetTable);
+    return !hasScatter(part) && part.results.corrections.empty() && !part.leavesOut(ReportPart::targetTable);
 }
 
 QString targetNote(const PositioningPart &part) {
     if (hasScatter(part))
-        return part.write.say(REPORT_TEXT("report", "factor %1; bold: the value governing the axis parameter"),
-                              {Number{part.edition().c, Quantity::number, -1}});
+        return part.write.say(
+            REPORT_TEXT("report", "factor %1; bold: the value governing the axis parameter"),
+            {Number{part.edition().c, Quantity::number, -1}});
     QStringList notes;
     if (meansAreReadings(part))
         notes << part.write.text(REPORT_TEXT("report", "n = 1: the means are the readings"));
@@ -325,8 +326,7 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
     const int places = positionDecimals(part.measurement.targets, part.along());
     const int digits = statisticDecimals(part.measurement);
     const auto ruling = rulingCells(part.evaluation);
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Results per target position")),
-               targetNote(part));
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Results per target position")), targetNote(part));
     if (targets.size() > mostRows && !printsAllRows(part)) {
         addLeftOut(blocks, write, targets.size());
         return;
@@ -399,6 +399,10 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
         {indexed(QStringLiteral("x"), QStringLiteral("ij")), unit, Alignment::decimal, false, 25},
         {write.text(REPORT_TEXT("report", "Reason")), {}, Alignment::left, true, 112}};
     const std::vector<int> numbers = numbersInDirection(measurement);
+    int decimals = readingDecimals(measurement);
+    for (const ExcludedReading &reading : measurement.excluded) // which may have more
+        decimals =
+            std::max(decimals, limitDecimals(reading.value, part.deviation(), write.language().units()));
     const std::size_t shown =
         printsAllRows(part) ? measurement.excluded.size() : std::min(mostRows, measurement.excluded.size());
     for (const ExcludedReading &reading : std::span(measurement.excluded).first(shown)) {
@@ -411,7 +415,7 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
                               run < numbers.size()
                                   ? QString::number(numbers[run]) + arrow(measurement.runs[run].approach)
                                   : QString(),
-                              write.language().number(reading.value, part.deviation()),
+                              write.language().number(reading.value, part.deviation(), decimals),
                               QString::fromStdString(reading.reason)});
     }
     addHeading(blocks, write.text(REPORT_TEXT("report", "Excluded readings")),
@@ -467,8 +471,11 @@ Table instrumentResultsTable(const TestPart &part) {
         const ImportedResult &stated = *result.stated;
         const std::string name =
             part.test.imports.size() > 1 ? result.file->fileName + ": " + stated.name : stated.name;
-        std::vector<Cell> row{QString::fromStdString(name), language.number(stated.value, Quantity::number),
-                              QString::fromStdString(stated.unit)};
+        std::vector<Cell> row{
+            QString::fromStdString(name),
+            language.number(stated.value, Quantity::number,
+                            limitDecimals(stated.value, Quantity::number, language.units())),
+            QString::fromStdString(stated.unit)};
         if (const Parameter *ours = result.ours) {
             row.emplace_back(QString::fromStdString(plainSymbol(*ours)));
             const PrintedNumbers printed = printedNumbers(

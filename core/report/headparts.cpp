@@ -280,11 +280,11 @@ TestHead summaryHead(const std::vector<TestPart> &parts) {
         if (const QString edition = QString::fromUtf8(part.edition().word); !editions.contains(edition))
             editions << edition;
     }
-    head.subtitle = joined({write.language().sentence({REPORT_TEXT_COUNTED("report", "Summary of %n test(s)"),
-                                                       {},
-                                                       static_cast<int>(parts.size())}),
-                            enumerated(write, editions)},
-                           QStringLiteral(" · "));
+    head.subtitle = joined(
+        {write.language().sentence(
+             {REPORT_TEXT_COUNTED("report", "Summary of %n test(s)"), {}, static_cast<int>(parts.size())}),
+         enumerated(write, editions)},
+        QStringLiteral(" · "));
     head.left = partiesAndDates(write, document.report, periodOfTests(parts),
                                 REPORT_TEXT("report", "Dates of the tests"));
     Rows rows(write, rightLabels);

@@ -57,8 +57,8 @@ Comparison printedComparison(const Parameter &p, Digits digits, const DisplayUni
                        {},
                        roundingOfWritten};
     if (const auto guarded = p.guardedUncertainty())
-        printed.uncertainty =
-            readBack(Decimal(*guarded, unit).roundedUncertainty(std::max(0, digits.uncertainty + unit.decimals)));
+        printed.uncertainty = readBack(
+            Decimal(*guarded, unit).roundedUncertainty(std::max(0, digits.uncertainty + unit.decimals)));
     return printed;
 }
 

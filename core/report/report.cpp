@@ -67,8 +67,8 @@ Report withPages(Report report, const std::map<QString, int> &pages) {
             continue;
         const auto found = pages.find(line->anchor);
         for (Span &span : line->accordance.text.spans)
-            span.text.replace(QLatin1String("%1"), found == pages.end() ? QStringLiteral("–")
-                                                                        : QString::number(found->second));
+            span.text.replace(QLatin1String("%1"),
+                              found == pages.end() ? QStringLiteral("–") : QString::number(found->second));
     }
     return report;
 }

@@ -248,9 +248,9 @@ struct VerdictStatement {
     bool operator==(const VerdictStatement &) const = default;
 };
 
-/// The verdict on a test or a report: one large word, and beside it its two parts in the same size: the limits,
-/// and the accordance with the edition. Stays with the block above it. Order of the text: label, word, note,
-/// limits, accordance.
+/// The verdict on a test or a report: one large word, and beside it its two parts in the same size: the
+/// limits, and the accordance with the edition. Stays with the block above it. Order of the text: label,
+/// word, note, limits, accordance.
 struct VerdictLine {
     Mark mark = Mark::none;
     QString label;     ///< "Verdict of the test"

@@ -295,7 +295,8 @@ QString resultsNote(const TestPart &part) {
                                        : REPORT_TEXT("report", "s by the calculation method"));
     }
     if (part.evaluation.verdict) {
-        notes << ruleInShort(part) << part.write.text(REPORT_TEXT("report", "verdict based on unrounded values"));
+        notes << ruleInShort(part)
+              << part.write.text(REPORT_TEXT("report", "verdict based on unrounded values"));
     }
     return notes.join(part.write.semicolon());
 }
@@ -314,10 +315,11 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultFor
         return isRadialDeviation(p) && isPrinted(p, part.head());
     };
     if (form.setUpInF && std::ranges::any_of(parameters, holdsSetUp))
-        blocks.emplace_back(ResultsLegend{
-            {{LegendSign::none,
-              QStringLiteral("†\u00A0") +
-                  write.text(REPORT_TEXT("report", "about the centre of the set-up: with the set-up error"))}}});
+        blocks.emplace_back(
+            ResultsLegend{{{LegendSign::none,
+                            QStringLiteral("†\u00A0") +
+                                write.text(REPORT_TEXT(
+                                    "report", "about the centre of the set-up: with the set-up error"))}}});
     if (const CoverageOfResults coverage = coverageOf(part.evaluation, part.head()); coverage.mixed())
         blocks.emplace_back(ResultsLegend{
             {{LegendSign::none, QStringLiteral("U: ") + coverageNote(coverage, write.language())}}});
@@ -330,8 +332,8 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultFor
     if (!hasGuardBand(part.test)) {
         legend.items.push_back(
             {LegendSign::limit,
-             write.text(REPORT_TEXT(
-                 "report", "limit. Value left of the limit: met; right of it: exceeded."))});
+             write.text(
+                 REPORT_TEXT("report", "limit. Value left of the limit: met; right of it: exceeded."))});
     } else {
         legend.items.push_back({LegendSign::limit, write.text(REPORT_TEXT_FOR("report", "limit", "legend"))});
     }
@@ -343,9 +345,8 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultFor
                                  : QStringLiteral("g");
         const Text words =
             part.test.decisionRule.rule == Rule::rejectionProven
-                ? REPORT_TEXT("report",
-                              "limit ± %1. Value left of the band: met; within: non-conformity not "
-                              "proven; right: exceeded.")
+                ? REPORT_TEXT("report", "limit ± %1. Value left of the band: met; within: non-conformity not "
+                                        "proven; right: exceeded.")
                 : REPORT_TEXT("report",
                               "limit ± %1. Value left of the band: met; in the band: not proven; right "
                               "of the band: exceeded.");
@@ -659,9 +660,10 @@ QString decisionText(const TestPart &part) {
         break;
     case Rule::rejectionProven:
         words << write.say(
-            REPORT_TEXT("report", "Non-conformity has to be proven: a value conforms when it is at least g "
-                                  "below its limit and does not conform when it is more than g above it; "
-                                  "between, non-conformity is not proven: no ground for rejection; g = %1·U."),
+            REPORT_TEXT("report",
+                        "Non-conformity has to be proven: a value conforms when it is at least g "
+                        "below its limit and does not conform when it is more than g above it; "
+                        "between, non-conformity is not proven: no ground for rejection; g = %1·U."),
             {factor(part.test)});
         break;
     }

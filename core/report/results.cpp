@@ -313,7 +313,8 @@ private:
         if (evaluation.verdict)
             limits += QStringLiteral(" (") + ruleOf(test) + u')';
         VerdictLine line;
-        line.limits = {text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")), Mark::none, limits, {}};
+        line.limits = {
+            text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")), Mark::none, limits, {}};
         line.accordance = accordanceStatement(test, evaluation, m_language, false);
         return line;
     }

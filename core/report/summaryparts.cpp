@@ -71,8 +71,9 @@ Cell testCell(const TestPart &part, bool pale) {
     cell.pale = pale;
     if (!part.test.title.empty())
         cell.notes.push_back({QString::fromStdString(part.test.title)});
-    const QString date =
-        part.test.date && !part.test.date->empty() ? part.write.language().shortDate(*part.test.date) : QString();
+    const QString date = part.test.date && !part.test.date->empty()
+                             ? part.write.language().shortDate(*part.test.date)
+                             : QString();
     cell.notes.push_back({joined({date, QString::fromUtf8(part.edition().word)}, QStringLiteral(" · "))});
     cell.notes.push_back(accordanceNote(part));
     if (pale)
@@ -179,8 +180,8 @@ private:
         m_table.rows[first][0] = number;
         m_table.rows[first][1] = test;
         const bool last = index + 1 == m_parts.size();
-        if (!last && part.test.role == TestRole::asFound && m_parts[index + 1].test.role == TestRole::asLeft &&
-            !part.head().adjustments.empty())
+        if (!last && part.test.role == TestRole::asFound &&
+            m_parts[index + 1].test.role == TestRole::asLeft && !part.head().adjustments.empty())
             addAdjustment(part);
         else if (!last)
             m_table.strongRulesAfter.push_back(m_table.rows.size() - 1);
@@ -227,8 +228,9 @@ private:
         m_table.rulesAfter.push_back(m_table.rows.size() - 1);
         std::vector<Cell> cells(m_table.columns.size(), blankCell());
         cells[0] = Cell(QStringLiteral("↓"));
-        cells[1] = Cell(Phrase({{m_write.text(REPORT_TEXT("report", "Adjustment:")) + u' ', false, false, false, true},
-                                {QString::fromStdString(part.head().adjustments)}}));
+        cells[1] = Cell(
+            Phrase({{m_write.text(REPORT_TEXT("report", "Adjustment:")) + u' ', false, false, false, true},
+                    {QString::fromStdString(part.head().adjustments)}}));
         cells[1].columns = m_table.columns.size() - 1;
         m_table.rows.push_back(std::move(cells));
         m_table.links.emplace_back();
@@ -325,8 +327,9 @@ Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const 
         return joined({met, rule}, write.semicolon()) + u'.';
     }
     Phrase result = namedQuantities(parts, *whole.verdict);
-    result.spans.push_back({u'.' + QStringLiteral(" ") + write.say(REPORT_TEXT("report", "Met: %1 of %2 limits."),
-                                                                  {count(whole.met), count(whole.limits)})});
+    result.spans.push_back(
+        {u'.' + QStringLiteral(" ") +
+         write.say(REPORT_TEXT("report", "Met: %1 of %2 limits."), {count(whole.met), count(whole.limits)})});
     return result;
 }
 
@@ -378,15 +381,15 @@ QString closingText(const Writer &write, const Whole &whole) {
         sentences << write.text(
             REPORT_TEXT("report", "The verdict of the report is the worst of the verdicts of the tests."));
     else if (whole.asFound.size() == 1)
-        sentences << write.say(REPORT_TEXT("report",
-                                           "The verdict of the report is the worst of the verdicts of the tests "
-                                           "in the final condition; test %1, as found, does not enter."),
-                               whole.asFound.front());
+        sentences << write.say(
+            REPORT_TEXT("report", "The verdict of the report is the worst of the verdicts of the tests "
+                                  "in the final condition; test %1, as found, does not enter."),
+            whole.asFound.front());
     else
-        sentences << write.say(REPORT_TEXT("report",
-                                           "The verdict of the report is the worst of the verdicts of the tests "
-                                           "in the final condition; tests %1, as found, do not enter."),
-                               enumerated(write, whole.asFound));
+        sentences << write.say(
+            REPORT_TEXT("report", "The verdict of the report is the worst of the verdicts of the tests "
+                                  "in the final condition; tests %1, as found, do not enter."),
+            enumerated(write, whole.asFound));
     sentences << scopeText(write);
     return sentences.join(u' ');
 }

@@ -4,8 +4,8 @@
 
 namespace palmer {
 
-/// The first page of a report over several tests: the verdict of all, and every quantity that has a limit, test
-/// by test. Tests as found are printed for information where there are others.
+/// The first page of a report over several tests: the verdict of all, and every quantity that has a limit,
+/// test by test. Tests as found are printed for information where there are others.
 void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
 } // namespace palmer

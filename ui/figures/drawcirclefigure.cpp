@@ -27,8 +27,8 @@ constexpr double startRadius = 1.3;
 constexpr double halo = 0.35;
 constexpr double contactWidth = 1.7;
 constexpr double senseRadius = 14;
-constexpr double senseRoom = 3; ///< between the arrows of the sense and what is drawn around them
-constexpr double spokes = 30;   ///< degrees
+constexpr double senseRoom = 3;    ///< between the arrows of the sense and what is drawn around them
+constexpr double spokes = 30;      ///< degrees
 constexpr double freeOfMarks = 9;  ///< degrees
 constexpr double roomForLabel = 9; ///< between the circles of a dimension
 constexpr double limitTick = 1;
@@ -102,7 +102,8 @@ public:
         if (medium == Medium::paper)
             m_plot.moveLeft(area.left() + (area.width() - m_plot.width()) / 2);
         m_scale = m_unit * figure.view.zoom;
-        m_centre = m_plot.center() + QPointF(-figure.view.x - figure.home.x(), figure.view.y + figure.home.y()) * m_scale;
+        m_centre = m_plot.center() +
+                   QPointF(-figure.view.x - figure.home.x(), figure.view.y + figure.home.y()) * m_scale;
         if (figure.sector) {
             m_dimensionAngles = anglesIn(*figure.sector, {0.7, 0.62, 0.78, 0.55, 0.85, 0.5});
             m_limitAngles = anglesIn(*figure.sector, {0.35, 0.28, 0.42, 0.2, 0.15, 0.5});
@@ -298,7 +299,9 @@ private:
                           colour(FigureRole::planeAxis));
         }
         const double width = textWidth(m_figure.firstAxis);
-        drawLetter(polar(first, tip) + QPointF((first > 0 ? 1 : -1) * width / 2 - 0.2 * mm, letterBeside * mm), m_figure.firstAxis);
+        drawLetter(polar(first, tip) +
+                       QPointF((first > 0 ? 1 : -1) * width / 2 - 0.2 * mm, letterBeside * mm),
+                   m_figure.firstAxis);
         drawLetter(polar(second, tip) + QPointF(-1.6 * mm - textWidth(m_figure.secondAxis) / 2,
                                                 (second > 90 ? -1 : 1) * textHeight / 2),
                    m_figure.secondAxis);
@@ -538,8 +541,8 @@ private:
         return label;
     }
 
-    /// Where the letters of a dimension in this direction have room: in its line, else beyond the outer circle,
-    /// else within the inner one; `free`: and no path runs.
+    /// Where the letters of a dimension in this direction have room: in its line, else beyond the outer
+    /// circle, else within the inner one; `free`: and no path runs.
     [[nodiscard]] std::optional<QPointF> labelOfDimension(double degrees, bool free) {
         const double inner = m_figure.radius(m_figure.envelope->inner);
         const double outer = m_figure.radius(m_figure.envelope->outer);
@@ -866,12 +869,13 @@ private:
     QPointF m_centre;
     // Directions, degrees, the preferred one first.
     std::vector<double> m_dimensionAngles{135, 123, 147, 111, 159};
-    std::vector<double> m_limitAngles{225, 213, 237, 201, 249, 315, 303, 327, 45, 57, 33, 262, 278, 190, 350, 10};
+    std::vector<double> m_limitAngles{225, 213, 237, 201, 249, 315, 303, 327,
+                                      45,  57,  33,  262, 278, 190, 350, 10};
     std::vector<double> m_labelAngles{-60, -54, -66, -48, -72, -40, -80, -30, -20, -120, -130, -110};
     std::vector<QRectF> m_taken;    ///< by texts
     std::vector<QPolygonF> m_lines; ///< paths, once they were asked for
-    double m_unit = 1;           ///< points a mm of the whole figure
-    double m_scale = 1;          ///< points a mm of the figure in view
+    double m_unit = 1;              ///< points a mm of the whole figure
+    double m_scale = 1;             ///< points a mm of the figure in view
 };
 
 } // namespace

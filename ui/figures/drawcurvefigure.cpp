@@ -77,7 +77,8 @@ bool meets(QPointF a, QPointF b, const QRectF &rect) {
     const auto cut = [&](double along, double distance) {
         if (along == 0)
             return distance >= 0;
-        (along < 0 ? from : to) = along < 0 ? std::max(from, distance / along) : std::min(to, distance / along);
+        (along < 0 ? from : to) =
+            along < 0 ? std::max(from, distance / along) : std::min(to, distance / along);
         return from <= to;
     };
     return cut(-way.x(), a.x() - rect.left()) && cut(way.x(), rect.right() - a.x()) &&
@@ -519,8 +520,8 @@ private:
         return false;
     }
 
-    /// The middle of a letter beside a target: in the line of its dimension, above or below it, where no curve
-    /// runs.
+    /// The middle of a letter beside a target: in the line of its dimension, above or below it, where no
+    /// curve runs.
     [[nodiscard]] double placeOfLetter(double at, double width, double top, double bottom,
                                        double height) const {
         const auto box = [&](double middle) {

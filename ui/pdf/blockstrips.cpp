@@ -374,9 +374,7 @@ struct StatementBlock {
     TextBlock state; ///< of a large verdict above the text, else at its beginning
     TextBlock text;
 
-    [[nodiscard]] double height() const {
-        return std::max(label.height(), state.height() + text.height());
-    }
+    [[nodiscard]] double height() const { return std::max(label.height(), state.height() + text.height()); }
 };
 
 constexpr double statementLabel = 13.5 * mm;
@@ -419,7 +417,8 @@ void drawStatement(QPainter &painter, QPointF at, const StatementBlock &statemen
     if (!statement.state.empty())
         statement.state.draw(painter, text);
     if (!statement.text.empty())
-        statement.text.draw(painter, text + QPointF(0, statement.state.empty() ? 0 : statement.state.height()));
+        statement.text.draw(painter,
+                            text + QPointF(0, statement.state.empty() ? 0 : statement.state.height()));
 }
 
 /// The large word in the size that its column allows.
@@ -524,7 +523,7 @@ Strips signatureStrips(const Signatures &signatures, double width) {
         for (std::size_t i = 0; i < column.lines.size(); ++i) {
             const SignatureLine &line = column.lines[i];
             Line made{TextBlock(line.label, labelText), {}};
-            double needed = line.height > 0      ? line.height * mm
+            double needed = line.height > 0     ? line.height * mm
                             : line.forSignature ? signatureHeight
                                                 : lineHeight;
             if (!line.value.isEmpty()) {
@@ -550,7 +549,7 @@ Strips signatureStrips(const Signatures &signatures, double width) {
                 const auto &[label, value] = columns[c][i];
                 const double more = value.empty() ? 0 : value.height() - value.lineHeight();
                 const SignatureLine &line = signatures.columns[c].lines[i];
-                const double top = line.height > 0      ? y
+                const double top = line.height > 0     ? y
                                    : line.forSignature ? y + signatureLabel
                                                        : y + heights[i] - labelAbove - more;
                 label.draw(painter, {at.x(), top});

@@ -160,7 +160,8 @@ private:
         return true;
     }
 
-    /// A figure that does not find room on the first page of a test gives way rather than leave it half blank.
+    /// A figure that does not find room on the first page of a test gives way rather than leave it half
+    /// blank.
     bool lowerFigure(const Strips &strips, std::size_t from, std::size_t end, double missing) {
         if (m_page.running)
             return false;

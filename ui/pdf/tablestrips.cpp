@@ -199,7 +199,8 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
     std::size_t lines = placed.block.lineCount();
     row.texts.push_back(std::move(placed));
     for (const CellNote &note : cell.notes) {
-        const TextStyle small{noteSize, false, cell.pale ? paleGrey : noteGrey, textSize * cellStyle.leading / noteSize};
+        const TextStyle small{noteSize, false, cell.pale ? paleGrey : noteGrey,
+                              textSize * cellStyle.leading / noteSize};
         const double before = note.mark == Mark::none ? 0 : markWidth;
         if (note.mark != Mark::none)
             row.signs.push_back({note.mark, {}, place.left, {}, ink, lines});
@@ -241,8 +242,7 @@ Row lineOf(const Row &row, std::size_t index) {
         result.signs = row.signs;
     for (const PlacedText &text : row.texts) {
         if (index >= text.line && index - text.line < text.block.lineCount())
-            result.texts.push_back(
-                {text.block.line(index - text.line), text.x, text.width, text.alignment});
+            result.texts.push_back({text.block.line(index - text.line), text.x, text.width, text.alignment});
     }
     return result;
 }
@@ -309,8 +309,7 @@ std::vector<double> roomBelow(const std::vector<Row> &rows) {
         for (std::size_t i = r; i < end; ++i)
             height += static_cast<double>(rows[i].lines) * lineHeight + 2 * rowPadding;
         if (rows[r].beside > 1)
-            result[end - 1] =
-                std::max(0.0, static_cast<double>(rows[r].besideLines) * lineHeight - height);
+            result[end - 1] = std::max(0.0, static_cast<double>(rows[r].besideLines) * lineHeight - height);
     }
     return result;
 }

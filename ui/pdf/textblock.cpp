@@ -145,7 +145,9 @@ bool isSpace(QChar c) {
 /// Whether a line must not end at this space: before and after "=", between a number and its unit, between
 /// "ISO", "page" and their number.
 bool joinsWords(QStringView text, qsizetype space) {
-    const auto isEnd = [&](qsizetype at) { return at < 0 || at >= text.size() || isSpace(text[at]) || text[at] == u'\n'; };
+    const auto isEnd = [&](qsizetype at) {
+        return at < 0 || at >= text.size() || isSpace(text[at]) || text[at] == u'\n';
+    };
     qsizetype from = space;
     while (!isEnd(from - 1))
         --from;
@@ -158,14 +160,15 @@ bool joinsWords(QStringView text, qsizetype space) {
         return false;
     if (before == u"=" || after == u"=")
         return true;
-    static constexpr std::array<QStringView, 7> numbered{u"ISO", u"page", u"pages", u"n°", u"No.", u"clause", u"article"};
+    static constexpr std::array<QStringView, 7> numbered{u"ISO", u"page",   u"pages",  u"n°",
+                                                         u"No.", u"clause", u"article"};
     if (after[0].isDigit() && std::ranges::find(numbered, before) != numbered.end())
         return true;
     while (!after.isEmpty() && QStringView(u",;:.)").contains(after.back()))
         after.chop(1);
     static constexpr std::array<QStringView, 17> units{
-        u"mm", u"µm", u"m", u"nm", u"°", u"″", u"°C", u"°C/h", u"h", u"min", u"s", u"%", u"hPa", u"mm/min", u"m/min",
-        u"°/min", u"µm/(m·°C)"};
+        u"mm",  u"µm", u"m", u"nm",  u"°",      u"″",     u"°C",    u"°C/h",     u"h",
+        u"min", u"s",  u"%", u"hPa", u"mm/min", u"m/min", u"°/min", u"µm/(m·°C)"};
     return before.back().isDigit() && std::ranges::find(units, after) != units.end();
 }
 

@@ -141,10 +141,9 @@ private:
         m_result.fingerprintPrinted &= words.join(u' ').contains(m_fingerprint);
         // What another font drew, or none, is no part of the proof.
         const std::vector<QRectF> foreign = foreignAreas(printed, follows);
-        const std::vector<Difference> found =
-            !foreign.empty() && ownText(printed) == ownText(follows)
-                ? std::vector<Difference>()
-                : compareWords(printed, follows, page + 1);
+        const std::vector<Difference> found = !foreign.empty() && ownText(printed) == ownText(follows)
+                                                  ? std::vector<Difference>()
+                                                  : compareWords(printed, follows, page + 1);
         for (const Difference &difference : found) {
             const bool counts = sameProgram || isSerious(difference);
             (counts ? m_result.differences : m_result.wording).push_back(difference);

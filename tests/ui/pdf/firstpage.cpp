@@ -10,7 +10,7 @@ namespace {
 
 constexpr double dotsPerInch = 30;
 constexpr double dotsPerMillimetre = dotsPerInch / 25.4;
-constexpr double topMargin = 15;    // mm, as those below
+constexpr double topMargin = 15; // mm, as those below
 constexpr double bottomMargin = 18;
 
 /// Heads, limits, rules and paper as anybody may state them; the same for the same seed.
@@ -97,8 +97,9 @@ private:
         test.limits.clear();
         const bool positioning = std::holds_alternative<PositioningMeasurement>(test.measurement);
         const std::vector<std::string> ids =
-            positioning ? std::vector<std::string>{"A", "A+", "A-", "E", "E+", "M", "R", "R+", "R-", "B", "Bmean"}
-                        : std::vector<std::string>{"G(b)", "G", "G(b)f", "Gf", "D", "F", "Fmax"};
+            positioning
+                ? std::vector<std::string>{"A", "A+", "A-", "E", "E+", "M", "R", "R+", "R-", "B", "Bmean"}
+                : std::vector<std::string>{"G(b)", "G", "G(b)f", "Gf", "D", "F", "Fmax"};
         for (const std::string &id : ids) {
             if (below(2) == 0)
                 test.limits[id] = {0.0005 * (1 + below(60)), std::nullopt, words(40)};
@@ -158,8 +159,8 @@ std::vector<Sought> soughtIn(const Report &report) {
                 verdict->limits.label + verdict->limits.state + verdict->limits.text.plain();
         }
         const auto *table = std::get_if<Table>(&block);
-        if (table && heading && table->unbroken && tests.back().heading.isEmpty() && table->columns.size() > 2 &&
-            table->columns[0].titleSpan == 2 && tests.back().verdict.isEmpty()) {
+        if (table && heading && table->unbroken && tests.back().heading.isEmpty() &&
+            table->columns.size() > 2 && table->columns[0].titleSpan == 2 && tests.back().verdict.isEmpty()) {
             tests.back().heading = heading->text;
             for (const auto &row : table->rows)
                 tests.back().rows << row[0].text.plain() + row[1].text.plain();

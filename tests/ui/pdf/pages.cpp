@@ -307,8 +307,7 @@ void PagesTest::resultsStandOnTheFirstPage() {
             const QString page = squeezed(pageTexts(pdfOf(report)).front());
             for (const Block &block : report.blocks) {
                 if (const auto *verdict = std::get_if<VerdictLine>(&block))
-                    QVERIFY2(page.contains(squeezed(verdict->label + verdict->word)),
-                             qPrintable(name));
+                    QVERIFY2(page.contains(squeezed(verdict->label + verdict->word)), qPrintable(name));
             }
         }
     }
