@@ -404,7 +404,9 @@ bool saysMore(const std::vector<Sensor> &sensors) {
     });
 }
 
-Table sensorTable(const Writer &write, const std::vector<Sensor> &sensors) {
+void addSensors(std::vector<Block> &blocks, const Writer &write, const std::vector<Sensor> &sensors) {
+    if (!saysMore(sensors))
+        return;
     Table table;
     table.columns = {
         {write.text(REPORT_TEXT("report", "Temperature of")), {}, Alignment::left, false, 30},
@@ -426,14 +428,8 @@ Table sensorTable(const Writer &write, const std::vector<Sensor> &sensors) {
         table.rows.push_back({write.text(sensorText(sensor.measures)),
                               QString::fromStdString(sensor.position), shown(startTemperature(sensor)),
                               shown(endTemperature(sensor))});
-    return table;
-}
-
-void addSensors(std::vector<Block> &blocks, const Writer &write, const std::vector<Sensor> &sensors) {
-    if (!saysMore(sensors))
-        return;
     addHeading(blocks, write.text(REPORT_TEXT("report", "Temperature sensors")));
-    blocks.emplace_back(sensorTable(write, sensors));
+    blocks.emplace_back(std::move(table));
 }
 
 constexpr double temperatureFigureHeight = 62; ///< mm
@@ -505,15 +501,9 @@ void addCommonConditions(std::vector<Block> &blocks, const Writer &write,
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
     const Writer &write = part.write;
     addConditionsHeading(blocks, part);
-    const std::vector<Sensor> &sensors = part.measurement.conditions.common.sensors;
-    KeyValues own = ownConditions(part);
-    const bool sensorsBeside = own.rows.empty() && saysMore(sensors); // nothing else stands there
     SideBySide both;
     both.leftWidth = conditionsWidth;
-    if (sensorsBeside)
-        both.left.emplace_back(sensorTable(write, sensors));
-    else
-        both.left.emplace_back(std::move(own));
+    both.left.emplace_back(ownConditions(part));
     both.right.emplace_back(environment(part));
     if (part.measurement.axis.motion == Motion::linear)
         both.right.emplace_back(
@@ -521,8 +511,7 @@ void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
                                 {correctionText(part.measurement.conditions.common.correctionTo20)}),
                       TextSize::small});
     blocks.emplace_back(std::move(both));
-    if (!sensorsBeside)
-        addSensors(blocks, write, sensors);
+    addSensors(blocks, part.write, part.measurement.conditions.common.sensors);
     addTemperatureCurve(blocks, part, part.measurement.conditions.common.sensors);
 }
 
