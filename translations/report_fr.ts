@@ -2032,7 +2032,7 @@
     </message>
     <message>
         <source>For %1 non-conformity is not proven: no ground for rejection.</source>
-        <translation>Pour %1, non-conformité non démontrée&#xa0;: ne peut être refusé.</translation>
+        <translation>Pour %1, la non-conformité n’est pas démontrée&#xa0;: la machine ne peut être refusée à ce titre.</translation>
     </message>
     <message>
         <source>For %1 neither conformity nor non-conformity is proven.</source>

@@ -1,6 +1,7 @@
 #include "ui/pdf/reports.h"
 
 #include <QDir>
+#include <array>
 #include <random>
 
 using namespace palmer;
@@ -137,11 +138,11 @@ double blankPart(const QImage &page) {
 
 /// What a reader looks for on the first page of a test.
 struct Sought {
-    QString head;    ///< its last line
-    QString verdict; ///< label and word
-    QString statements;
-    QString heading; ///< of the results; empty: there are none
-    QStringList rows;
+    QString head = {};    ///< its last line
+    QString verdict = {}; ///< label and word
+    QString statements = {};
+    QString heading = {}; ///< of the results; empty: there are none
+    QStringList rows = {};
 };
 
 std::vector<Sought> soughtIn(const Report &report) {
@@ -208,7 +209,7 @@ void FirstPageTest::resultsAndVerdictAreThere() {
         const qsizetype verdict = pageOf(test.verdict, pages, from);
         QVERIFY2(verdict >= 0, qPrintable(test.verdict));
         QVERIFY2(pages[verdict].contains(squeezed(test.statements)), qPrintable(pages[verdict]));
-        QVERIFY2(pages[verdict].contains(squeezed(test.head)), qPrintable(u"no head with " + test.verdict));
+        QVERIFY2(pages[verdict].contains(squeezed(test.head)), qPrintable(u"no head with "_s + test.verdict));
         QVERIFY2(verdict + 1 == pages.size() || blankPart(images[verdict]) <= 1.0 / 3,
                  qPrintable(u"page %1: %2 blank"_s.arg(verdict + 1).arg(blankPart(images[verdict]))));
         from = verdict + 1;
