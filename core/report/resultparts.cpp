@@ -28,7 +28,7 @@ constexpr double capitalWidth = 2.3;
 constexpr double spaceWidth = 0.9;
 constexpr double cellPadding = 2.2;
 constexpr double gapAfterName = 1.2;    ///< besides the padding, where a name fills its column
-constexpr qsizetype mostOfReason = 225; ///< characters that fit on three lines of the verdict line
+constexpr qsizetype mostOfReason = 230; ///< characters that fit on three lines of the verdict line
 
 bool hasGuardBand(const Test &test) {
     return test.decisionRule.rule != Rule::simpleAcceptance;
