@@ -80,5 +80,26 @@
             <numerusform>%n texts without numbers in the words of that version: not compared</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Summary of %n test(s)</source>
+        <translation>
+            <numerusform>Summary of %n test</numerusform>
+            <numerusform>Summary of %n tests</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n requirement(s) not met</source>
+        <translation>
+            <numerusform>%n requirement not met</numerusform>
+            <numerusform>%n requirements not met</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n requirement(s) not declared</source>
+        <translation>
+            <numerusform>%n requirement not declared</numerusform>
+            <numerusform>%n requirements not declared</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -195,8 +195,7 @@
         <translation>précision d’un axe</translation>
     </message>
     <message>
-        <source>accuracy of an axis</source>
-        <comment>A↑, A↓</comment>
+        <source>accuracy of an axis, unidirectional</source>
         <translation>précision d’un axe, unidirectionnelle</translation>
     </message>
     <message>
@@ -777,7 +776,7 @@
         <translation>le fichier dépasse 1&#x202f;Gio</translation>
     </message>
     <message>
-        <source>bidirectional</source>
+        <source>bi-directional</source>
         <translation>bidirectionnel</translation>
     </message>
     <message>
@@ -997,18 +996,6 @@
     <message>
         <source>Results</source>
         <translation>Résultats</translation>
-    </message>
-    <message>
-        <source>Limits: no verdict.</source>
-        <translation>Limites&#xa0;: pas de verdict.</translation>
-    </message>
-    <message>
-        <source>Limits: %1 (%2).</source>
-        <translation>Limites&#xa0;: %1 (%2).</translation>
-    </message>
-    <message>
-        <source>Limits: none agreed, no verdict.</source>
-        <translation>Limites&#xa0;: aucune convenue, pas de verdict.</translation>
     </message>
     <message>
         <source>No findings.</source>
@@ -1405,7 +1392,7 @@
     </message>
     <message>
         <source>Details of the machine</source>
-        <translation>Précisions sur la machine</translation>
+        <translation>Renseignements sur la machine</translation>
     </message>
     <message>
         <source>Condition of the machine</source>
@@ -1783,8 +1770,8 @@
         <translation>Résultats par point visé</translation>
     </message>
     <message>
-        <source>factor %1; bold: the value that rules the parameter of the axis</source>
-        <translation>facteur %1&#x202f;; en gras la valeur qui gouverne le paramètre de l’axe</translation>
+        <source>factor %1; bold: the value governing the axis parameter</source>
+        <translation>facteur %1&#x202f;; en gras la valeur qui détermine le paramètre de l’axe</translation>
     </message>
     <message>
         <source>positioning deviations</source>
@@ -1928,10 +1915,6 @@
         <translation>Système de mesure</translation>
     </message>
     <message>
-        <source>Summary of the tests</source>
-        <translation>Récapitulation des essais</translation>
-    </message>
-    <message>
         <source>Control</source>
         <translation>Commande numérique</translation>
     </message>
@@ -1952,16 +1935,8 @@
         <translation>essai NON conforme à l’édition</translation>
     </message>
     <message>
-        <source>Tests</source>
-        <translation>Essais</translation>
-    </message>
-    <message>
         <source>Verdict of the report</source>
         <translation>Verdict du rapport</translation>
-    </message>
-    <message>
-        <source>The worst verdict of the tests.</source>
-        <translation>Le plus défavorable des verdicts des essais.</translation>
     </message>
     <message>
         <source>No limit was agreed: the results have no verdict.</source>
@@ -2010,8 +1985,8 @@
         <translation>s par la méthode de calcul</translation>
     </message>
     <message>
-        <source>verdict taken from the unrounded values</source>
-        <translation>verdict pris sur les valeurs non arrondies</translation>
+        <source>verdict based on unrounded values</source>
+        <translation>verdict établi sur les valeurs non arrondies</translation>
     </message>
     <message>
         <source>value</source>
@@ -2019,21 +1994,9 @@
         <translation>valeur</translation>
     </message>
     <message>
-        <source>limit. Value left of the limit: conforms; right of it: does not conform.</source>
-        <translation>limite. Valeur à gauche de la limite&#xa0;: conforme&#x202f;; à droite&#xa0;: non conforme.</translation>
-    </message>
-    <message>
         <source>limit</source>
         <comment>legend</comment>
         <translation>limite</translation>
-    </message>
-    <message>
-        <source>limit ± %1. Value left of the band: conforms; within: non-conformity not proven; right: does not conform.</source>
-        <translation>limite ± %1. À gauche de la bande&#xa0;: conforme&#x202f;; dedans&#xa0;: non-conformité non démontrée&#x202f;; à droite&#xa0;: non conforme.</translation>
-    </message>
-    <message>
-        <source>limit ± %1. Value left of the band: conforms; in the band: not proven; right of the band: does not conform.</source>
-        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: conforme&#x202f;; dans la bande&#xa0;: non prouvé&#x202f;; à droite&#xa0;: non conforme.</translation>
     </message>
     <message>
         <source>%1 (%2 against %3)</source>
@@ -2041,7 +2004,7 @@
     </message>
     <message>
         <source>Limits exceeded by more than the guard band: %1.</source>
-        <translation>Limites dépassées de plus que la bande de garde&#xa0;: %1.</translation>
+        <translation>Limites dépassées au-delà de la bande de garde&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Limits exceeded: %1.</source>
@@ -2053,11 +2016,11 @@
     </message>
     <message>
         <source>%1 exceeds its limit by more than the uncertainty: %2 against %3 + %4 = %5.</source>
-        <translation>%1 dépasse sa limite de plus que l’incertitude&#xa0;: %2 pour %3 + %4 = %5.</translation>
+        <translation>%1 dépasse sa limite d’une valeur supérieure à l’incertitude&#xa0;: %2 pour %3 + %4 = %5.</translation>
     </message>
     <message>
         <source>%1 exceeds its limit by more than the guard band: %2 against %3 + %4 = %5.</source>
-        <translation>%1 dépasse sa limite de plus que la bande de garde&#xa0;: %2 pour %3 + %4 = %5.</translation>
+        <translation>%1 dépasse sa limite d’une valeur supérieure à la bande de garde&#xa0;: %2 pour %3 + %4 = %5.</translation>
     </message>
     <message>
         <source>Not corrected to 20 °C, nothing is proven for %1.</source>
@@ -2068,8 +2031,8 @@
         <translation>Sans l’incertitude de mesure, rien n’est prouvé pour %1.</translation>
     </message>
     <message>
-        <source>For %1 non-conformity not proven: may not be rejected.</source>
-        <translation>Pour %1, non-conformité non démontrée&#xa0;: ne peut être refusé.</translation>
+        <source>For %1 non-conformity is not proven: no ground for rejection.</source>
+        <translation>Pour %1, la non-conformité n’est pas démontrée&#xa0;: la machine ne peut être refusée à ce titre.</translation>
     </message>
     <message>
         <source>For %1 neither conformity nor non-conformity is proven.</source>
@@ -2108,11 +2071,11 @@
         <translation>moyennes</translation>
     </message>
     <message>
-        <source>means and limits at ± %1s</source>
+        <source>means and ±%1s limits</source>
         <translation>moyennes et limites à ± %1s</translation>
     </message>
     <message>
-        <source>bidirectional test</source>
+        <source>bi-directional test</source>
         <translation>essai bidirectionnel</translation>
     </message>
     <message>
@@ -2145,7 +2108,7 @@
         <translation>ISO 14253-1, conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g, non conforme lorsqu’elle la dépasse de plus de g, et non prouvée entre les deux&#x202f;; g = %1·U.</translation>
     </message>
     <message>
-        <source>Non-conformity has to be proven: a value conforms when it is at least g below its limit and does not conform when it is more than g above it; between, non-conformity is not proven: may not be rejected; g = %1·U.</source>
+        <source>Non-conformity has to be proven: a value conforms when it is at least g below its limit and does not conform when it is more than g above it; between, non-conformity is not proven: no ground for rejection; g = %1·U.</source>
         <translation>Non-conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g et non conforme lorsqu’elle la dépasse de plus de g&#x202f;; entre les deux, non-conformité non démontrée&#xa0;: ne peut être refusé&#x202f;; g = %1·U.</translation>
     </message>
     <message>
@@ -2157,8 +2120,8 @@
         <translation>Le facteur 0,83 (1,65 u) est la règle à 95&#xa0;% des éditions ultérieures de l’ISO 14253-1 pour une seule limite.</translation>
     </message>
     <message>
-        <source>Signed results are compared by their absolute value; the verdict is taken from the unrounded values.</source>
-        <translation>Les résultats signés sont comparés par leur valeur absolue&#x202f;; le verdict est pris sur les valeurs non arrondies.</translation>
+        <source>Signed results are compared by their absolute value; the verdict is based on the unrounded values.</source>
+        <translation>Les résultats signés sont comparés par leur valeur absolue&#x202f;; le verdict est établi sur les valeurs non arrondies.</translation>
     </message>
     <message>
         <source>accuracy</source>
@@ -2472,10 +2435,6 @@
     <message>
         <source>target %1</source>
         <translation>point visé %1</translation>
-    </message>
-    <message>
-        <source>limit %1</source>
-        <translation>limite %1</translation>
     </message>
     <message>
         <source>anticlockwise, %1</source>
@@ -3462,11 +3421,11 @@
         <translation>La simulation de Monte-Carlo s’est terminée avant que deux chiffres de l’incertitude soient stables.</translation>
     </message>
     <message>
-        <source>The errors of measurement shift %1 by more than a third of the uncertainty that the Monte Carlo simulation gives: the budget decides.</source>
+        <source>Measurement errors bias %1 by more than a third of the uncertainty that the Monte Carlo simulation gives: the budget decides.</source>
         <translation>Les erreurs de mesure décalent %1 de plus d’un tiers de l’incertitude que donne la simulation de Monte-Carlo&#xa0;: le budget décide.</translation>
     </message>
     <message>
-        <source>The errors of measurement shift %1 by more than a third of the uncertainty that the Monte Carlo simulation gives.</source>
+        <source>Measurement errors bias %1 by more than a third of the uncertainty that the Monte Carlo simulation gives.</source>
         <translation>Les erreurs de mesure décalent %1 de plus d’un tiers de l’incertitude que donne la simulation de Monte-Carlo.</translation>
     </message>
     <message>
@@ -4009,7 +3968,7 @@
         <translation>Entre les parcours</translation>
     </message>
     <message>
-        <source>instrument centred anew</source>
+        <source>instrument re-centred</source>
         <translation>instrument recentré</translation>
     </message>
     <message>
@@ -4605,11 +4564,11 @@
         <translation>L’U de la simulation de Monte-Carlo décide&#x202f;; pour %1, qu’elle décale de plus d’un tiers de son U, celle du budget.</translation>
     </message>
     <message>
-        <source>The U of the budget decides.</source>
-        <translation>L’U du budget décide.</translation>
+        <source>The budget U is used for the verdict.</source>
+        <translation>Le verdict est fondé sur l’U du budget.</translation>
     </message>
     <message>
-        <source>To improve first: %1 (%2 % of the budget).</source>
+        <source>Improve first: %1 (%2 % of the budget).</source>
         <translation>À améliorer d’abord&#xa0;: %1 (%2&#xa0;% du budget).</translation>
     </message>
     <message>
@@ -5029,11 +4988,11 @@
     </message>
     <message>
         <source>Value here</source>
-        <translation>Valeur ici</translation>
+        <translation>Valeur recalculée</translation>
     </message>
     <message>
         <source>Here − stated</source>
-        <translation>Ici − indiqué</translation>
+        <translation>Recalculé − indiqué</translation>
     </message>
     <message>
         <source>The instrument’s program states %1 (%2); the result here differs by %3.</source>
@@ -6988,9 +6947,138 @@
         <translation>aucun écran n’est disponible pour ouvrir une fenêtre&#x202f;; palmer-cli s’en passe</translation>
     </message>
     <message>
+        <source>limit of %1: %2</source>
+        <translation>limite de %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>(beyond the figure: %1)</source>
+        <translation>(hors de la figure&#xa0;: %1)</translation>
+    </message>
+    <message>
+        <source>limit beyond the scale: %1</source>
+        <translation>limite hors de l’échelle&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>limits beyond the scale: %1</source>
+        <translation>limites hors de l’échelle&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>reversal range (VDI: Umkehrspanne) at a position</source>
+        <translation>réversibilité (VDI&#xa0;: Umkehrspanne) en une position</translation>
+    </message>
+    <message>
+        <source>positional scatter (VDI: Positionsstreubreite) at a position</source>
+        <translation>dispersion de position (VDI&#xa0;: Positionsstreubreite) en une position</translation>
+    </message>
+    <message>
+        <source>in accordance with the edition</source>
+        <translation>selon l’édition</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <comment>part of a verdict</comment>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Evaluated range</source>
+        <translation>Étendue évaluée</translation>
+    </message>
+    <message>
+        <source>Responsibility for the report</source>
+        <translation>Responsabilité du rapport</translation>
+    </message>
+    <message>
+        <source>Authorised by: name, function</source>
+        <translation>Autorisé par&#xa0;: nom, fonction</translation>
+    </message>
+    <message>
+        <source>those of all tests: at the end of the report</source>
+        <translation>celles de tous les essais&#xa0;: en fin de rapport</translation>
+    </message>
+    <message>
+        <source>Conditions of all tests</source>
+        <translation>Conditions de tous les essais</translation>
+    </message>
+    <message>
+        <source>n = 1: the means are the readings</source>
+        <translation>n&#xa0;=&#xa0;1&#xa0;: les moyennes sont les relevés</translation>
+    </message>
+    <message>
+        <source>bold: the value governing the axis parameter</source>
+        <translation>en gras la valeur qui détermine le paramètre de l’axe</translation>
+    </message>
+    <message numerus="yes">
+        <source>Summary of %n test(s)</source>
+        <translation>
+            <numerusform>Récapitulation de %n essai</numerusform>
+            <numerusform>Récapitulation de %n essais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dates of the tests</source>
+        <translation>Dates des essais</translation>
+    </message>
+    <message>
+        <source>Instruments</source>
+        <translation>Instruments</translation>
+    </message>
+    <message>
+        <source>about the centre of the set-up: with the set-up error</source>
+        <translation>autour du centre de réglage&#xa0;: contient l’erreur de réglage</translation>
+    </message>
+    <message>
+        <source>Limit exceeded by more than the guard band: %1.</source>
+        <translation>Limite dépassée au-delà de la bande de garde&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Limit exceeded: %1.</source>
+        <translation>Limite dépassée&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <comment>part of a verdict</comment>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sans limite</translation>
+    </message>
+    <message>
+        <source>mean reversal value</source>
+        <translation>valeur moyenne de réversibilité</translation>
+    </message>
+    <message>
+        <source>mean reversal error</source>
+        <translation>erreur moyenne de réversibilité</translation>
+    </message>
+    <message>
         <source>unidirectional accuracy</source>
         <comment>1988</comment>
         <translation>précision unidirectionnelle</translation>
+    </message>
+    <message>
+        <source>Characters</source>
+        <translation>Caractères</translation>
+    </message>
+    <message>
+        <source>not in the font of the report: %1; drawn from another font where one is installed, else as boxes</source>
+        <translation>absents de la police du rapport&#xa0;: %1&#x202f;; tracés avec une autre police s’il y en a une, sinon par des cases</translation>
+    </message>
+    <message>
+        <source>limit. Value left of the limit: met; right of it: exceeded.</source>
+        <translation>limite. Valeur à gauche de la limite&#xa0;: respectée&#x202f;; à droite&#xa0;: dépassée.</translation>
+    </message>
+    <message>
+        <source>limit ± %1. Value left of the band: met; within: non-conformity not proven; right: exceeded.</source>
+        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: respectée&#x202f;; dans la bande&#xa0;: non-conformité non prouvée&#x202f;; à droite&#xa0;: dépassée.</translation>
+    </message>
+    <message>
+        <source>limit ± %1. Value left of the band: met; in the band: not proven; right of the band: exceeded.</source>
+        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: respectée&#x202f;; dans la bande&#xa0;: non prouvé&#x202f;; à droite&#xa0;: dépassée.</translation>
+    </message>
+    <message>
+        <source>As for test %1: %2.</source>
+        <translation>Comme pour l’essai %1&#xa0;: %2.</translation>
     </message>
     <message>
         <source>unidirectional accuracy</source>
@@ -7001,8 +7089,126 @@
         <translation>répétabilité unidirectionnelle</translation>
     </message>
     <message>
+        <source>%1 axis</source>
+        <translation>Axe %1</translation>
+    </message>
+    <message>
+        <source>%1 circle, R %2</source>
+        <translation>Cercle %1, R %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n requirement(s) not met</source>
+        <translation>
+            <numerusform>%n exigence non satisfaite</numerusform>
+            <numerusform>%n exigences non satisfaites</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n requirement(s) not declared</source>
+        <translation>
+            <numerusform>%n exigence non déclarée</numerusform>
+            <numerusform>%n exigences non déclarées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
+    </message>
+    <message>
+        <source>The limits agreed do not hold: no verdict.</source>
+        <translation>Les limites convenues ne s’appliquent pas&#xa0;: pas de verdict.</translation>
+    </message>
+    <message>
+        <source>Adjustment:</source>
+        <translation>Réglage&#xa0;:</translation>
+    </message>
+    <message>
+        <source>%1 of %2 limits</source>
+        <translation>%1 limites sur %2</translation>
+    </message>
+    <message>
+        <source>Met: %1 of %2 limits.</source>
+        <translation>Respectées&#xa0;: %1 limites sur %2.</translation>
+    </message>
+    <message>
+        <source>machine in its final condition, as left</source>
+        <translation>machine dans l’état final, après réglage</translation>
+    </message>
+    <message>
+        <source>in accordance with %1</source>
+        <translation>selon %1</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <comment>part of a verdict</comment>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>guard band about the limit</source>
+        <translation>bande de garde autour de la limite</translation>
+    </message>
+    <message>
+        <source>requirement not met</source>
+        <translation>exigence non satisfaite</translation>
+    </message>
+    <message>
+        <source>The verdict of the report is the worst of the verdicts of the tests.</source>
+        <translation>Le verdict du rapport est le plus défavorable des verdicts des essais.</translation>
+    </message>
+    <message>
+        <source>The verdict of the report is the worst of the verdicts of the tests in the final condition; test %1, as found, does not enter.</source>
+        <translation>Le verdict du rapport est le plus défavorable des verdicts des essais dans l’état final&#x202f;; l’essai %1, avant réglage, n’y entre pas.</translation>
+    </message>
+    <message>
+        <source>The verdict of the report is the worst of the verdicts of the tests in the final condition; tests %1, as found, do not enter.</source>
+        <translation>Le verdict du rapport est le plus défavorable des verdicts des essais dans l’état final&#x202f;; les essais %1, avant réglage, n’y entrent pas.</translation>
+    </message>
+    <message>
+        <source>Limited quantities</source>
+        <translation>Grandeurs limitées</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>enumeration</comment>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <comment>a limit</comment>
+        <translation>respectée</translation>
+    </message>
+    <message>
+        <source>exceeded</source>
+        <comment>a limit</comment>
+        <translation>dépassée</translation>
+    </message>
+    <message>
+        <source>none agreed</source>
+        <comment>limits</comment>
+        <translation>aucune convenue</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <comment>limits</comment>
+        <translation>respectées</translation>
+    </message>
+    <message>
+        <source>not proven</source>
+        <comment>limits</comment>
+        <translation>respect non prouvé</translation>
+    </message>
+    <message>
+        <source>exceeded</source>
+        <comment>limits</comment>
+        <translation>dépassées</translation>
+    </message>
+    <message>
         <source>unidirectional systematic deviation</source>
         <translation>écart systématique unidirectionnel</translation>
+    </message>
+    <message>
+        <source>unidirectional systematic error</source>
+        <translation>erreur systématique unidirectionnelle</translation>
     </message>
     <message>
         <source>“%1” is no path of a test file, as machine.name or tests[0].limits.A.value</source>

@@ -71,7 +71,7 @@ BarFigure budgetFigure(const Test &test, const TestEvaluation &evaluation, const
     figure.shareTitle = language.text(REPORT_TEXT_FOR("report", "Share", "of a budget"));
     if (first)
         figure.note =
-            language.sentence({REPORT_TEXT("report", "To improve first: %1 (%2 % of the budget)."),
+            language.sentence({REPORT_TEXT("report", "Improve first: %1 (%2 % of the budget)."),
                                {QString(language.text(first->name)).remove(u'_').toStdString(),
                                 Number{shareOf(*first, contributions) * percent, Quantity::number, 0}},
                                {}});

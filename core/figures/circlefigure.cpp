@@ -5,6 +5,8 @@
 #include "kernel/numerics/centringerror.h"
 #include "language/rounding.h"
 
+#include <QRectF>
+#include <QStringList>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -217,6 +219,59 @@ void include(Interval &range, double value) {
     range.to = std::max(range.to, value);
 }
 
+/// The part of the circle that the paths take; null where it is more than three quarters of it.
+std::optional<Interval> sectorOf(std::span<const PathProfile> profiles) {
+    std::optional<Interval> sector;
+    for (const PathProfile &profile : profiles) {
+        if (profile.angles.empty())
+            continue;
+        const auto [low, high] = std::ranges::minmax(profile.angles);
+        sector =
+            sector ? Interval{std::min(sector->from, low), std::max(sector->to, high)} : Interval{low, high};
+    }
+    constexpr double mostOfCircle = 270;
+    return sector && sector->to - sector->from <= mostOfCircle ? sector : std::nullopt;
+}
+
+/// What a sector of the unit circle takes with its centre, y upwards.
+QRectF boxOf(const Interval &sector) {
+    QRectF box(0, 0, 0, 0);
+    const auto add = [&](double degrees) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const QPointF at(std::cos(angle), std::sin(angle));
+        box = QRectF(QPointF(std::min(box.left(), at.x()), std::min(box.top(), at.y())),
+                     QPointF(std::max(box.right(), at.x()), std::max(box.bottom(), at.y())));
+    };
+    add(sector.from);
+    add(sector.to);
+    constexpr double quarter = 90;
+    for (double angle = std::ceil(sector.from / quarter) * quarter; angle < sector.to; angle += quarter)
+        add(angle);
+    return box;
+}
+
+/// Radius and middle of a figure that shows a sector alone, where that makes it larger.
+void fillFrame(CircleFigure &figure, const Interval &sector) {
+    constexpr double worthIt = 1.1;
+    constexpr double tails = 3;     // beside the axes, mm
+    constexpr double scaleRoom = 9; // below, for the scale, mm
+    const QRectF box = boxOf(sector);
+    const double width = figure.size.width() - 2 * sideMargin;
+    const double height = figure.size.height() - topMargin - scaleRoom - tails;
+    const double radius = std::min(width / box.width(), height / box.height());
+    if (!(radius > worthIt * figure.figureRadius))
+        return;
+    figure.figureRadius = radius;
+    figure.sector = sector;
+    const double down = (scaleRoom + tails - topMargin) / 2;
+    figure.home = QPointF(box.center().x() * radius, box.center().y() * radius - down);
+    constexpr double touches = 1e-6;
+    if (box.right() < touches)
+        figure.firstAxis = u'−' + figure.firstAxis;
+    if (box.bottom() < touches)
+        figure.secondAxis = u'−' + figure.secondAxis;
+}
+
 Interval deviationsOf(std::span<const PathProfile> profiles) {
     Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const PathProfile &profile : profiles) {
@@ -327,10 +382,18 @@ Interval reach(const CircleFigure &figure, std::span<const PathProfile> profiles
 }
 
 /// Of a limit in mm, with the digits it was entered with.
-QString limitLabel(double limit, const Language &language) {
+QString limitLabel(const std::string &of, double limit, const Language &language) {
     const int decimals = limitDecimals(limit, Quantity::deviation, language.units());
     return language.sentence(
-        {REPORT_TEXT("report", "limit %1"), {Number{limit, Quantity::deviation, decimals}}, {}});
+        {REPORT_TEXT("report", "limit of %1: %2"), {of, Number{limit, Quantity::deviation, decimals}}, {}});
+}
+
+/// Limits beyond what the figure shows are not drawn but named.
+void nameBeyond(CircleFigure &figure, const QStringList &labels, const Language &language) {
+    if (!labels.isEmpty())
+        figure.caption += u' ' + language.sentence({REPORT_TEXT("report", "(beyond the figure: %1)"),
+                                                    {labels.join(QStringLiteral(", ")).toStdString()},
+                                                    {}});
 }
 
 void addEnvelope(CircleFigure &figure, const CircleSource &source, const Language &language) {
@@ -349,14 +412,15 @@ void addEnvelope(CircleFigure &figure, const CircleSource &source, const Languag
         envelope.limit = *shown->limit->value * micrometresPerMillimetre;
         if (shown->verdict && shown->guardBand)
             envelope.guard = *shown->guardBand * micrometresPerMillimetre;
-        envelope.limitLabel = limitLabel(*shown->limit->value, language);
+        envelope.limitLabel = limitLabel(shown->term.symbol.base, *shown->limit->value, language);
     }
     figure.envelope = envelope;
 }
 
 /// Fmin and Fmax as circles, and their limits.
 void addRadialDeviations(CircleFigure &figure, const CircleSource &source, const Test &test,
-                         std::span<const PathProfile> profiles, const Language &language) {
+                         std::span<const PathProfile> profiles, const Language &language,
+                         QStringList &beyond) {
     if (!source.radial() || profiles.empty())
         return;
     const Parameter *most = source.parameter("Fmax");
@@ -381,8 +445,11 @@ void addRadialDeviations(CircleFigure &figure, const CircleSource &source, const
             (most->limit != found->second && least->limit != found->second))
             return; // none, or agreed for another edition
         const double limit = sign * *found->second.value;
+        const QString label = limitLabel(id, limit, language);
         if (std::abs(limit) * micrometresPerMillimetre <= largest)
-            figure.limits.push_back({limit * micrometresPerMillimetre, limitLabel(limit, language)});
+            figure.limits.push_back({limit * micrometresPerMillimetre, label});
+        else if (!beyond.contains(label) && !(sign < 0))
+            beyond << label;
     };
     add("Fmin", 1);
     add("F", -1);
@@ -547,8 +614,11 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
     figure.pointStep = options.pointStep;
     figure.figureRadius = std::max(smallestRadius, std::min(options.size.width() / 2 - sideMargin,
                                                             options.size.height() / 2 - topMargin));
+    if (const auto sector = sectorOf(profiles); options.fillFrame && sector)
+        fillFrame(figure, *sector);
     addEnvelope(figure, source, language);
-    addRadialDeviations(figure, source, test, profiles, language);
+    QStringList beyond;
+    addRadialDeviations(figure, source, test, profiles, language, beyond);
     for (const PathProfile &profile : profiles) {
         if (profile.repetition)
             continue;
@@ -564,8 +634,10 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
     figure.plotRadius = scale.plotRadius;
     figure.magnification = scale.magnification;
     if (figure.envelope && figure.envelope->limit &&
-        *figure.envelope->limit * scale.magnification / micrometresPerMillimetre > figure.figureRadius)
+        *figure.envelope->limit * scale.magnification / micrometresPerMillimetre > figure.figureRadius) {
         figure.envelope->limit.reset();
+        beyond << figure.envelope->limitLabel;
+    }
 
     const auto paths =
         static_cast<std::size_t>(std::ranges::count(profiles, false, &PathProfile::repetition));
@@ -579,6 +651,7 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
     figure.caption = language.sentence({REPORT_TEXT("report", "magnification %1, %2 per division"),
                                         {figure.ratio.toStdString(), figure.divisionLabel.toStdString()},
                                         {}});
+    nameBeyond(figure, beyond, language);
     addLegend(figure, source, profiles, language);
     return figure;
 }

@@ -31,7 +31,9 @@ struct CircleFigureOptions {
     bool repetitions = false; ///< further arcs of a sense
     bool contacts = false;    ///< the points that rule the result
     bool limits = true;       ///< limit of G or G(b) as a width, limits of F as circles
-    double pointStep = 0.1;   ///< mm of the drawing: of points closer together the extremes alone are kept
+    bool fillFrame =
+        false; ///< a short arc is drawn as large as it fits; else about the middle of the drawing
+    double pointStep = 0.1; ///< mm of the drawing: of points closer together the extremes alone are kept
 
     bool operator==(const CircleFigureOptions &) const = default;
 };

@@ -2,7 +2,9 @@
 
 #include "figures/ticks.h"
 #include "language/decimals.h"
+#include "language/rounding.h"
 
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -246,9 +248,9 @@ void addLegend(CurveFigure &figure, const AxisSource &source, const Language &la
         figure.legend.push_back({up ? LegendSample::up : LegendSample::down, text, band});
     }
     if (source.bothWays()) {
-        figure.legend.push_back({LegendSample::mean,
-                                 QStringLiteral("x̄ ") + language.text(REPORT_TEXT("report", "bidirectional")),
-                                 false});
+        figure.legend.push_back(
+            {LegendSample::mean,
+             QStringLiteral("x̄ ") + language.text(REPORT_TEXT("report", "bi-directional")), false});
     }
     if (!figure.readings.empty()) {
         figure.legend.push_back(
@@ -256,14 +258,16 @@ void addLegend(CurveFigure &figure, const AxisSource &source, const Language &la
     }
 }
 
-/// Limits beyond what the axis shows are left out; the others get a word in the legend.
+/// Limits beyond what the axis shows are not drawn but named; the others get a word in the legend.
 void addLimits(CurveFigure &figure, const Language &language) {
     bool band = false;
     bool any = false;
+    QStringList beyond;
     for (Dimension &dimension : figure.dimensions) {
         if (!dimension.limit)
             continue;
         if (dimension.lower + *dimension.limit > figure.y.to) {
+            beyond << dimension.label + QStringLiteral("\u00A0") + dimension.limitText;
             dimension.limit.reset();
             dimension.guard.reset();
             continue;
@@ -271,6 +275,11 @@ void addLimits(CurveFigure &figure, const Language &language) {
         any = true;
         band |= dimension.guard.has_value();
     }
+    if (!beyond.isEmpty())
+        figure.note =
+            language.sentence({beyond.size() == 1 ? REPORT_TEXT("report", "limit beyond the scale: %1")
+                                                  : REPORT_TEXT("report", "limits beyond the scale: %1"),
+                               {beyond.join(QStringLiteral(", ")).toStdString()}});
     if (any)
         figure.legend.push_back({LegendSample::limit,
                                  band ? language.text(REPORT_TEXT_FOR("report", "limit ± g", "of a figure"))
@@ -379,6 +388,14 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
     const Interval positions = rangeOfPositions(figure, rotary);
     const Interval values = rangeOfValues(figure);
     figure = withRanges(std::move(figure), positions, values, language);
+    for (Dimension &dimension : figure.dimensions) {
+        const auto shown = std::ranges::find(evaluation.parameters, dimension.id.toStdString(),
+                                             [](const Parameter &p) { return std::string(p.term.id); });
+        if (dimension.limit && shown != evaluation.parameters.end())
+            dimension.limitText = language.quantity(
+                *shown->limit->value, shown->term.quantity,
+                limitDecimals(*shown->limit->value, shown->term.quantity, language.units()));
+    }
     addLimits(figure, language);
     return figure;
 }

@@ -79,6 +79,7 @@ struct Dimension {
     /// lie beyond what the axis shows.
     std::optional<double> limit = {};
     std::optional<double> guard = {};
+    QString limitText = {}; ///< "32 µm"
 
     bool operator==(const Dimension &) const = default;
 };
@@ -128,6 +129,7 @@ struct CurveFigure {
     std::vector<Dimension> dimensions; ///< those of the gutter from the plot outwards
     std::vector<LegendEntry> legend;
     std::vector<double> positions; ///< of all targets, ascending
+    QString note = {};             ///< which limits lie beyond what the axis shows; empty: none
 
     bool operator==(const CurveFigure &) const = default;
 };
@@ -207,7 +209,7 @@ struct CircleEnvelope {
     bool dimension = true;       ///< the distance of the two is the result; else they are Fmin and Fmax
     std::optional<double> limit; ///< width, µm; drawn beside the dimension
     std::optional<double> guard; ///< guard band about that width, µm
-    QString limitLabel;          ///< "limit 30 µm"
+    QString limitLabel;          ///< "limit of G(b): 30 µm"
 
     bool operator==(const CircleEnvelope &) const = default;
 };
@@ -261,12 +263,14 @@ struct CircleFigure {
     QSizeF size;          ///< of the drawing, mm
     double keyHeight = 0; ///< of the legend below it on paper, mm; what is printed is that much higher
     int keyColumns = 3;
-    double figureRadius = 0;  ///< nothing that deviates is drawn farther out, mm
-    double plotRadius = 0;    ///< of the nominal circle, mm
-    double magnification = 1; ///< 1, 2 or 5 times a power of ten
-    double division = 0;      ///< between rings, the length of the scale bar, µm
-    QString divisionLabel;    ///< "5 µm"
-    double pointStep = 0;     ///< of the traces, mm of the drawing
+    double figureRadius = 0; ///< nothing that deviates is drawn farther out, mm
+    QPointF home; ///< what stands in the middle of the whole figure, mm from the centre of the circles
+    std::optional<Interval> sector = {}; ///< degrees: the figure shows this part of the circles alone
+    double plotRadius = 0;               ///< of the nominal circle, mm
+    double magnification = 1;            ///< 1, 2 or 5 times a power of ten
+    double division = 0;                 ///< between rings, the length of the scale bar, µm
+    QString divisionLabel;               ///< "5 µm"
+    double pointStep = 0;                ///< of the traces, mm of the drawing
     CircleView view;
     std::vector<DeviationCircle> rings; ///< ascending; of the whole figure 0 among them
     std::vector<CircleTrace> traces;

@@ -110,7 +110,13 @@ private:
         const DeclaredAccordance &declared = m_test.declaredAccordance;
         if (declared.by.empty())
             return {};
-        return say(REPORT_TEXT("report", "; the laboratory declares the rest met (%1)"), {declared.by});
+        QStringList words{QString::fromStdString(declared.by)};
+        if (declared.date && !declared.date->empty())
+            words << m_language.date(*declared.date);
+        if (!declared.text.empty())
+            words << QString::fromStdString(declared.text);
+        return say(REPORT_TEXT("report", "; the laboratory declares the rest met (%1)"),
+                   {words.join(QStringLiteral(", ")).toStdString()});
     }
 
     [[nodiscard]] QString see(bool page) const {
@@ -145,9 +151,37 @@ Text accordanceWords(Accordance accordance) {
     case Accordance::partly:
         return REPORT_TEXT("report", "in accordance in part");
     case Accordance::yes:
-        break;
+        return REPORT_TEXT("report", "in accordance with the edition");
     }
     return {};
+}
+
+Mark markOf(Accordance accordance) {
+    switch (accordance) {
+    case Accordance::no:
+        return Mark::warning;
+    case Accordance::notShown:
+    case Accordance::notChecked:
+        return Mark::openCircle;
+    case Accordance::partly:
+    case Accordance::yes:
+        return Mark::check;
+    }
+    return Mark::none;
+}
+
+VerdictStatement accordanceStatement(const Test &test, const TestEvaluation &evaluation,
+                                     const Language &language, bool page) {
+    VerdictStatement result{language.text(REPORT_TEXT_FOR("report", "Test", "part of a verdict")),
+                            markOf(evaluation.accordance()),
+                            accordanceText(test, evaluation, language, page),
+                            {}};
+    const qsizetype colon = result.state.indexOf(QLatin1String(": "));
+    if (colon > 0) {
+        result.text = result.state.mid(colon + 2);
+        result.state.truncate(colon + 1);
+    }
+    return result;
 }
 
 QString accordanceOfAll(std::span<const Accordance> tests, const Language &language) {

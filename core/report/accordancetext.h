@@ -3,6 +3,7 @@
 #include "kernel/evaluation/testevaluation.h"
 #include "kernel/measurement/test.h"
 #include "language/language.h"
+#include "report/report.h"
 
 #include <span>
 
@@ -13,8 +14,15 @@ namespace palmer {
 [[nodiscard]] QString accordanceText(const Test &test, const TestEvaluation &evaluation,
                                      const Language &language, bool page);
 
-/// The same in a few words, for lists; empty for a test in accordance.
+/// The same in a few words, for lists.
 [[nodiscard]] Text accordanceWords(Accordance accordance);
+
+/// The mark beside it.
+[[nodiscard]] Mark markOf(Accordance accordance);
+
+/// The sentence as the second part of a verdict: what stands before its colon is the state.
+[[nodiscard]] VerdictStatement accordanceStatement(const Test &test, const TestEvaluation &evaluation,
+                                                   const Language &language, bool page);
 
 /// Of several tests: that all are in accordance, or how many are.
 [[nodiscard]] QString accordanceOfAll(std::span<const Accordance> tests, const Language &language);

@@ -77,16 +77,34 @@ QString angleRange(const Writer &write, double from, double to) {
                      {Number{from, Quantity::angle, -1}, Number{to, Quantity::angle, -1}});
 }
 
+constexpr double roundingOfAngles = 0.1; ///< degrees
+
+/// "360°" of what closes to a circle and is no longer than one, else from where to where.
+QString rangeText(const CircularPart &part, double low, double high, bool closed) {
+    const auto round = [](double angle) { return std::round(angle / roundingOfAngles) * roundingOfAngles; };
+    if (closed && high - low <= 360 + roundingOfAngles / 2)
+        return part.write.quantity(360, Quantity::angle);
+    return angleRange(part.write, round(low), round(high));
+}
+
 /// What was captured of a path.
 QString captureText(const CircularPart &part, const EvaluatedPath &path) {
     const auto &angles = part.measurement.arcs[path.arc].angles;
     if (angles.empty())
         return QStringLiteral("–");
-    if (path.fullCircle)
-        return part.write.quantity(360, Quantity::angle);
-    const auto round = [](double angle) { return std::round(angle * 10) / 10; };
     const auto [low, high] = std::ranges::minmax(angles);
-    return angleRange(part.write, round(low), round(high));
+    return rangeText(part, low, high, path.fullCircle);
+}
+
+/// Whether what was evaluated of some path is not all that was captured.
+bool evaluatesPart(const CircularPart &part) {
+    return std::ranges::any_of(part.results.paths, [&](const EvaluatedPath &path) {
+        return path.source.size() != part.measurement.arcs[path.arc].angles.size();
+    });
+}
+
+QString evaluatedText(const CircularPart &part, const EvaluatedPath &path) {
+    return rangeText(part, path.evaluated.from, path.evaluated.to, path.fullCircle);
 }
 
 QString temperatureText(const CircularPart &part, SensorMeasures what, std::optional<double> alpha) {
@@ -178,10 +196,21 @@ KeyValues parameterRows(const CircularPart &part) {
              write.quantity(part.results.correction, Quantity::deviation, deviationDecimals), false);
     rows.add(REPORT_TEXT("report", "Captured range"),
              ofEachPath(part, [&](const EvaluatedPath &path) { return captureText(part, path); }));
-    rows.add(REPORT_TEXT("report", "Points"), ofEachPath(part, [&](const EvaluatedPath &path) {
-                 return write.language().number(static_cast<double>(measurement.arcs[path.arc].angles.size()),
-                                                Quantity::count, 0);
-             }));
+    const auto points = [&](std::size_t count) {
+        return write.language().number(static_cast<double>(count), Quantity::count, 0);
+    };
+    if (evaluatesPart(part)) {
+        rows.add(REPORT_TEXT("report", "Evaluated range"),
+                 ofEachPath(part, [&](const EvaluatedPath &path) { return evaluatedText(part, path); }));
+        rows.add(REPORT_TEXT("report", "Points"), ofEachPath(part, [&](const EvaluatedPath &path) {
+                     return write.say(REPORT_TEXT("report", "%1 of %2"),
+                                      {points(path.source.size()).toStdString(),
+                                       points(measurement.arcs[path.arc].angles.size()).toStdString()});
+                 }));
+    } else {
+        rows.add(REPORT_TEXT("report", "Points"),
+                 ofEachPath(part, [&](const EvaluatedPath &path) { return points(path.source.size()); }));
+    }
     rows.add(REPORT_TEXT("report", "Start, stop"), startAndStop(part));
     rows.add(REPORT_TEXT("report", "Smoothing"), conditions.smoothing);
     rows.add(REPORT_TEXT("report", "Compensation"), common.compensation);
@@ -212,6 +241,7 @@ std::vector<CircleFigureOptions> figuresOf(const CircularPart &part) {
 
 CircleFigure figureOf(const CircularPart &part, CircleFigureOptions options) {
     const auto &include = part.head().include;
+    options.fillFrame = true;
     options.repetitions = std::ranges::find(include, ReportExtra::repetitions) != include.end();
     return circleFigure(part.test, part.evaluation, part.write.language(), options);
 }
@@ -340,8 +370,8 @@ void addActualPaths(std::vector<Block> &blocks, const CircularPart &part) {
                                      : REPORT_TEXT("report", "Positions in mm."))};
     if (!about.isEmpty())
         notes << write.say(REPORT_TEXT("report", "Figure drawn %1."), about);
-    both.right.emplace_back(Paragraph{notes.join(u' '), TextSize::small});
     blocks.emplace_back(std::move(both));
+    blocks.emplace_back(Paragraph{notes.join(u' '), TextSize::small});
 }
 
 void addSeparateFigures(std::vector<Block> &blocks, const CircularPart &part) {
@@ -444,8 +474,10 @@ void addCircles(std::vector<Block> &blocks, const CircularPart &part) {
     blocks.emplace_back(std::move(table));
     if (part.results.centringError)
         blocks.emplace_back(Paragraph{
+            // Of the centre of the path as the instrument sees it, as beside the figure.
             write.say(REPORT_TEXT("report", "Centring error taken out of the commanded angles: %1."),
-                      centreText(part, *part.results.centringError, circleDecimals)),
+                      centreText(part, {-part.results.centringError->x, -part.results.centringError->y},
+                                 circleDecimals)),
             TextSize::small});
 }
 

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double statementLabels = 44; ///< mm
 
-QString dateText(const Writer &write, const std::optional<std::string> &date) {
-    return date && !date->empty() ? write.language().date(*date) : QString();
-}
-
 /// In the order of the file, those any test names.
 std::vector<const Instrument *> usedInstruments(const Document &document) {
     std::set<std::string> used;
@@ -34,14 +30,6 @@ Quantity resolutionQuantity(const Document &document, const Instrument &instrume
             return m->axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
     }
     return Quantity::deviation;
-}
-
-QString performedText(const Writer &write, const ReportHead &head) {
-    const QString from = dateText(write, head.performedFrom);
-    const QString to = dateText(write, head.performedTo);
-    if (from.isEmpty() || to.isEmpty() || from == to)
-        return from.isEmpty() ? to : from;
-    return write.say(REPORT_TEXT_FOR("report", "%1 to %2", "dates"), {from.toStdString(), to.toStdString()});
 }
 
 QString machineDetails(const Writer &write, const Machine &machine) {
@@ -84,13 +72,17 @@ QString bounded(const QString &name) {
     return name.left(splits ? most - 1 : most).trimmed() + u'…';
 }
 
+QString authorisedText(const ReportHead &head) {
+    return joined(
+        {QString::fromStdString(head.authorisedBy.name), QString::fromStdString(head.authorisedBy.function)});
+}
+
 QString knownName(Signer signer, const ReportHead &head) {
     switch (signer) {
     case Signer::operatorSigns:
         return bounded(QString::fromStdString(head.operatorName));
     case Signer::laboratory:
-        return bounded(joined({QString::fromStdString(head.authorisedBy.name),
-                               QString::fromStdString(head.authorisedBy.function)}));
+        return bounded(authorisedText(head));
     case Signer::supplier:
     case Signer::customer:
         return {}; // the head names the company, not who signs for it
@@ -149,8 +141,14 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
     blocks.emplace_back(std::move(values));
 }
 
+QString scopeText(const Writer &write) {
+    return write.text(REPORT_TEXT("report",
+                                  "The results relate only to the machine tested in the stated condition.")) +
+           u' ' + write.text(REPORT_TEXT("report", "This report may be reproduced only in full."));
+}
+
 void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
-                   const ReportOptions &options, const QString &fingerprint) {
+                   const ReportOptions &options, const QString &fingerprint, const QString &foreign) {
     const ReportHead &head = document.report;
     KeyValues values;
     values.labelWidth = statementLabels;
@@ -163,7 +161,8 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
     };
     addStated(REPORT_TEXT("report", "Order"), QString::fromStdString(head.order));
     addStated(REPORT_TEXT("report", "Procedure"), QString::fromStdString(head.procedure));
-    addStated(REPORT_TEXT("report", "Tests carried out"), performedText(write, head));
+    addStated(REPORT_TEXT("report", "Tests carried out"),
+              periodText(write, head.performedFrom, head.performedTo));
     addStated(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine));
     add(REPORT_TEXT("report", "Condition of the machine"),
         QString::fromStdString(document.machine.condition));
@@ -172,20 +171,37 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
     if (!head.replaces.empty())
         revision = joined({revision, write.say(REPORT_TEXT("report", "replaces %1"), {head.replaces})});
     add(REPORT_TEXT("report", "Revision"), revision);
-    add(REPORT_TEXT("report", "Authorised by"), joined({QString::fromStdString(head.authorisedBy.name),
-                                                        QString::fromStdString(head.authorisedBy.function)}));
+    add(REPORT_TEXT("report", "Authorised by"), authorisedText(head));
     add(REPORT_TEXT("report", "Program"),
         joined({options.program, selfTestText(write, options.selfTestPassed)}));
     add(REPORT_TEXT("report", "Fingerprint SHA-256"), fingerprint);
+    if (!foreign.isEmpty())
+        add(REPORT_TEXT("report", "Characters"),
+            write.say(REPORT_TEXT("report",
+                                  "not in the font of the report: %1; drawn from another font where one "
+                                  "is installed, else as boxes"),
+                      foreign));
     addHeading(blocks, write.text(REPORT_TEXT("report", "Statements")));
     blocks.emplace_back(std::move(values));
     blocks.emplace_back(Paragraph{
-        write.text(
-            REPORT_TEXT("report", "The results relate only to the machine tested in the stated condition.")) +
-            u' ' + write.text(REPORT_TEXT("report", "This report may be reproduced only in full.")) + u' ' +
+        scopeText(write) + u' ' +
             write.text(REPORT_TEXT(
                 "report", "The fingerprint is that of the test file attached to the PDF of this report.")),
         TextSize::small});
+}
+
+void addResponsibility(std::vector<Block> &blocks, const Writer &write, const ReportHead &head) {
+    constexpr double height = 12.4; // mm, as the widths
+    constexpr double dateWidth = 36;
+    constexpr double signatureWidth = 62;
+    const auto column = [&](const Text &label, const QString &value, double width) {
+        return SignatureColumn{{}, {{write.text(label), value, true, height}}, width};
+    };
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Responsibility for the report")));
+    blocks.emplace_back(Signatures{
+        {column(REPORT_TEXT("report", "Authorised by: name, function"), bounded(authorisedText(head)), 0),
+         column(REPORT_TEXT("report", "Date"), {}, dateWidth),
+         column(REPORT_TEXT("report", "Signature"), {}, signatureWidth)}});
 }
 
 void addSignatures(std::vector<Block> &blocks, const Writer &write, const ReportHead &head) {

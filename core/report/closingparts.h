@@ -11,9 +11,16 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
 /// The drift tests of the file with their range.
 void addDriftTests(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated);
 
-/// What ISO/IEC 17025, 7.8 asks a report to state, the program and the fingerprint in full.
+/// What ISO/IEC 17025, 7.8 asks a report to state, the program and the fingerprint in full; `foreign`: which
+/// characters of the report its font lacks.
 void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
-                   const ReportOptions &options, const QString &fingerprint);
+                   const ReportOptions &options, const QString &fingerprint, const QString &foreign);
+
+/// What the results relate to, and that the report is reproduced only in full.
+[[nodiscard]] QString scopeText(const Writer &write);
+
+/// Who answers for the report: name, date and signature on one line.
+void addResponsibility(std::vector<Block> &blocks, const Writer &write, const ReportHead &head);
 
 /// Those who sign, and the end of the report.
 void addSignatures(std::vector<Block> &blocks, const Writer &write, const ReportHead &head);

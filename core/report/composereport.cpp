@@ -1,14 +1,19 @@
 #include "report/composereport.h"
 
 #include "figures/thinning.h"
+#include "language/papercharacters.h"
 #include "report/circularparts.h"
 #include "report/closingparts.h"
 #include "report/conditionparts.h"
 #include "report/dataparts.h"
 #include "report/headparts.h"
+#include "report/pagetext.h"
 #include "report/resultparts.h"
+#include "report/summaryparts.h"
 #include "report/testpart.h"
 #include "report/uncertaintyparts.h"
+
+#include <map>
 
 namespace palmer {
 
@@ -93,6 +98,64 @@ void thinFigures(std::vector<Block> &blocks, std::size_t from) {
     }
 }
 
+bool beginsSection(const Block &block) {
+    if (const auto *both = std::get_if<SideBySide>(&block))
+        return !both->left.empty() && std::holds_alternative<Heading>(both->left.front());
+    const auto *heading = std::get_if<Heading>(&block);
+    return heading && heading->level <= 2;
+}
+
+/// Sections of the tests before, by which one that says the same is known.
+class PrintedSections {
+public:
+    /// What stands word for word in an earlier test is not printed again: a line says where it stands.
+    void leaveOutRepeated(std::vector<Block> &blocks, std::size_t from, const TestPart &part) {
+        std::vector<Block> result;
+        std::map<int, QStringList> repeated; // by test
+        std::size_t place = 0;               // of the line about them
+        for (std::size_t i = from; i < blocks.size();) {
+            std::size_t end = i + 1;
+            while (end < blocks.size() && !beginsSection(blocks[end]))
+                ++end;
+            const auto *heading = std::get_if<Heading>(&blocks[i]);
+            const auto at = [&](std::size_t index) {
+                return blocks.begin() + static_cast<std::ptrdiff_t>(index);
+            };
+            const bool known = heading && heading->anchor.isEmpty() && end > i + 1;
+            const auto same = std::ranges::find_if(m_sections, [&](const Section &section) {
+                return known && std::equal(section.blocks.begin(), section.blocks.end(), at(i), at(end));
+            });
+            if (same != m_sections.end()) {
+                repeated[same->test] << heading->text;
+                place = result.size();
+            } else {
+                if (known)
+                    m_sections.push_back({part.number, {at(i), at(end)}});
+                result.insert(result.end(), at(i), at(end));
+            }
+            i = end;
+        }
+        QStringList lines;
+        for (const auto &[test, headings] : repeated)
+            lines << part.write.say(
+                REPORT_TEXT("report", "As for test %1: %2."),
+                {std::to_string(test), headings.join(part.write.semicolon()).toStdString()});
+        if (!lines.isEmpty())
+            result.insert(result.begin() + static_cast<std::ptrdiff_t>(place),
+                          Paragraph{lines.join(u'\n'), TextSize::small});
+        blocks.resize(from);
+        blocks.insert(blocks.end(), std::make_move_iterator(result.begin()),
+                      std::make_move_iterator(result.end()));
+    }
+
+private:
+    struct Section {
+        int test = 1;
+        std::vector<Block> blocks;
+    };
+    std::vector<Section> m_sections;
+};
+
 void addTest(std::vector<Block> &blocks, const TestPart &part) {
     const std::size_t first = blocks.size();
     if (!blocks.empty())
@@ -105,6 +168,25 @@ void addTest(std::vector<Block> &blocks, const TestPart &part) {
         addCircular(blocks, part, std::get<CircularMeasurement>(part.test.measurement),
                     std::get<CircularResults>(part.evaluation.results));
     thinFigures(blocks, first);
+}
+
+/// "U+6F22, U+5B57": the characters of what is composed so far that the font of paper lacks.
+QString foreignCharacters(const Report &report) {
+    constexpr std::size_t most = 20;
+    constexpr int hexadecimal = 16;
+    constexpr int digits = 4;
+    const std::vector<char32_t> foreign = notOnPaper(pageText(report));
+    QStringList names;
+    for (const char32_t character : foreign) {
+        if (names.size() == most) {
+            names << QStringLiteral("…");
+            break;
+        }
+        names << QStringLiteral("U+%1")
+                     .arg(static_cast<uint>(character), digits, hexadecimal, QLatin1Char('0'))
+                     .toUpper();
+    }
+    return names.join(QStringLiteral(", "));
 }
 
 std::vector<int> simulatedTests(const EvaluatedDocument &evaluated) {
@@ -143,12 +225,20 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
     report.footerRight = write.text(REPORT_TEXT("report", "page %1 / %2"));
 
     const std::vector<EvaluatedDocument> views = viewsOf(evaluated);
-    const std::vector<TestPart> parts = testParts(evaluated, write, views);
+    std::vector<TestPart> parts = testParts(evaluated, write, views);
+    const std::vector<KeyValue> common = commonConditions(parts);
+    for (TestPart &part : parts)
+        part.common = &common;
     const bool several = parts.size() > 1;
     if (several)
         addSummary(report.blocks, parts);
-    for (const TestPart &part : parts)
+    PrintedSections printed;
+    for (const TestPart &part : parts) {
+        const std::size_t first = report.blocks.size();
         addTest(report.blocks, part);
+        if (several)
+            printed.leaveOutRepeated(report.blocks, first, part);
+    }
     if (several) {
         // Before the break: the page has no head of its own.
         report.blocks.emplace_back(RunningHead{report.laboratory, reportTitle(write, head)});
@@ -158,9 +248,10 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
         addHeading(report.blocks, write.text(REPORT_TEXT("report", "Remarks")));
         report.blocks.emplace_back(Paragraph{QString::fromStdString(head.remarks)});
     }
+    addCommonConditions(report.blocks, write, common);
     addDriftTests(report.blocks, write, evaluated);
     addTraceability(report.blocks, write, evaluated);
-    addStatements(report.blocks, write, document, options, report.fingerprint);
+    addStatements(report.blocks, write, document, options, report.fingerprint, foreignCharacters(report));
     addSignatures(report.blocks, write, head);
     return report;
 }

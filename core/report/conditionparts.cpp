@@ -303,7 +303,7 @@ KeyValues conditionRows(const CircularPart &part) {
     if (!part.feedback() && part.results.paths.size() > 1)
         rows.add(REPORT_TEXT("report", "Between the runs"),
                  stated(write, conditions.recentredBetweenRuns,
-                        REPORT_TEXT("report", "instrument centred anew"),
+                        REPORT_TEXT("report", "instrument re-centred"),
                         REPORT_TEXT("report", "measured consecutively, without re-centring")));
     addThermalPreparation(rows, write, common);
     return rows.take();
@@ -448,14 +448,62 @@ void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part,
     blocks.emplace_back(std::move(block));
 }
 
+KeyValues conditionRowsOf(const TestPart &part) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
+        return conditionRows(
+            PositioningPart{part, *positioning, std::get<PositioningResults>(part.evaluation.results)});
+    return conditionRows(CircularPart{part, std::get<CircularMeasurement>(part.test.measurement),
+                                      std::get<CircularResults>(part.evaluation.results)});
+}
+
+/// Those that are not common to all tests.
+KeyValues ownConditions(const TestPart &part) {
+    KeyValues rows = conditionRowsOf(part);
+    if (part.common)
+        std::erase_if(rows.rows, [&](const KeyValue &row) {
+            return std::ranges::find(*part.common, row) != part.common->end();
+        });
+    return rows;
+}
+
+void addConditionsHeading(std::vector<Block> &blocks, const TestPart &part) {
+    const bool common = part.common && !part.common->empty();
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Test conditions")),
+               common ? part.write.text(REPORT_TEXT("report", "those of all tests: at the end of the report"))
+                      : QString());
+}
+
 } // namespace
+
+std::vector<KeyValue> commonConditions(const std::vector<TestPart> &parts) {
+    if (parts.size() < 2)
+        return {};
+    std::vector<KeyValue> common = conditionRowsOf(parts.front()).rows;
+    for (const TestPart &part : std::span(parts).subspan(1)) {
+        const std::vector<KeyValue> rows = conditionRowsOf(part).rows;
+        std::erase_if(common,
+                      [&](const KeyValue &row) { return std::ranges::find(rows, row) == rows.end(); });
+    }
+    return common;
+}
+
+void addCommonConditions(std::vector<Block> &blocks, const Writer &write,
+                         const std::vector<KeyValue> &common) {
+    if (common.empty())
+        return;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Conditions of all tests")));
+    KeyValues rows;
+    rows.labelWidth = conditionLabels;
+    rows.rows = common;
+    blocks.emplace_back(std::move(rows));
+}
 
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
     const Writer &write = part.write;
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Test conditions")));
+    addConditionsHeading(blocks, part);
     SideBySide both;
     both.leftWidth = conditionsWidth;
-    both.left.emplace_back(conditionRows(part));
+    both.left.emplace_back(ownConditions(part));
     both.right.emplace_back(environment(part));
     if (part.measurement.axis.motion == Motion::linear)
         both.right.emplace_back(
@@ -470,10 +518,12 @@ void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
 void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
     const Writer &write = part.write;
     const Conditions &conditions = part.measurement.conditions.common;
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Test conditions")));
-    KeyValues rows = conditionRows(part);
+    KeyValues rows = ownConditions(part);
     const bool temperatures = part.needsLength() || !conditions.sensors.empty() ||
                               conditions.expansion.machine || conditions.expansion.instrument;
+    if (!temperatures && rows.rows.empty())
+        return;
+    addConditionsHeading(blocks, part);
     if (!temperatures) {
         blocks.emplace_back(std::move(rows));
         return; // there are no sensors either

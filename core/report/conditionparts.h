@@ -4,6 +4,13 @@
 
 namespace palmer {
 
+/// The conditions that all tests have in common; none of a single test.
+[[nodiscard]] std::vector<KeyValue> commonConditions(const std::vector<TestPart> &parts);
+
+/// These, once for all tests.
+void addCommonConditions(std::vector<Block> &blocks, const Writer &write,
+                         const std::vector<KeyValue> &common);
+
 /// The test conditions with the environment and the temperature sensors.
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part);
 

@@ -53,14 +53,21 @@ void addGroupRules(Table &table) {
         table.rulesAfter.push_back(row - 1);
 }
 
-/// Targets (from 1) that rule R↑, R↓, R, B: the cells of the table per target that stand bold.
+/// Targets (from 1) that rule R↑, R↓, R, B and their likes: the cells of the table per target that stand
+/// bold.
 std::set<std::pair<std::string, int>> rulingCells(const TestEvaluation &evaluation) {
+    struct Column {
+        std::string_view parameter;
+        const char *term;
+    };
+    constexpr std::array columns{Column{"R+", "R+"},      Column{"R-", "R-"},  Column{"R", "R"},
+                                 Column{"B", "reversal"}, Column{"Umax", "U"}, Column{"Psmax", "Ps"}};
     std::set<std::pair<std::string, int>> cells;
     for (const Parameter &parameter : evaluation.parameters) {
-        const std::string id = parameter.term.id;
-        if (!parameter.ruling[0] || !(id == "R+" || id == "R-" || id == "R" || id == "B"))
-            continue;
-        cells.emplace(id == "B" ? "reversal" : id, parameter.ruling[0]->target);
+        const auto found =
+            std::ranges::find(columns, std::string_view(parameter.term.id), &Column::parameter);
+        if (parameter.ruling[0] && found != columns.end())
+            cells.emplace(found->term, parameter.ruling[0]->target);
     }
     return cells;
 }
@@ -270,15 +277,42 @@ std::optional<Table> editionsTable(const TestPart &part) {
         table.rows.push_back(std::move(cells));
     }
     const QString unit = rows.empty() ? QString() : write.language().unit(rows.front()->term.quantity);
+    const auto *positioning = std::get_if<PositioningResults>(&part.evaluation.results);
+    const bool scatter = positioning && std::max(positioning->positiveRuns, positioning->negativeRuns) > 1;
     table.columns.push_back({QString(), unit, Alignment::left, true, 20});
     for (const EditionColumn &column : columns)
         table.columns.push_back({shortEdition(column.edition->word),
-                                 column.edition->c > 0
+                                 column.edition->c > 0 && scatter
                                      ? write.say(REPORT_TEXT("report", "factor %1"),
                                                  {Number{column.edition->c, Quantity::number, -1}})
                                      : QString(),
                                  Alignment::decimal, false, 0});
     return table;
+}
+
+} // namespace
+
+namespace {
+
+bool hasScatter(const PositioningPart &part) {
+    return std::max(part.results.positiveRuns, part.results.negativeRuns) > 1;
+}
+
+/// Of one run a direction the means are the readings.
+bool meansAreReadings(const PositioningPart &part) {
+    return !hasScatter(part) && part.results.corrections.empty() && !part.leavesOut(ReportPart::targetTable);
+}
+
+QString targetNote(const PositioningPart &part) {
+    if (hasScatter(part))
+        return part.write.say(
+            REPORT_TEXT("report", "factor %1; bold: the value governing the axis parameter"),
+            {Number{part.edition().c, Quantity::number, -1}});
+    QStringList notes;
+    if (meansAreReadings(part))
+        notes << part.write.text(REPORT_TEXT("report", "n = 1: the means are the readings"));
+    notes << part.write.text(REPORT_TEXT("report", "bold: the value governing the axis parameter"));
+    return notes.join(part.write.semicolon());
 }
 
 } // namespace
@@ -292,10 +326,7 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
     const int places = positionDecimals(part.measurement.targets, part.along());
     const int digits = statisticDecimals(part.measurement);
     const auto ruling = rulingCells(part.evaluation);
-    addHeading(
-        blocks, write.text(REPORT_TEXT("report", "Results per target position")),
-        write.say(REPORT_TEXT("report", "factor %1; bold: the value that rules the parameter of the axis"),
-                  {Number{edition.c, Quantity::number, -1}}));
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Results per target position")), targetNote(part));
     if (targets.size() > mostRows && !printsAllRows(part)) {
         addLeftOut(blocks, write, targets.size());
         return;
@@ -326,7 +357,7 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
 }
 
 void addReadings(std::vector<Block> &blocks, const PositioningPart &part) {
-    if (part.leavesOut(ReportPart::readings) || part.measurement.runs.empty())
+    if (part.leavesOut(ReportPart::readings) || part.measurement.runs.empty() || meansAreReadings(part))
         return;
     const Writer &write = part.write;
     Phrase note = indexed(write.text(part.edition().family == std::string_view("ISO 230-2:2014")
@@ -368,6 +399,10 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
         {indexed(QStringLiteral("x"), QStringLiteral("ij")), unit, Alignment::decimal, false, 25},
         {write.text(REPORT_TEXT("report", "Reason")), {}, Alignment::left, true, 112}};
     const std::vector<int> numbers = numbersInDirection(measurement);
+    int decimals = readingDecimals(measurement);
+    for (const ExcludedReading &reading : measurement.excluded) // which may have more
+        decimals =
+            std::max(decimals, limitDecimals(reading.value, part.deviation(), write.language().units()));
     const std::size_t shown =
         printsAllRows(part) ? measurement.excluded.size() : std::min(mostRows, measurement.excluded.size());
     for (const ExcludedReading &reading : std::span(measurement.excluded).first(shown)) {
@@ -380,7 +415,7 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
                               run < numbers.size()
                                   ? QString::number(numbers[run]) + arrow(measurement.runs[run].approach)
                                   : QString(),
-                              write.language().number(reading.value, part.deviation()),
+                              write.language().number(reading.value, part.deviation(), decimals),
                               QString::fromStdString(reading.reason)});
     }
     addHeading(blocks, write.text(REPORT_TEXT("report", "Excluded readings")),
@@ -436,8 +471,11 @@ Table instrumentResultsTable(const TestPart &part) {
         const ImportedResult &stated = *result.stated;
         const std::string name =
             part.test.imports.size() > 1 ? result.file->fileName + ": " + stated.name : stated.name;
-        std::vector<Cell> row{QString::fromStdString(name), language.number(stated.value, Quantity::number),
-                              QString::fromStdString(stated.unit)};
+        std::vector<Cell> row{
+            QString::fromStdString(name),
+            language.number(stated.value, Quantity::number,
+                            limitDecimals(stated.value, Quantity::number, language.units())),
+            QString::fromStdString(stated.unit)};
         if (const Parameter *ours = result.ours) {
             row.emplace_back(QString::fromStdString(plainSymbol(*ours)));
             const PrintedNumbers printed = printedNumbers(

@@ -75,7 +75,7 @@ FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &lan
             first.state == State::undeclared ? std::max(first.grade, Grade::recommendation) : first.grade;
         printed.gradeName = language.text(gradeText(first.grade));
         printed.clause = clauseOf(line, language);
-        printed.sentence = findingsText(line, language);
+        printed.sentence = withSymbols(findingsText(line, language), evaluation.parameters);
         block.lines.push_back(std::move(printed));
     }
     return block;

@@ -1,9 +1,5 @@
 #include "report/headparts.h"
 
-#include "document/testsofverdict.h"
-#include "kernel/evaluation/conformity.h"
-#include "report/accordancetext.h"
-#include "report/resultparts.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -33,10 +29,6 @@ private:
     KeyValues m_values;
 };
 
-QString dateText(const Writer &write, const std::optional<std::string> &date) {
-    return date && !date->empty() ? write.language().date(*date) : QString();
-}
-
 QString machineText(const Machine &machine) {
     return joined({QString::fromStdString(machine.name), QString::fromStdString(machine.manufacturer),
                    QString::fromStdString(machine.model)});
@@ -65,9 +57,10 @@ TestHead letterHead(const Writer &write, const ReportHead &head) {
     return result;
 }
 
-KeyValues partiesAndDates(const Writer &write, const ReportHead &head, const QString &date) {
+KeyValues partiesAndDates(const Writer &write, const ReportHead &head, const QString &date,
+                          const Text &label = REPORT_TEXT("report", "Date of test")) {
     Rows rows(write, leftLabels);
-    rows.add(REPORT_TEXT("report", "Date of test"), date);
+    rows.add(label, date);
     rows.add(REPORT_TEXT("report", "Place"), head.place);
     rows.add(REPORT_TEXT("report", "Operator"), head.operatorName);
     rows.add(REPORT_TEXT("report", "Supplier"), partyText(head.supplier));
@@ -80,12 +73,20 @@ QString dateOfTest(const TestPart &part) {
     return part.test.time ? joined({date, QString::fromStdString(*part.test.time)}) : date;
 }
 
-QString periodText(const Writer &write, const ReportHead &head) {
-    const QString from = dateText(write, head.performedFrom);
-    const QString to = dateText(write, head.performedTo);
-    if (from.isEmpty() || to.isEmpty() || from == to)
-        return from.isEmpty() ? to : from;
-    return write.say(REPORT_TEXT_FOR("report", "%1 to %2", "dates"), {from.toStdString(), to.toStdString()});
+/// When the tests were carried out: as the head of the report says, else from the first to the last of them.
+QString periodOfTests(const std::vector<TestPart> &parts) {
+    const ReportHead &head = parts.front().head();
+    if (head.performedFrom || head.performedTo)
+        return periodText(parts.front().write, head.performedFrom, head.performedTo);
+    std::optional<std::string> from;
+    std::optional<std::string> to;
+    for (const TestPart &part : parts) {
+        if (!part.test.date || part.test.date->empty())
+            continue;
+        from = std::min(from.value_or(*part.test.date), *part.test.date);
+        to = std::max(to.value_or(*part.test.date), *part.test.date);
+    }
+    return periodText(parts.front().write, from, to);
 }
 
 std::vector<const Instrument *> instrumentsOf(const TestPart &part) {
@@ -269,79 +270,38 @@ TestHead circularHead(const CircularPart &part) {
     return head;
 }
 
-void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+TestHead summaryHead(const std::vector<TestPart> &parts) {
     const TestPart &first = parts.front();
     const Writer &write = first.write;
     const Document &document = first.document();
     TestHead head = letterHead(write, document.report);
-    head.subtitle = write.text(REPORT_TEXT("report", "Summary of the tests"));
-    head.left = partiesAndDates(write, document.report, periodText(write, document.report));
+    QStringList editions;
+    for (const TestPart &part : parts) {
+        if (const QString edition = QString::fromUtf8(part.edition().word); !editions.contains(edition))
+            editions << edition;
+    }
+    head.subtitle = joined(
+        {write.language().sentence(
+             {REPORT_TEXT_COUNTED("report", "Summary of %n test(s)"), {}, static_cast<int>(parts.size())}),
+         enumerated(write, editions)},
+        QStringLiteral(" · "));
+    head.left = partiesAndDates(write, document.report, periodOfTests(parts),
+                                REPORT_TEXT("report", "Dates of the tests"));
     Rows rows(write, rightLabels);
     rows.add(REPORT_TEXT("report", "Machine"), machineText(document.machine));
     rows.add(REPORT_TEXT("report", "Serial number"), document.machine.serialNumber);
     rows.add(REPORT_TEXT("report", "Control"), document.machine.controller);
     rows.add(REPORT_TEXT("report", "Condition"), document.machine.condition);
-    rows.add(REPORT_TEXT("report", "Order"), document.report.order);
-    head.right = rows.take();
-    blocks.emplace_back(RunningHead{head.laboratory, head.title});
-    blocks.emplace_back(std::move(head));
-
-    Table table;
-    table.columns = {{QString(), {}, Alignment::right, false, 7},
-                     {write.text(REPORT_TEXT("report", "Test")), {}, Alignment::left, true, 62},
-                     {write.text(REPORT_TEXT("report", "Date")), {}, Alignment::left, false, 30},
-                     {write.text(REPORT_TEXT("report", "Edition")), {}, Alignment::left, false, 34},
-                     {write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, 42}};
-    std::optional<Verdict> verdict;
-    std::vector<Accordance> accordances;
+    QStringList instruments;
     for (const TestPart &part : parts) {
-        const TestEvaluation &evaluation = part.evaluation;
-        const Accordance accordance = evaluation.accordance();
-        const bool counts = countsForVerdict(document, part.index);
-        if (counts) {
-            verdict = worst(verdict, evaluation.verdict);
-            accordances.push_back(accordance);
+        for (const Instrument *instrument : instrumentsOf(part)) {
+            if (const QString text = instrumentText(write, *instrument); !instruments.contains(text))
+                instruments << text;
         }
-        Cell word;
-        word.text.spans.push_back({write.text(verdictWord(evaluation.verdict, hasLimits(part.test)))});
-        word.text.spans.back().bold = evaluation.verdict == Verdict::doesNotConform;
-        if (evaluation.verdict)
-            word.mark = markOf(*evaluation.verdict);
-        if (const Text words = accordanceWords(accordance); !words.empty()) {
-            word.text.spans.push_back({u'\n' + write.text(words)});
-            word.text.spans.back().bold = accordance == Accordance::no;
-        }
-        table.links.push_back(part.headAnchor());
-        if (!counts)
-            word.text.spans.push_back(
-                {u'\n' + write.text(REPORT_TEXT("report", "for information, not part of the verdict"))});
-        const Text role = roleText(part.test.role);
-        table.rows.push_back({QString::number(part.number),
-                              joined({testName(write, part.test), QString::fromStdString(part.test.title),
-                                      role.empty() ? QString() : write.text(role)},
-                                     QStringLiteral("\n")),
-                              dateText(write, part.test.date), QString::fromUtf8(part.edition().word), word});
     }
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Tests")));
-    blocks.emplace_back(std::move(table));
-
-    VerdictLine line;
-    const Accordance weakest =
-        std::ranges::find(accordances, Accordance::no) != accordances.end()         ? Accordance::no
-        : std::ranges::find(accordances, Accordance::notShown) != accordances.end() ? Accordance::notShown
-                                                                                    : Accordance::yes;
-    line.verdict = largeMark(verdict, weakest);
-    line.label = write.text(REPORT_TEXT("report", "Verdict of the report"));
-    const bool anyLimit =
-        std::ranges::any_of(parts, [](const TestPart &part) { return hasLimits(part.test); });
-    line.word = write.text(largeWord(verdict, anyLimit, weakest)).toUpper();
-    line.reason = write.text(
-        verdict    ? REPORT_TEXT("report", "The worst verdict of the tests.")
-        : anyLimit ? REPORT_TEXT("report", "The limits agreed do not hold for these tests: no verdict.")
-                   : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
-    line.inAccordance = weakest != Accordance::no;
-    line.accordance = accordanceOfAll(accordances, write.language());
-    blocks.emplace_back(std::move(line));
+    rows.add(REPORT_TEXT("report", "Instruments"), instruments.join(write.semicolon()));
+    head.right = rows.take();
+    return head;
 }
 
 } // namespace palmer

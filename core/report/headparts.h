@@ -16,7 +16,7 @@ namespace palmer {
 /// The head of a circular test.
 [[nodiscard]] TestHead circularHead(const CircularPart &part);
 
-/// The first page of a report over several tests: each with its verdict, and the verdict of all.
-void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
+/// The head of the first page of a report over several tests.
+[[nodiscard]] TestHead summaryHead(const std::vector<TestPart> &parts);
 
 } // namespace palmer

@@ -138,6 +138,8 @@ constexpr std::array targetFormulas{
     TargetFormula{"s-", "s_i↓ = √(Σ(x_ij↓ − x̄_i↓)²/(n − 1))"},
     TargetFormula{"R+", "R_i↑ = %d s_i↑"},
     TargetFormula{"R-", "R_i↓ = %d s_i↓"},
+    TargetFormula{"U", "U_i = |x̄_i↑ − x̄_i↓|"},
+    TargetFormula{"Ps", "Ps_i = %c (s_i↑ + s_i↓)"},
     TargetFormula{"R", "R_i = max(%c s_i↑ + %c s_i↓ + |B_i|; R_i↑; R_i↓)"},
 };
 

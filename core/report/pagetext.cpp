@@ -22,8 +22,11 @@ public:
             head(table);
         for (const auto &row : table.rows) {
             QStringList texts;
-            for (const Cell &cell : row)
+            for (const Cell &cell : row) {
                 texts << (cell.isMissing() ? QString(dash) : cell.text.plain());
+                for (const CellNote &note : cell.notes)
+                    texts << note.text;
+            }
             cells(texts);
         }
     }
@@ -56,15 +59,15 @@ public:
         cells(texts);
     }
     void operator()(const VerdictLine &verdict) {
-        cells({verdict.label, verdict.word});
-        cells({verdict.reason});
-        cells({QString(verdict.accordance).replace(QLatin1String("%1"), QString(dash))});
+        cells({verdict.label, verdict.word, verdict.note});
+        for (const VerdictStatement &part : {verdict.limits, verdict.accordance})
+            cells({part.label, part.state, part.text.plain().replace(QLatin1String("%1"), QString(dash))});
     }
     void operator()(const FindingsBlock &findings) {
         for (const FindingLine &finding : findings.lines) {
             if (!finding.heading.isEmpty())
                 cells({finding.heading});
-            cells({finding.gradeName, finding.sentence,
+            cells({finding.gradeName, finding.sentence.plain(),
                    finding.clause.isEmpty() ? QString(dash) : finding.clause});
         }
     }

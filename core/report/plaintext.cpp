@@ -232,14 +232,20 @@ public:
             if (!line.heading.isEmpty())
                 m_lines << wrapped(line.heading, m_width);
             const QString label = padded(line.gradeName, grade + 2, Alignment::left) + orDash(line.clause);
-            m_lines << hanging(label, line.sentence, grade + 2 + clause + 2, m_width);
+            m_lines << hanging(label, line.sentence.plain(), grade + 2 + clause + 2, m_width);
         }
     }
     void operator()(const VerdictLine &line) {
         const QString first = line.label.isEmpty() ? line.word : line.label + u' ' + line.word;
-        for (const QString &part : {first, line.reason, line.accordance}) {
-            if (!part.isEmpty())
-                m_lines << wrapped(part, m_width);
+        if (!first.isEmpty())
+            m_lines << wrapped(first, m_width);
+        int labels = 0;
+        for (const VerdictStatement &part : {line.limits, line.accordance})
+            labels = std::max(labels, displayWidth(part.label));
+        for (const VerdictStatement &part : {line.limits, line.accordance}) {
+            const QString text = QString(part.state + u' ' + part.text.plain()).trimmed();
+            if (!text.isEmpty())
+                m_lines << hanging(part.label, text, labels + 2, m_width);
         }
     }
     /// What is drawn on pages only reads as the words it carries.

@@ -21,6 +21,12 @@ double readBack(const std::string &text) {
     return value;
 }
 
+/// Decimals of value and U.
+struct Digits {
+    int value = 1;
+    int uncertainty = 1;
+};
+
 /// A result that is compared with its limit, in the unit that is shown.
 struct Comparison {
     double value; ///< less is better, as of the limit
@@ -42,17 +48,17 @@ double printedNumber(double value, const ShownUnit &unit, int decimals) {
     return readBack(Decimal(value, unit).rounded(std::max(0, decimals + unit.decimals)));
 }
 
-Comparison printedComparison(const Parameter &p, int decimals, const DisplayUnits &units) {
+Comparison printedComparison(const Parameter &p, Digits digits, const DisplayUnits &units) {
     const ShownUnit unit = shownUnit(p.term.quantity, units);
     const double limit = *p.limit->value;
     const int ofLimit = limitDecimals(limit, p.term.quantity, units);
-    Comparison printed{judgedValue(printedNumber(*p.value, unit, decimals), p.bound),
+    Comparison printed{judgedValue(printedNumber(*p.value, unit, digits.value), p.bound),
                        judgedLimit(printedNumber(limit, unit, ofLimit), p.bound),
                        {},
                        roundingOfWritten};
     if (const auto guarded = p.guardedUncertainty())
-        printed.uncertainty =
-            readBack(Decimal(*guarded, unit).roundedUncertainty(std::max(0, decimals + unit.decimals)));
+        printed.uncertainty = readBack(
+            Decimal(*guarded, unit).roundedUncertainty(std::max(0, digits.uncertainty + unit.decimals)));
     return printed;
 }
 
@@ -61,47 +67,57 @@ bool isComparable(const Parameter &p) {
 }
 
 /// limit ± g of the printed limit and U, with the fewest decimals that leave the printed value on its side.
-QString printedReach(const Parameter &p, const DecisionRule &rule, int decimals, const Language &language) {
-    const Comparison printed = printedComparison(p, decimals, language.units());
+QString printedReach(const Parameter &p, const DecisionRule &rule, Digits shown, const Language &language) {
+    const Comparison printed = printedComparison(p, shown, language.units());
     const auto guard = guardBand(printed.uncertainty, rule);
     if (!guard)
         return {};
     const double end = printed.limit + *guard;
     const bool beyond = printed.verdict(rule) == Verdict::doesNotConform;
-    int digits = std::max(0, decimals + shownUnit(p.term.quantity, language.units()).decimals);
+    int digits = std::max(0, shown.value + shownUnit(p.term.quantity, language.units()).decimals);
     while (digits < mostDecimals && (readBack(Decimal(end).rounded(digits)) < printed.value) != beyond)
         ++digits;
     return language.number(p.bound == Bound::lower ? -end : end, Quantity::number, digits);
+}
+
+/// As few as give the verdict of the unrounded numbers.
+Digits digitsOf(const Parameter &parameter, const DecisionRule &rule, std::optional<double> resolution,
+                const DisplayUnits &units) {
+    int least = decimalsWithoutUncertainty;
+    if (parameter.expandedUncertainty)
+        least = decimalsWithUncertainty(*parameter.expandedUncertainty, parameter.term.quantity, resolution);
+    if (!isComparable(parameter))
+        return {least, least};
+    const Comparison exact{judgedValue(*parameter.value, parameter.bound),
+                           judgedLimit(*parameter.limit->value, parameter.bound),
+                           parameter.guardedUncertainty(), roundingBeside(parameter, *parameter.limit->value)};
+    for (int more = least; more <= mostDecimals; ++more) {
+        for (const Digits digits : {Digits{more, least}, Digits{least, more}, Digits{more, more}}) {
+            if (printedComparison(parameter, digits, units).agreesWith(exact, rule))
+                return digits;
+        }
+    }
+    return {least, least};
 }
 
 } // namespace
 
 int parameterDecimals(const Parameter &parameter, const DecisionRule &rule, std::optional<double> resolution,
                       const DisplayUnits &units) {
-    int result = decimalsWithoutUncertainty;
-    if (parameter.expandedUncertainty)
-        result = decimalsWithUncertainty(*parameter.expandedUncertainty, parameter.term.quantity, resolution);
-    if (!isComparable(parameter))
-        return result;
-    const Comparison exact{
-        judgedValue(*parameter.value, parameter.bound), judgedLimit(*parameter.limit->value, parameter.bound),
-        parameter.guardedUncertainty(), roundingBeside(parameter, *parameter.limit->value)};
-    for (int decimals = result; decimals <= mostDecimals; ++decimals) {
-        if (printedComparison(parameter, decimals, units).agreesWith(exact, rule))
-            return decimals;
-    }
-    return result;
+    return digitsOf(parameter, rule, resolution, units).value;
 }
 
 PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &rule,
                               std::optional<double> resolution, const Language &language) {
     const Quantity quantity = parameter.term.quantity;
     PrintedNumbers result;
-    result.decimals = parameterDecimals(parameter, rule, resolution, language.units());
+    const Digits digits = digitsOf(parameter, rule, resolution, language.units());
+    result.decimals = digits.value;
     if (parameter.value)
         result.value = language.number(*parameter.value, quantity, result.decimals);
-    if (parameter.expandedUncertainty)
-        result.uncertainty = language.uncertainty(*parameter.expandedUncertainty, quantity, result.decimals);
+    if (parameter.expandedUncertainty && parameter.value)
+        result.uncertainty =
+            language.uncertainty(*parameter.expandedUncertainty, quantity, digits.uncertainty);
     if (parameter.limit && parameter.limit->value) {
         const int own = limitDecimals(*parameter.limit->value, quantity, language.units());
         result.limit = language.number(*parameter.limit->value, quantity, own);
@@ -109,7 +125,7 @@ PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &ru
             language.number(*parameter.limit->value, quantity, std::max(own, result.decimals));
     }
     if (isComparable(parameter))
-        result.reach = printedReach(parameter, rule, result.decimals, language);
+        result.reach = printedReach(parameter, rule, digits, language);
     return result;
 }
 

@@ -9,13 +9,13 @@
 namespace palmer {
 
 /// The numbers of a result as every table and sentence prints them: value and U with the same decimals, the
-/// limit as entered. There are as many digits as it takes for the printed numbers, compared by the decision
-/// rule with its factor as printed, to give the verdict that the unrounded ones give. Of a simulated U the
-/// rule compares with U + 2s, s that of U.
+/// limit as entered. Of value and U the one or the other has more digits where it takes them for the printed
+/// numbers, compared by the decision rule with its factor as printed, to give the verdict that the unrounded
+/// ones give. Of a simulated U the rule compares with U + 2s, s that of U.
 struct PrintedNumbers {
-    int decimals = 1; ///< of value and U
-    QString value;    ///< empty where there is none, as below
-    QString uncertainty;
+    int decimals = 1;     ///< of the value
+    QString value;        ///< empty where there is none, as below
+    QString uncertainty;  ///< likewise without a value
     QString limit;        ///< as entered
     QString alignedLimit; ///< filled up to the decimals of the value
     QString reach; ///< the end of the guard band beyond the limit: limit + g, of a lower limit limit − g

@@ -47,9 +47,10 @@ struct Phrase {
 /// Signs that are drawn as paths: no font has them all.
 enum class Mark {
     none,
-    check,     ///< conforms, agreed
-    cross,     ///< does not conform, not agreed, requirement; the word beside it is bold
-    openCircle ///< not proven, recommendation, note
+    check,      ///< met, agreed
+    cross,      ///< exceeded, not agreed, requirement; the word beside it is bold
+    openCircle, ///< not proven, recommendation, note
+    warning     ///< a requirement is not met or was not declared
 };
 
 [[nodiscard]] Mark markOf(Verdict verdict);
@@ -65,6 +66,14 @@ struct Guard {
     bool operator==(const Guard &) const = default;
 };
 
+/// A small line below the text of a cell.
+struct CellNote {
+    QString text;
+    Mark mark = Mark::none; ///< before the text
+
+    bool operator==(const CellNote &) const = default;
+};
+
 /// A field of a table. Without text, mark and picture it prints a thin dash, unless it is blank.
 struct Cell {
     Phrase text;
@@ -73,6 +82,10 @@ struct Cell {
     Mark mark = Mark::none; ///< before the text
     std::optional<Guard> guard = {};
     std::optional<double> bar = {}; ///< a bar from the left, part of the width of its column, 0 … 1
+    bool pale = false;              ///< grey, with its mark and picture: for information only
+    std::size_t rows = 1;           ///< it stands beside; these are never split
+    std::size_t columns = 1;        ///< its text stands in; the cells of the others are blank
+    std::vector<CellNote> notes = {};
 
     Cell() = default;
     Cell(Phrase phrase) // NOLINT(google-explicit-constructor): most cells are a phrase
@@ -137,6 +150,7 @@ struct Column {
     int titleSpan = 1;     ///< columns the title spreads over; the titles of those are empty
     double gapBefore = 0;  ///< mm before the column
     double paddingLeft = 1;
+    bool pages = false; ///< each of its cells prints the page that its row leads to (`Table::links`)
 
     bool operator==(const Column &) const = default;
 };
@@ -156,6 +170,7 @@ struct Table {
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows = {};
     std::vector<std::size_t> rulesAfter = {};
+    std::vector<std::size_t> strongRulesAfter = {}; ///< black
     std::vector<Spanner> spanners = {};
     bool unbroken = false; ///< never split over two pages
     bool headless = false; ///< without head
@@ -207,7 +222,7 @@ struct TestHead {
     bool operator==(const TestHead &) const = default;
 };
 
-enum class LegendSign { none, value, limit, band };
+enum class LegendSign { none, value, limit, band, check, cross, openCircle, warning };
 
 struct LegendItem {
     LegendSign sign = LegendSign::none;
@@ -223,16 +238,28 @@ struct ResultsLegend {
     bool operator==(const ResultsLegend &) const = default;
 };
 
-/// The two parts of the verdict on a test: its limits, and its accordance with the edition. Stays with the
-/// block above it. Order of the text: label, word, reason, accordance.
+/// One of the two parts of a verdict. Order of the text: label, state, text.
+struct VerdictStatement {
+    QString label; ///< "Limits", "Test"
+    Mark mark = Mark::none;
+    QString state; ///< "exceeded"; bold
+    Phrase text;   ///< which; with "%1" for the page of the line's anchor, where there is one
+
+    bool operator==(const VerdictStatement &) const = default;
+};
+
+/// The verdict on a test or a report: one large word, and beside it its two parts in the same size: the
+/// limits, and the accordance with the edition. Stays with the block above it. Order of the text: label,
+/// word, note, limits, accordance.
 struct VerdictLine {
-    std::optional<Verdict> verdict;
-    QString label;  ///< "Verdict of the test"
-    QString word;   ///< in capitals where there is a verdict
-    QString reason; ///< which limits, at most two lines
-    bool inAccordance = true;
-    QString accordance; ///< with "%1" for the page of `anchor`, where there is one; bold if not in accordance
+    Mark mark = Mark::none;
+    QString label;     ///< "Verdict of the test"
+    QString word;      ///< in capitals; empty where only the parts are said
+    QString note = {}; ///< small, below the word
+    VerdictStatement limits;
+    VerdictStatement accordance;
     QString anchor = {};
+    bool large = false; ///< of a whole report
 
     bool operator==(const VerdictLine &) const = default;
 };
@@ -244,7 +271,7 @@ struct FindingLine {
     Grade grade = Grade::note;
     QString gradeName;
     QString clause; ///< "4.3.2"; empty where it is not known: a dash
-    QString sentence;
+    Phrase sentence;
 
     bool operator==(const FindingLine &) const = default;
 };
@@ -260,13 +287,15 @@ struct SignatureLine {
     QString label;
     QString value = {};
     bool forSignature = false; ///< with the free space of a signature
+    double height = 0;         ///< mm, label above the free space; 0: what the other lines have
 
     bool operator==(const SignatureLine &) const = default;
 };
 
 struct SignatureColumn {
-    QString heading;
+    QString heading; ///< may be empty in all columns
     std::vector<SignatureLine> lines;
+    double width = 0; ///< mm; 0: these columns share what the others leave
 
     bool operator==(const SignatureColumn &) const = default;
 };
@@ -330,6 +359,9 @@ struct Report {
 
     bool operator==(const Report &) const = default;
 };
+
+/// What links and numbers of pages lead to a block by; empty: nothing.
+[[nodiscard]] QString anchorOf(const Block &block);
 
 /// The report with the pages of its anchors put in. Anchors without a page print a dash.
 [[nodiscard]] Report withPages(Report report, const std::map<QString, int> &pages);

@@ -28,7 +28,7 @@ constexpr double capitalWidth = 2.3;
 constexpr double spaceWidth = 0.9;
 constexpr double cellPadding = 2.2;
 constexpr double gapAfterName = 1.2;    ///< besides the padding, where a name fills its column
-constexpr qsizetype mostOfReason = 190; ///< characters that fit on two lines of the verdict line
+constexpr qsizetype mostOfReason = 230; ///< characters that fit on three lines of the verdict line
 
 bool hasGuardBand(const Test &test) {
     return test.decisionRule.rule != Rule::simpleAcceptance;
@@ -93,27 +93,6 @@ std::vector<PrintedResult> printedResults(const TestPart &part) {
     return results;
 }
 
-Cell guardCell(const Parameter &parameter) {
-    Cell cell = blankCell();
-    if (!parameter.verdict || !parameter.value || !parameter.limit || !parameter.limit->value)
-        return cell;
-    const double limit = judgedLimit(*parameter.limit->value, parameter.bound);
-    if (limit <= 0)
-        return cell;
-    cell.blank = false;
-    cell.guard = Guard{limit, judgedValue(*parameter.value, parameter.bound), parameter.guardBand};
-    return cell;
-}
-
-Cell verdictCell(const Writer &write, const Parameter &parameter) {
-    if (!parameter.verdict)
-        return {};
-    Cell cell(write.text(verdictText(*parameter.verdict)));
-    cell.mark = markOf(*parameter.verdict);
-    cell.bold = parameter.verdict == Verdict::doesNotConform;
-    return cell;
-}
-
 Phrase targetsTitle(const Writer &write) {
     return Phrase({{write.text(REPORT_TEXT_FOR("report", "Targets", "followed by i")) + u' '},
                    {QStringLiteral("i"), false, true}});
@@ -143,6 +122,7 @@ struct ResultForm {
     double picture = 0;
     double verdict = 0;
     bool notCorrected = false; ///< results that depend on the temperature say so
+    bool setUpInF = false;     ///< F holds the error of the set-up: it says so
     std::function<QString(const Parameter &)> nameOf;
 };
 
@@ -159,6 +139,7 @@ ResultForm positioningForm(const PositioningPart &part) {
                     21.1,
                     26.7,
                     part.results.notCorrected,
+                    false,
                     [&part](const Parameter &parameter) {
                         QString name = nameInTable(part.write, parameter.term.name);
                         const QString symbol =
@@ -207,6 +188,7 @@ ResultForm circularForm(const CircularPart &part) {
                     22.5,
                     20.0,
                     part.results.notCorrected,
+                    part.measurement.centring == Centring::instrument,
                     [&part](const Parameter &parameter) { return circularName(part, parameter); }};
     // A verdict that is not "conforms" needs more room than the picture has.
     const double verdict = part.write.language().id() == Language::Id::english ? 31.6 : 26.7;
@@ -262,6 +244,10 @@ std::vector<Column> resultColumns(const TestPart &part, const ResultForm &form, 
     return columns;
 }
 
+bool isRadialDeviation(const Parameter &parameter) {
+    return *parameter.term.id == 'F' && parameter.value;
+}
+
 Table resultTable(const TestPart &part, const ResultForm &form, const std::vector<PrintedResult> &results) {
     Table table;
     table.unbroken = true;
@@ -282,6 +268,8 @@ Table resultTable(const TestPart &part, const ResultForm &form, const std::vecto
             name += QStringLiteral(", ") + of;
         if (form.notCorrected && parameter.dependsOnTemperature)
             name += QStringLiteral("\u00A0*");
+        if (form.setUpInF && isRadialDeviation(parameter))
+            name += QStringLiteral("\u00A0†");
         Cell value(result.value);
         value.bold = !result.limit.isEmpty();
         std::vector<Cell> row{symbol, name};
@@ -293,19 +281,9 @@ Table resultTable(const TestPart &part, const ResultForm &form, const std::vecto
         table.rows.push_back(std::move(row));
     }
     table.columns = resultColumns(part, form, table, unit);
+    const std::size_t uncertainty = form.targets ? 4 : 3; // U, limit, picture, verdict
+    leaveOutEmptyColumns(table, uncertainty, table.columns.size() - 1);
     return table;
-}
-
-QString ruleInShort(const TestPart &part) {
-    switch (part.test.decisionRule.rule) {
-    case Rule::simpleAcceptance:
-        return part.write.text(REPORT_TEXT("report", "simple acceptance"));
-    case Rule::iso14253_1:
-        return part.write.text(REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven"));
-    case Rule::rejectionProven:
-        return part.write.text(REPORT_TEXT("report", "non-conformity has to be proven"));
-    }
-    return {};
 }
 
 QString resultsNote(const TestPart &part) {
@@ -317,24 +295,31 @@ QString resultsNote(const TestPart &part) {
                                        : REPORT_TEXT("report", "s by the calculation method"));
     }
     if (part.evaluation.verdict) {
-        QString rule = ruleInShort(part);
-        if (hasGuardBand(part.test) && !factorIsOne(part.test))
-            rule += QStringLiteral(", g = ") + bandName(part, guardsSimulated(part.evaluation));
-        notes << rule << part.write.text(REPORT_TEXT("report", "verdict taken from the unrounded values"));
+        notes << ruleInShort(part)
+              << part.write.text(REPORT_TEXT("report", "verdict based on unrounded values"));
     }
     return notes.join(part.write.semicolon());
 }
 
-void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrected) {
+void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultForm &form) {
     const Writer &write = part.write;
     const auto &parameters = part.evaluation.parameters;
     const auto isMarked = [&](const Parameter &p) {
         return p.dependsOnTemperature && isPrinted(p, part.head());
     };
-    if (notCorrected && std::ranges::any_of(parameters, isMarked))
+    if (form.notCorrected && std::ranges::any_of(parameters, isMarked))
         blocks.emplace_back(ResultsLegend{
             {{LegendSign::none,
               QStringLiteral("*\u00A0") + write.text(REPORT_TEXT("report", "not corrected to 20 °C"))}}});
+    const auto holdsSetUp = [&](const Parameter &p) {
+        return isRadialDeviation(p) && isPrinted(p, part.head());
+    };
+    if (form.setUpInF && std::ranges::any_of(parameters, holdsSetUp))
+        blocks.emplace_back(
+            ResultsLegend{{{LegendSign::none,
+                            QStringLiteral("†\u00A0") +
+                                write.text(REPORT_TEXT(
+                                    "report", "about the centre of the set-up: with the set-up error"))}}});
     if (const CoverageOfResults coverage = coverageOf(part.evaluation, part.head()); coverage.mixed())
         blocks.emplace_back(ResultsLegend{
             {{LegendSign::none, QStringLiteral("U: ") + coverageNote(coverage, write.language())}}});
@@ -347,8 +332,8 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrect
     if (!hasGuardBand(part.test)) {
         legend.items.push_back(
             {LegendSign::limit,
-             write.text(REPORT_TEXT(
-                 "report", "limit. Value left of the limit: conforms; right of it: does not conform."))});
+             write.text(
+                 REPORT_TEXT("report", "limit. Value left of the limit: met; right of it: exceeded."))});
     } else {
         legend.items.push_back({LegendSign::limit, write.text(REPORT_TEXT_FOR("report", "limit", "legend"))});
     }
@@ -360,12 +345,11 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, bool notCorrect
                                  : QStringLiteral("g");
         const Text words =
             part.test.decisionRule.rule == Rule::rejectionProven
-                ? REPORT_TEXT("report",
-                              "limit ± %1. Value left of the band: conforms; within: non-conformity not "
-                              "proven; right: does not conform.")
+                ? REPORT_TEXT("report", "limit ± %1. Value left of the band: met; within: non-conformity not "
+                                        "proven; right: exceeded.")
                 : REPORT_TEXT("report",
-                              "limit ± %1. Value left of the band: conforms; in the band: not proven; right "
-                              "of the band: does not conform.");
+                              "limit ± %1. Value left of the band: met; in the band: not proven; right "
+                              "of the band: exceeded.");
         legend.items.push_back({LegendSign::band, write.say(words, band)});
     }
     blocks.emplace_back(std::move(legend));
@@ -426,10 +410,13 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
                               : write.say(REPORT_TEXT("report", "%1 (%2 against %3)"),
                                           {symbol, shownValue(part, *result), shownLimit(part, *result)}));
         }
-        return write.say(hasGuardBand(part.test)
-                             ? REPORT_TEXT("report", "Limits exceeded by more than the guard band: %1.")
-                             : REPORT_TEXT("report", "Limits exceeded: %1."),
-                         items.join(QStringLiteral(", ")));
+        const bool one = results.size() == 1;
+        const Text beyondBand =
+            one ? REPORT_TEXT("report", "Limit exceeded by more than the guard band: %1.")
+                : REPORT_TEXT("report", "Limits exceeded by more than the guard band: %1.");
+        const Text beyond = one ? REPORT_TEXT("report", "Limit exceeded: %1.")
+                                : REPORT_TEXT("report", "Limits exceeded: %1.");
+        return write.say(hasGuardBand(part.test) ? beyondBand : beyond, items.join(QStringLiteral(", ")));
     }
     const PrintedResult &result = *results.front();
     const Parameter &parameter = *result.parameter;
@@ -465,8 +452,9 @@ QString notProven(const TestPart &part, const std::vector<const PrintedResult *>
         return part.write.say(
             REPORT_TEXT("report", "Without the measurement uncertainty nothing is proven for %1."), symbols);
     if (part.test.decisionRule.rule == Rule::rejectionProven)
-        return part.write.say(REPORT_TEXT("report", "For %1 non-conformity not proven: may not be rejected."),
-                              symbols);
+        return part.write.say(
+            REPORT_TEXT("report", "For %1 non-conformity is not proven: no ground for rejection."),
+            enumerated(part.write, symbols.split(QStringLiteral(", "))));
     return part.write.say(REPORT_TEXT("report", "For %1 neither conformity nor non-conformity is proven."),
                           symbols);
 }
@@ -491,9 +479,11 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
             all << exceeded(part, failing, inShort);
         if (!open.empty())
             all << notProven(part, open);
-        if (!good.empty())
-            all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."),
-                                  joinedSymbols(parametersOf(good)));
+        const QString met = joinedSymbols(parametersOf(good));
+        if (!good.empty() && failing.empty() && open.empty()) // the state says it
+            all << enumerated(part.write, met.split(QStringLiteral(", "))) + u'.';
+        else if (!good.empty())
+            all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."), met);
         if (failing.size() + open.size() + good.size() < results.size())
             all << part.write.text(REPORT_TEXT("report", "Others: no limit agreed."));
         return all.join(u' ');
@@ -504,16 +494,18 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
 
 VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &results) {
     const TestEvaluation &evaluation = part.evaluation;
+    const bool limits = hasLimits(part.test);
     VerdictLine line;
-    line.verdict = largeMark(evaluation.verdict, evaluation.accordance());
+    line.mark = largeMark(evaluation.verdict, evaluation.accordance());
     line.label = part.write.text(REPORT_TEXT("report", "Verdict of the test"));
-    line.word = part.write.text(largeWord(evaluation.verdict, hasLimits(part.test), evaluation.accordance()))
-                    .toUpper();
-    line.reason = reason(part, results);
-    line.inAccordance = evaluation.accordance() != Accordance::no;
+    line.word = part.write.text(largeWord(evaluation.verdict, limits, evaluation.accordance())).toUpper();
+    line.limits = {part.write.text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")),
+                   evaluation.verdict ? markOf(*evaluation.verdict) : Mark::none,
+                   part.write.text(limitsText(evaluation.verdict, limits)),
+                   withSymbols(reason(part, results), evaluation.parameters)};
     const bool listed = !part.leavesOut(ReportPart::findings);
-    line.accordance = accordanceText(part.test, evaluation, part.write.language(), listed);
-    if (line.accordance.contains(QLatin1String("%1")))
+    line.accordance = accordanceStatement(part.test, evaluation, part.write.language(), listed);
+    if (line.accordance.text.plain().contains(QLatin1String("%1")))
         line.anchor = part.findingsAnchor();
     return line;
 }
@@ -523,22 +515,18 @@ void addResultsAs(std::vector<Block> &blocks, const TestPart &part, const Result
     if (!results.empty()) {
         addHeading(blocks, form.heading, resultsNote(part));
         blocks.emplace_back(resultTable(part, form, results));
-        addLegend(blocks, part, form.notCorrected);
+        addLegend(blocks, part, form);
     }
     blocks.emplace_back(verdictLine(part, results));
 }
 
 } // namespace
 
-Text verdictWord(std::optional<Verdict> verdict, bool anyLimit) {
-    if (verdict)
-        return verdictText(*verdict);
-    return anyLimit ? REPORT_TEXT("report", "no verdict") : REPORT_TEXT("report", "no limit agreed");
-}
-
 Text largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance) {
-    if (!verdict || (accordance != Accordance::no && accordance != Accordance::notShown))
-        return verdictWord(verdict, anyLimit);
+    if (!verdict)
+        return anyLimit ? REPORT_TEXT("report", "no verdict") : REPORT_TEXT("report", "no limit");
+    if (accordance != Accordance::no && accordance != Accordance::notShown)
+        return verdictText(*verdict);
     switch (*verdict) {
     case Verdict::conforms:
         break;
@@ -551,12 +539,50 @@ Text largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accorda
                                         : REPORT_TEXT("report", "limits met");
 }
 
-std::optional<Verdict> largeMark(std::optional<Verdict> verdict, Accordance accordance) {
-    if (verdict != Verdict::conforms)
-        return verdict;
-    if (accordance == Accordance::no)
-        return std::nullopt;
-    return accordance == Accordance::notShown ? std::optional(Verdict::notProven) : verdict;
+Mark largeMark(std::optional<Verdict> verdict, Accordance accordance) {
+    if (!verdict)
+        return Mark::none;
+    const bool open = accordance == Accordance::no || accordance == Accordance::notShown;
+    return *verdict == Verdict::conforms && open ? Mark::warning : markOf(*verdict);
+}
+
+Cell guardCell(const Parameter &parameter) {
+    Cell cell = blankCell();
+    if (!parameter.verdict || !parameter.value || !parameter.limit || !parameter.limit->value)
+        return cell;
+    const double limit = judgedLimit(*parameter.limit->value, parameter.bound);
+    if (limit <= 0)
+        return cell;
+    cell.blank = false;
+    cell.guard = Guard{limit, judgedValue(*parameter.value, parameter.bound), parameter.guardBand};
+    return cell;
+}
+
+Cell verdictCell(const Writer &write, const Parameter &parameter) {
+    if (!parameter.verdict)
+        return {};
+    Cell cell(write.text(limitText(*parameter.verdict)));
+    cell.mark = markOf(*parameter.verdict);
+    cell.bold = parameter.verdict == Verdict::doesNotConform;
+    return cell;
+}
+
+QString ruleInShort(const TestPart &part) {
+    QString rule;
+    switch (part.test.decisionRule.rule) {
+    case Rule::simpleAcceptance:
+        rule = part.write.text(REPORT_TEXT("report", "simple acceptance"));
+        break;
+    case Rule::iso14253_1:
+        rule = part.write.text(REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven"));
+        break;
+    case Rule::rejectionProven:
+        rule = part.write.text(REPORT_TEXT("report", "non-conformity has to be proven"));
+        break;
+    }
+    if (hasGuardBand(part.test) && !factorIsOne(part.test))
+        rule += QStringLiteral(", g = ") + bandName(part, guardsSimulated(part.evaluation));
+    return rule;
 }
 
 bool hasLimits(const Test &test) {
@@ -572,16 +598,18 @@ void addFigure(std::vector<Block> &blocks, const PositioningPart &part) {
     CurveFigure figure = deviationFigure(part.test, part.evaluation, write.language(), options);
     QStringList notes;
     notes << (figure.bands.empty() ? write.text(REPORT_TEXT_FOR("report", "means", "figure"))
-                                   : write.say(REPORT_TEXT("report", "means and limits at ± %1s"),
+                                   : write.say(REPORT_TEXT("report", "means and ±%1s limits"),
                                                {Number{part.edition().c, Quantity::number, -1}}));
-    notes << write.text(results.upward && results.downward ? REPORT_TEXT("report", "bidirectional test")
+    notes << write.text(results.upward && results.downward ? REPORT_TEXT("report", "bi-directional test")
                                                            : REPORT_TEXT("report", "unidirectional test"));
     const QString n = results.positiveRuns == results.negativeRuns || !results.downward
                           ? QString::number(results.positiveRuns)
                       : !results.upward
                           ? QString::number(results.negativeRuns)
                           : QStringLiteral("%1↑, %2↓").arg(results.positiveRuns).arg(results.negativeRuns);
-    notes << QStringLiteral("n = ") + n;
+    notes << QStringLiteral("n\u00A0=\u00A0") + n;
+    if (!figure.note.isEmpty())
+        notes << figure.note;
     addHeading(blocks, figure.title, notes.join(QStringLiteral(", ")));
     blocks.emplace_back(FigureBlock{std::move(figure)});
 }
@@ -632,9 +660,10 @@ QString decisionText(const TestPart &part) {
         break;
     case Rule::rejectionProven:
         words << write.say(
-            REPORT_TEXT("report", "Non-conformity has to be proven: a value conforms when it is at least g "
-                                  "below its limit and does not conform when it is more than g above it; "
-                                  "between, non-conformity is not proven: may not be rejected; g = %1·U."),
+            REPORT_TEXT("report",
+                        "Non-conformity has to be proven: a value conforms when it is at least g "
+                        "below its limit and does not conform when it is more than g above it; "
+                        "between, non-conformity is not proven: no ground for rejection; g = %1·U."),
             {factor(part.test)});
         break;
     }
@@ -650,8 +679,8 @@ QString decisionText(const TestPart &part) {
         words << write.text(REPORT_TEXT(
             "report", "The factor 0.83 (1.65 u) is the later 95 % rule of ISO 14253-1 for one limit."));
     words << write.text(
-        REPORT_TEXT("report", "Signed results are compared by their absolute value; the verdict is taken "
-                              "from the unrounded values."));
+        REPORT_TEXT("report", "Signed results are compared by their absolute value; the verdict is based "
+                              "on the unrounded values."));
     const auto &limits = part.test.limits;
     if (limits.contains("Fmax") || limits.contains("Fmin"))
         words << write.text(REPORT_TEXT(

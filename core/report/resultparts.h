@@ -4,17 +4,22 @@
 
 namespace palmer {
 
-/// The word of a verdict; without one "no limit agreed", or "no verdict" where limits were agreed that do not
-/// hold.
-[[nodiscard]] Text verdictWord(std::optional<Verdict> verdict, bool anyLimit);
-
 /// The large word of a verdict line. "Conforms" and its likes stand only where no requirement is known to be
 /// unmet or was not declared; there the word is of the limits alone, and with an unmet requirement there is
 /// no verdict on limits that are respected.
 [[nodiscard]] Text largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance);
 
-/// What the mark beside the large word says; none where it has none.
-[[nodiscard]] std::optional<Verdict> largeMark(std::optional<Verdict> verdict, Accordance accordance);
+/// The mark beside the large word; none where it has none.
+[[nodiscard]] Mark largeMark(std::optional<Verdict> verdict, Accordance accordance);
+
+/// The guard picture of a result; blank without verdict, or where the limit is no size.
+[[nodiscard]] Cell guardCell(const Parameter &parameter);
+
+/// "met", "exceeded" with its mark; missing without verdict.
+[[nodiscard]] Cell verdictCell(const Writer &write, const Parameter &parameter);
+
+/// "ISO 14253-1, conformity has to be proven", with the guard band where that is not U.
+[[nodiscard]] QString ruleInShort(const TestPart &part);
 
 /// Whether any limit was agreed for the test, for whatever edition.
 [[nodiscard]] bool hasLimits(const Test &test);

@@ -5,6 +5,7 @@
 #include "report/diagnosisparts.h"
 #include "report/findinglines.h"
 #include "report/printednumbers.h"
+#include "report/resultparts.h"
 #include "report/wording.h"
 
 #include <QStringList>
@@ -251,7 +252,7 @@ private:
             table.rows.push_back(
                 {symbolPhrase(parameter.term.symbol, parameter.index), nameOf(parameter, notCorrected),
                  rulingText(parameter), numbers.value, numbers.uncertainty, numbers.limit,
-                 parameter.verdict ? Phrase(text(verdictText(*parameter.verdict))) : Phrase()});
+                 parameter.verdict ? Phrase(text(limitText(*parameter.verdict))) : Phrase()});
         }
         if (table.rows.empty())
             return;
@@ -308,18 +309,14 @@ private:
     // ---- Verdict and findings --------------------------------------------------------------------------
 
     [[nodiscard]] VerdictLine verdictLine(const Test &test, const TestEvaluation &evaluation) const {
-        QString limits = text(REPORT_TEXT("report", "Limits: no verdict."));
+        QString limits = text(limitsText(evaluation.verdict, hasLimits(test)));
         if (evaluation.verdict)
-            limits = say(REPORT_TEXT("report", "Limits: %1 (%2)."),
-                         {verdictText(*evaluation.verdict), ruleOf(test).toStdString()});
-        else if (test.limits.empty())
-            limits = text(REPORT_TEXT("report", "Limits: none agreed, no verdict."));
-        return {evaluation.verdict,
-                {},
-                {},
-                limits,
-                evaluation.accordance() != Accordance::no,
-                accordanceText(test, evaluation, m_language, false)};
+            limits += QStringLiteral(" (") + ruleOf(test) + u')';
+        VerdictLine line;
+        line.limits = {
+            text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")), Mark::none, limits, {}};
+        line.accordance = accordanceStatement(test, evaluation, m_language, false);
+        return line;
     }
 
     void addFindings(const TestEvaluation &evaluation) {

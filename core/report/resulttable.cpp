@@ -18,6 +18,7 @@ namespace {
 struct ShortName {
     Text term;
     Text name;
+    Text alone = {}; ///< where its bidirectional companion does not stand above it; empty: the name
 };
 
 // clang-format off
@@ -34,15 +35,15 @@ constexpr std::array shortNames{
     ShortName{REPORT_TEXT("report", "reversal value of an axis"), REPORT_TEXT("report", "reversal value")},
     ShortName{REPORT_TEXT("report", "reversal error of an axis"), REPORT_TEXT("report", "reversal error")},
     ShortName{REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), REPORT_TEXT_FOR("report", "mean reversal value", "1988")},
-    ShortName{REPORT_TEXT("report", "mean reversal value of an axis"), REPORT_TEXT("report", "signed mean")},
-    ShortName{REPORT_TEXT("report", "mean reversal error of an axis"), REPORT_TEXT("report", "signed mean")},
-    ShortName{REPORT_TEXT_FOR("report", "accuracy of an axis", "A↑, A↓"), REPORT_TEXT("report", "unidirectional")},
-    ShortName{REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), REPORT_TEXT("report", "unidirectional")},
-    ShortName{REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), REPORT_TEXT("report", "unidirectional")},
-    ShortName{REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine")},
-    ShortName{REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine")},
-    ShortName{REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), REPORT_TEXT("report", "unidirectional")},
-    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), REPORT_TEXT("report", "unidirectional")},
+    ShortName{REPORT_TEXT("report", "mean reversal value of an axis"), REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal value")},
+    ShortName{REPORT_TEXT("report", "mean reversal error of an axis"), REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal error")},
+    ShortName{REPORT_TEXT("report", "accuracy of an axis, unidirectional"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT_FOR("report", "unidirectional accuracy", "1988")},
+    ShortName{REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy")},
+    ShortName{REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic deviation")},
+    ShortName{REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic error")},
+    ShortName{REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability")},
     ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), REPORT_TEXT("report", "smaller of R↑, R↓")},
     ShortName{REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), REPORT_TEXT("report", "positional uncertainty")},
     ShortName{REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), REPORT_TEXT_FOR("report", "positional deviation", "VDI")},
@@ -50,37 +51,24 @@ constexpr std::array shortNames{
     ShortName{REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), REPORT_TEXT("report", "scatter, mean")},
     ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), REPORT_TEXT("report", "reversal range, largest")},
     ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), REPORT_TEXT("report", "reversal range, mean")},
-    ShortName{REPORT_TEXT("report", "bi-directional circular deviation"), REPORT_TEXT_FOR("report", "bi-directional", "circular deviation")},
-    ShortName{REPORT_TEXT("report", "mean bi-directional radial deviation"), REPORT_TEXT_FOR("report", "mean radial", "deviation")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular deviation"), REPORT_TEXT_FOR("report", "bi-directional", "circular deviation"), REPORT_TEXT("report", "bi-directional circular deviation")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial deviation"), REPORT_TEXT_FOR("report", "mean radial", "deviation"), REPORT_TEXT("report", "mean bi-directional radial deviation")},
     ShortName{REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
-    ShortName{REPORT_TEXT("report", "bi-directional circular error"), REPORT_TEXT_FOR("report", "bi-directional", "circular error")},
-    ShortName{REPORT_TEXT("report", "mean bi-directional radial error"), REPORT_TEXT_FOR("report", "mean radial", "error")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular error"), REPORT_TEXT_FOR("report", "bi-directional", "circular error"), REPORT_TEXT("report", "bi-directional circular error")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial error"), REPORT_TEXT_FOR("report", "mean radial", "error"), REPORT_TEXT("report", "mean bi-directional radial error")},
     ShortName{REPORT_TEXT("report", "bi-directional circular error using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
 };
 // clang-format on
 
-Text shortName(const Text &term) {
+Text shortName(const Text &term, bool alone) {
     const auto found = std::ranges::find(shortNames, term, &ShortName::term);
-    return found == shortNames.end() ? term : found->name;
-}
-
-/// Of a test from one direction: no name of the bidirectional result stands above that "unidirectional" could
-/// follow.
-Text aloneName(const Parameter &parameter) {
-    const std::string_view id = parameter.term.id;
-    if (id == "A+" || id == "A-")
-        return parameter.term.name == REPORT_TEXT_FOR("report", "accuracy of an axis", "A↑, A↓")
-                   ? REPORT_TEXT_FOR("report", "unidirectional accuracy", "1988")
-                   : REPORT_TEXT("report", "unidirectional accuracy");
-    if (id == "R+" || id == "R-")
-        return REPORT_TEXT("report", "unidirectional repeatability");
-    if (id == "E+" || id == "E-")
-        return REPORT_TEXT("report", "unidirectional systematic deviation");
-    return shortName(parameter.term.name);
+    if (found == shortNames.end())
+        return term;
+    return alone && !found->alone.empty() ? found->alone : found->name;
 }
 
 /// Of a path its sense: the symbol tells the rest.
-Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation) {
+Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation, bool alone) {
     const std::string_view id = parameter.term.id;
     const auto *results = std::get_if<CircularResults>(&evaluation.results);
     const bool ofPath = id == "G" || id == "Gf" || id.starts_with('F');
@@ -89,9 +77,8 @@ Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation) {
             return senseText(results->paths[k].sense);
     }
     const auto *positioning = std::get_if<PositioningResults>(&evaluation.results);
-    if (positioning && positioning->upward != positioning->downward)
-        return aloneName(parameter);
-    return shortName(parameter.term.name);
+    const bool oneDirection = positioning && positioning->upward != positioning->downward;
+    return shortName(parameter.term.name, alone || oneDirection);
 }
 
 Text ruleName(Rule rule) {
@@ -137,6 +124,10 @@ Head head(const ResultTable &table, const Language &language) {
 }
 
 } // namespace
+
+Text briefName(const Parameter &parameter, const TestEvaluation &evaluation) {
+    return shortNameOf(parameter, evaluation, true);
+}
 
 std::optional<DecisionScale> decisionScale(const Parameter &parameter) {
     if (!parameter.value || !parameter.limit || !parameter.limit->value ||
@@ -203,7 +194,6 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         ResultLine line;
         line.id = QString::fromStdString(parameterId(parameter));
         line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
-        line.name = language.text(shortNameOf(parameter, evaluation));
         line.fullName = language.text(parameter.term.name);
         if (const QString of = limitNote(parameter, language); !of.isEmpty())
             line.fullName += QStringLiteral(" (") + of + u')';
@@ -213,13 +203,14 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         line.limit = orDash(numbers.alignedLimit);
         line.verdict = parameter.verdict;
         if (parameter.verdict)
-            line.verdictWord = language.text(verdictText(*parameter.verdict));
+            line.verdictWord = language.text(limitText(*parameter.verdict));
         line.scale = decisionScale(parameter);
         const bool circular = !table.circle.isEmpty();
         const std::string_view id = parameter.term.id;
         const std::string_view own = circular ? id.substr(0, 1) : familyOf(id);
         line.isFirst = own != family;
         line.main = circular ? own != "F" : line.isFirst;
+        line.name = language.text(shortNameOf(parameter, evaluation, line.isFirst && !circular));
         family = own;
         table.lines.push_back(std::move(line));
     }

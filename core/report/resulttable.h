@@ -62,6 +62,10 @@ struct ResultTable {
     QString edition;
 };
 
+/// What a result is called in a few words where it stands alone: "unidirectional accuracy"; of a path its
+/// sense.
+[[nodiscard]] Text briefName(const Parameter &parameter, const TestEvaluation &evaluation);
+
 /// Whether readings are missing that were not set aside: the test is under way.
 [[nodiscard]] bool isUnfinished(const Test &test);
 

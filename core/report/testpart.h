@@ -47,6 +47,8 @@ struct TestPart {
     int count = 1;
     /// The file under each edition the head names, in its order: evaluated once for all tests.
     const std::vector<EvaluatedDocument> *views = nullptr;
+    /// Conditions that all tests have in common: the report prints them once. Empty for a single test.
+    const std::vector<KeyValue> *common = nullptr;
 
     [[nodiscard]] const Document &document() const { return *evaluated.document; }
     [[nodiscard]] const ReportHead &head() const { return document().report; }
@@ -88,8 +90,21 @@ struct CircularPart : TestPart {
 /// Those of the texts that say something, joined.
 [[nodiscard]] QString joined(const QStringList &texts, const QString &separator = QStringLiteral(", "));
 
+/// "A, B and C".
+[[nodiscard]] QString enumerated(const Writer &write, QStringList texts);
+
+/// A date in words; empty for none.
+[[nodiscard]] QString dateText(const Writer &write, const std::optional<std::string> &date);
+
+/// "20 to 21 November 2026": from one date to another; one of them where there is no other.
+[[nodiscard]] QString periodText(const Writer &write, const std::optional<std::string> &from,
+                                 const std::optional<std::string> &to);
+
 /// Name and address on one line.
 [[nodiscard]] QString partyText(const Party &party);
+
+/// Takes the columns from `first` to `last` in which nothing stands out of a table without spanners.
+void leaveOutEmptyColumns(Table &table, std::size_t first, std::size_t last);
 
 /// A section: heading and what follows it.
 void addHeading(std::vector<Block> &blocks, const QString &text, Phrase note = {},

@@ -237,7 +237,7 @@ QString adviceText(const TestPart &part) {
     QString name = part.write.text(first->name);
     name.replace(QStringLiteral("E_VE"), QStringLiteral("EVE"));
     return part.write.say(
-        REPORT_TEXT("report", "To improve first: %1 (%2 % of the budget)."),
+        REPORT_TEXT("report", "Improve first: %1 (%2 % of the budget)."),
         {name.toStdString(), Number{shareOf(*first, contributions) * percent, Quantity::number, 0}});
 }
 
@@ -298,7 +298,7 @@ QString methodText(const TestPart &part) {
                                               "shifts by more than a third of its U, that of the budget."),
                                   byBudget));
     } else {
-        words << write.text(REPORT_TEXT("report", "The U of the budget decides."));
+        words << write.text(REPORT_TEXT("report", "The budget U is used for the verdict."));
     }
     return words.join(u' ');
 }

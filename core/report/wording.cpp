@@ -30,6 +30,33 @@ Text verdictText(Verdict verdict) {
     return {};
 }
 
+Text limitText(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::conforms:
+        return REPORT_TEXT_FOR("report", "met", "a limit");
+    case Verdict::notProven:
+        return REPORT_TEXT("report", "not proven");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT_FOR("report", "exceeded", "a limit");
+    }
+    return {};
+}
+
+Text limitsText(std::optional<Verdict> verdict, bool anyLimit) {
+    if (!verdict)
+        return anyLimit ? REPORT_TEXT("report", "no verdict")
+                        : REPORT_TEXT_FOR("report", "none agreed", "limits");
+    switch (*verdict) {
+    case Verdict::conforms:
+        return REPORT_TEXT_FOR("report", "met", "limits");
+    case Verdict::notProven:
+        return REPORT_TEXT_FOR("report", "not proven", "limits");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT_FOR("report", "exceeded", "limits");
+    }
+    return {};
+}
+
 Text gradeText(Grade grade) {
     switch (grade) {
     case Grade::requirement:
@@ -124,6 +151,47 @@ Phrase symbolPhrase(const Symbol &symbol, const std::string &index) {
     return Phrase(std::move(spans));
 }
 
+Phrase withSymbols(const QString &sentence, std::span<const Parameter> parameters) {
+    struct Name {
+        QString text;
+        Phrase phrase;
+    };
+    std::vector<Name> names;
+    for (const Parameter &parameter : parameters) {
+        const Phrase phrase = symbolPhrase(parameter.term.symbol, parameter.index);
+        if (phrase.spans.size() < 2 || !phrase.spans[1].subscript)
+            continue;
+        for (const QString &text : {phrase.plain(), QString::fromStdString(plainSymbol(parameter)),
+                                    QString::fromStdString(parameterId(parameter))})
+            names.push_back({text, phrase});
+    }
+    std::ranges::stable_sort(names, {}, [](const Name &name) { return -name.text.size(); });
+
+    const auto isPart = [&](qsizetype at) {
+        return at >= 0 && at < sentence.size() && (sentence[at].isLetterOrNumber() || sentence[at] == u'_');
+    };
+    Phrase result;
+    qsizetype from = 0;
+    for (qsizetype at = 0; at < sentence.size();) {
+        const auto found = std::ranges::find_if(names, [&](const Name &name) {
+            return QStringView(sentence).mid(at).startsWith(name.text) && !isPart(at - 1) &&
+                   !isPart(at + name.text.size());
+        });
+        if (found == names.end()) {
+            ++at;
+            continue;
+        }
+        if (at > from)
+            result.spans.push_back({sentence.mid(from, at - from)});
+        result.spans.insert(result.spans.end(), found->phrase.spans.begin(), found->phrase.spans.end());
+        at += found->text.size();
+        from = at;
+    }
+    if (from < sentence.size())
+        result.spans.push_back({sentence.mid(from)});
+    return result;
+}
+
 Phrase phraseFrom(const QString &formula) {
     std::vector<Span> spans;
     for (const FormulaSpan &span : formulaFrom(formula).spans)
@@ -215,7 +283,7 @@ bool isShown(std::string_view targetTerm, const PositioningResults &results) {
     const bool scatter = std::max(results.positiveRuns, results.negativeRuns) > 1;
     if (targetTerm.starts_with("range") && results.standardDeviation != DeviationMethod::range)
         return false;
-    if (!scatter && (targetTerm.starts_with("s") || targetTerm.starts_with("R")))
+    if (!scatter && (targetTerm.starts_with("s") || targetTerm.starts_with("R") || targetTerm == "Ps"))
         return false;
     if (targetTerm.ends_with('+'))
         return results.upward;

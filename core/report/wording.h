@@ -6,11 +6,18 @@
 #include "language/language.h"
 #include "report/report.h"
 
+#include <span>
+
 namespace palmer {
 
 // What several kinds of reports say alike: words, symbols, and with how many decimals numbers are printed.
 
 [[nodiscard]] Text verdictText(Verdict verdict);
+/// How one quantity stands to its limit: "met", "not proven", "exceeded".
+[[nodiscard]] Text limitText(Verdict verdict);
+/// How those of a test stand to theirs: the same in the plural, without a verdict "none agreed" or, where
+/// limits were agreed that do not hold, "no verdict".
+[[nodiscard]] Text limitsText(std::optional<Verdict> verdict, bool anyLimit);
 [[nodiscard]] Text gradeText(Grade grade);
 [[nodiscard]] Text correctionText(CorrectionTo20 correction);
 [[nodiscard]] QString arrow(Direction direction);
@@ -33,6 +40,10 @@ namespace palmer {
 
 /// The symbol with its index set lower.
 [[nodiscard]] Phrase symbolPhrase(const Symbol &symbol, const std::string &index = {});
+
+/// A sentence in which the symbols of these parameters ("FmaxXY", "Fmax,XY", "Fmax_XY") have their indices
+/// set lower.
+[[nodiscard]] Phrase withSymbols(const QString &sentence, std::span<const Parameter> parameters);
 
 /// A formula ("α_i·(T_i − 20)", see formulaFrom) with its indices set lower.
 [[nodiscard]] Phrase phraseFrom(const QString &formula);

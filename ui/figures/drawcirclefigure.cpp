@@ -4,7 +4,6 @@
 
 #include <QPaintEngine>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -28,11 +27,8 @@ constexpr double startRadius = 1.3;
 constexpr double halo = 0.35;
 constexpr double contactWidth = 1.7;
 constexpr double senseRadius = 14;
-constexpr double senseRoom = 3; ///< between the arrows of the sense and what is drawn around them
-constexpr double spokes = 30;   ///< degrees
-constexpr double ringLabels = -60;
-constexpr std::array dimensionAngles{135.0, 123.0, 147.0, 111.0, 159.0};
-constexpr std::array limitAngles{225.0, 213.0, 237.0, 201.0, 249.0};
+constexpr double senseRoom = 3;    ///< between the arrows of the sense and what is drawn around them
+constexpr double spokes = 30;      ///< degrees
 constexpr double freeOfMarks = 9;  ///< degrees
 constexpr double roomForLabel = 9; ///< between the circles of a dimension
 constexpr double limitTick = 1;
@@ -106,8 +102,20 @@ public:
         if (medium == Medium::paper)
             m_plot.moveLeft(area.left() + (area.width() - m_plot.width()) / 2);
         m_scale = m_unit * figure.view.zoom;
-        m_centre = m_plot.center() + QPointF(-figure.view.x, figure.view.y) * m_scale;
+        m_centre = m_plot.center() +
+                   QPointF(-figure.view.x - figure.home.x(), figure.view.y + figure.home.y()) * m_scale;
+        if (figure.sector) {
+            m_dimensionAngles = anglesIn(*figure.sector, {0.7, 0.62, 0.78, 0.55, 0.85, 0.5});
+            m_limitAngles = anglesIn(*figure.sector, {0.35, 0.28, 0.42, 0.2, 0.15, 0.5});
+            m_labelAngles = anglesIn(*figure.sector, {0.12, 0.16, 0.2, 0.24, 0.3, 0.45, 0.55, 0.8, 0.88});
+        }
         m_guard = m_plot.adjusted(-20, -20, 20, 20);
+    }
+
+    static std::vector<double> anglesIn(const Interval &sector, std::vector<double> parts) {
+        for (double &part : parts)
+            part = sector.from + part * (sector.to - sector.from);
+        return parts;
     }
 
     FigureTransform draw() {
@@ -280,7 +288,10 @@ private:
         const double tail = m_figure.figureRadius + axisTail;
         QPen line = pen(FigureRole::planeAxis);
         line.setCapStyle(Qt::FlatCap);
-        for (const double angle : {0.0, 90.0}) {
+        // Of a sector the ends in view carry the letters.
+        const double first = m_figure.firstAxis.startsWith(u'−') ? 180 : 0;
+        const double second = m_figure.secondAxis.startsWith(u'−') ? 270 : 90;
+        for (const double angle : {first, second}) {
             p.setPen(line);
             const double head = arrowLength / 2 / m_figure.view.zoom;
             drawChain({polar(angle + 180, tail), polar(angle, tip - head)});
@@ -288,8 +299,11 @@ private:
                           colour(FigureRole::planeAxis));
         }
         const double width = textWidth(m_figure.firstAxis);
-        drawLetter(polar(0, tip) + QPointF(-width / 2 - 0.2 * mm, letterBeside * mm), m_figure.firstAxis);
-        drawLetter(polar(90, tip) + QPointF(-1.6 * mm - textWidth(m_figure.secondAxis) / 2, textHeight / 2),
+        drawLetter(polar(first, tip) +
+                       QPointF((first > 0 ? 1 : -1) * width / 2 - 0.2 * mm, letterBeside * mm),
+                   m_figure.firstAxis);
+        drawLetter(polar(second, tip) + QPointF(-1.6 * mm - textWidth(m_figure.secondAxis) / 2,
+                                                (second > 90 ? -1 : 1) * textHeight / 2),
                    m_figure.secondAxis);
     }
 
@@ -427,12 +441,39 @@ private:
 
     /// Whether a text of this box is in view and on no other; it is not so any more for the next.
     bool take(const QRectF &box) {
-        if (!m_plot.contains(box) ||
-            std::ranges::any_of(m_taken, [&](const QRectF &other) { return other.intersects(box); }))
+        if (!hasRoom(box))
             return false;
         m_taken.push_back(box);
         return true;
     }
+    [[nodiscard]] bool hasRoom(const QRectF &box) const {
+        return m_plot.contains(box) &&
+               std::ranges::none_of(m_taken, [&](const QRectF &other) { return other.intersects(box); });
+    }
+
+    /// Whether a path runs through the box.
+    [[nodiscard]] bool isCrossed(const QRectF &box) {
+        if (m_lines.empty()) {
+            for (const CircleTrace &trace : m_figure.traces) {
+                QPolygonF line;
+                line.reserve(static_cast<qsizetype>(trace.points.size()));
+                for (const TracePoint &point : trace.points)
+                    line << place(point);
+                m_lines.push_back(std::move(line));
+            }
+        }
+        return std::ranges::any_of(m_lines, [&](const QPolygonF &line) {
+            for (qsizetype i = 0; i < line.size(); ++i) {
+                QPointF from = line[std::max<qsizetype>(i - 1, 0)];
+                QPointF to = line[i];
+                if (clip(from, to, box))
+                    return true;
+            }
+            return false;
+        });
+    }
+    /// In view, on no other text and on no path.
+    [[nodiscard]] bool isFree(const QRectF &box) { return hasRoom(box) && !isCrossed(box); }
 
     void drawOnGround(QPointF centre, const TextLine &line, const QColor &ink, bool bold = false) {
         const double width = textWidth(line, bold);
@@ -441,7 +482,7 @@ private:
     }
 
     /// The first of the angles at which no marked point stands, else the one farthest from them.
-    [[nodiscard]] double freeAngle(const std::array<double, 5> &angles) const {
+    [[nodiscard]] double freeAngle(const std::vector<double> &angles) const {
         double best = angles.front();
         double widest = -1;
         for (const double angle : angles) {
@@ -462,7 +503,10 @@ private:
         if (!m_figure.envelope || !m_figure.envelope->dimension)
             return;
         const CircleEnvelope &envelope = *m_figure.envelope;
-        const double degrees = freeAngle(dimensionAngles);
+        const double best = freeAngle(m_dimensionAngles);
+        const auto isFreeThere = [&](double angle) { return labelOfDimension(angle, true).has_value(); };
+        const auto free = std::ranges::find_if(m_dimensionAngles, isFreeThere);
+        const double degrees = isFreeThere(best) || free == m_dimensionAngles.end() ? best : *free;
         const double inner = m_figure.radius(envelope.inner);
         const double outer = m_figure.radius(envelope.outer);
         const double width = (outer - inner) * m_scale; // as it is drawn, points
@@ -482,21 +526,44 @@ private:
                       dimensionArrowWidth * mm, colour(FigureRole::dimension));
         drawArrowHead(polar(degrees, inner), inside ? away : degrees, dimensionArrowLength * mm,
                       dimensionArrowWidth * mm, colour(FigureRole::dimension));
-        TextLine label{{envelope.label}};
-        if (!envelope.subscript.isEmpty())
-            label.push_back({envelope.subscript, true});
-        const double across = textWidth(label, true);
-        // In the line, else beyond the outer circle, else within the inner one.
+        auto at = labelOfDimension(degrees, true);
+        if (!at)
+            at = labelOfDimension(degrees, false);
+        const TextLine label = dimensionLabel();
+        if (at && take(boxOf(*at, textWidth(label, true))))
+            drawOnGround(*at, label, colour(FigureRole::text), true);
+    }
+
+    [[nodiscard]] TextLine dimensionLabel() const {
+        TextLine label{{m_figure.envelope->label}};
+        if (!m_figure.envelope->subscript.isEmpty())
+            label.push_back({m_figure.envelope->subscript, true});
+        return label;
+    }
+
+    /// Where the letters of a dimension in this direction have room: in its line, else beyond the outer
+    /// circle, else within the inner one; `free`: and no path runs.
+    [[nodiscard]] std::optional<QPointF> labelOfDimension(double degrees, bool free) {
+        const double inner = m_figure.radius(m_figure.envelope->inner);
+        const double outer = m_figure.radius(m_figure.envelope->outer);
+        const double width = (outer - inner) * m_scale; // as it is drawn, points
+        const bool inside = width >= 2.4 * dimensionArrowLength * mm;
+        const double beyond = inside ? 0 : 2.5 * dimensionArrowLength * mm / m_scale;
+        const double across = textWidth(dimensionLabel(), true);
         const double clear =
             (0.5 * across * std::abs(std::cos(radians(degrees))) + 0.75 * textHeight) / m_scale;
         std::vector<double> radii{outer + beyond + clear, inner - beyond - clear};
-        if (width >= roomForLabel * mm)
-            radii.insert(radii.begin(), outer - 0.25 * (outer - inner));
+        if (width >= roomForLabel * mm) {
+            for (const double part : {0.75, 0.5, 0.25, 0.4, 0.6})
+                radii.insert(radii.end() - 2, inner + part * (outer - inner));
+        }
         for (const double radius : radii) {
             const QPointF at = polar(degrees, radius);
-            if (radius > 0 && take(boxOf(at, across)))
-                return drawOnGround(at, label, colour(FigureRole::text), true);
+            const QRectF box = boxOf(at, across);
+            if (radius > 0 && hasRoom(box) && !(free && isCrossed(box)))
+                return at;
         }
+        return std::nullopt;
     }
 
     /// The guard band about a limit: both its ends may lie as much farther in or out, all in mm.
@@ -518,7 +585,10 @@ private:
         if (!m_figure.envelope || !m_figure.envelope->limit)
             return;
         const CircleEnvelope &envelope = *m_figure.envelope;
-        const double limitAngle = freeAngle(limitAngles);
+        const double best = freeAngle(m_limitAngles);
+        const auto isFreeThere = [&](double angle) { return limitLabelIsFree(angle); };
+        const auto free = std::ranges::find_if(m_limitAngles, isFreeThere);
+        const double limitAngle = isFreeThere(best) || free == m_limitAngles.end() ? best : *free;
         const double middle = (m_figure.radius(envelope.inner) + m_figure.radius(envelope.outer)) / 2;
         const double half = *envelope.limit * m_figure.magnification / 1000 / 2;
         const QPointF from = polar(limitAngle, middle - half);
@@ -535,8 +605,7 @@ private:
         p.drawLine(from - tick, from + tick);
         p.drawLine(to - tick, to + tick);
         // The text reads along the line, above it.
-        QTransform along = QTransform::fromTranslate((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
-        along.rotate(180 - limitAngle);
+        const QTransform along = alongLimit(limitAngle);
         const QPointF above(0, -0.8 * textHeight);
         if (!take(along.mapRect(boxOf(above, textWidth(envelope.limitLabel)))))
             return;
@@ -544,6 +613,34 @@ private:
         p.setTransform(along, true);
         drawOnGround(above, {{envelope.limitLabel}}, colour(FigureRole::text));
         p.restore();
+    }
+
+    /// From the middle of the limit in this direction along its line.
+    [[nodiscard]] QTransform alongLimit(double degrees) const {
+        const double middle =
+            (m_figure.radius(m_figure.envelope->inner) + m_figure.radius(m_figure.envelope->outer)) / 2;
+        const QPointF at = polar(degrees, middle);
+        QTransform along = QTransform::fromTranslate(at.x(), at.y());
+        double turn = std::remainder(180 - degrees, 360);
+        if (std::abs(turn) > 90) // nobody reads upside down
+            turn = std::remainder(turn + 180, 360);
+        along.rotate(turn);
+        return along;
+    }
+
+    [[nodiscard]] bool limitLabelIsFree(double degrees) {
+        const QPointF above(0, -0.8 * textHeight);
+        const double width = textWidth(m_figure.envelope->limitLabel);
+        // Piece by piece: the box of a sloping line holds much that it does not touch.
+        const QTransform along = alongLimit(degrees);
+        if (!hasRoom(along.mapRect(boxOf(above, width))))
+            return false;
+        const double step = textHeight;
+        for (double x = -width / 2; x <= width / 2; x += step) {
+            if (isCrossed(boxOf(along.map(above + QPointF(x, 0)), step / 2)))
+                return false;
+        }
+        return true;
     }
 
     /// Distance from the centre that nothing drawn comes nearer than, mm.
@@ -562,8 +659,9 @@ private:
 
     void drawSense(const SenseArrow &arrow, double radius, double from, double to, double labelRadius) {
         const bool forwards = arrow.sense == Sense::counterclockwise;
-        const double start = forwards ? from : 180 - from;
-        const double end = forwards ? to : 180 - to;
+        const bool mirrored = !forwards && !m_figure.sector;
+        const double start = mirrored ? 180 - from : from;
+        const double end = mirrored ? 180 - to : to;
         const QPen trace = pen(roleOf(arrow.sense));
         QPen line = trace;
         line.setWidthF(std::max(0.34 * mm, trace.widthF()));
@@ -580,13 +678,31 @@ private:
         const double heading = end + (forwards ? 90 : -90) + (forwards ? -0.5 : 0.5) * headAngle;
         drawArrowHead(polar(end, radius), heading, arrowLength * m_unit, arrowWidth * 1.15 * m_unit,
                       trace.color());
-        const double middle = forwards ? 48 : 132;
+        const double middle = m_figure.sector ? (from + to) / 2 : forwards ? 48 : 132;
         drawLetter(polar(middle, labelRadius), arrow.index);
+    }
+
+    /// Beside each other about the middle of the sector.
+    void drawSensesOfSector() {
+        constexpr double largest = 34;
+        constexpr double between = 4; // degrees from the middle
+        constexpr double most = 36;
+        const double middle = (m_figure.sector->from + m_figure.sector->to) / 2;
+        const double half = (m_figure.sector->to - m_figure.sector->from) / 2;
+        const double end = std::min(most, 0.85 * half);
+        const double labelWidth = 3.4 * mm / m_unit;
+        const double radius = std::min(largest, hole() - senseRoom);
+        for (const SenseArrow &arrow : m_figure.arrows) {
+            const double side = arrow.sense == Sense::counterclockwise ? 1 : -1;
+            drawSense(arrow, radius, middle + side * between, middle + side * end, radius - labelWidth - 0.3);
+        }
     }
 
     void drawSenses() {
         if (!whole())
             return; // they say nothing about a part
+        if (m_figure.sector)
+            return drawSensesOfSector();
         const double room = hole() - senseRoom;
         const double labelWidth = 3.4 * mm / m_unit; // half a label
         const double radius = std::min(senseRadius, room);
@@ -602,9 +718,13 @@ private:
 
     void drawRingLabels() {
         for (const DeviationCircle &ring : m_figure.rings) {
-            const QPointF at = polar(ringLabels, m_figure.radius(ring.deviation));
-            if (take(boxOf(at, textWidth(ring.label))))
-                drawOnGround(at, {{ring.label}}, colour(FigureRole::text));
+            const double width = textWidth(ring.label);
+            const auto at = [&](double angle) { return polar(angle, m_figure.radius(ring.deviation)); };
+            const auto angle = std::ranges::find_if(
+                m_labelAngles, [&](double degrees) { return isFree(boxOf(at(degrees), width)); });
+            const QPointF centre = at(angle == m_labelAngles.end() ? m_labelAngles.front() : *angle);
+            if (take(boxOf(centre, width)))
+                drawOnGround(centre, {{ring.label}}, colour(FigureRole::text));
         }
     }
 
@@ -612,8 +732,11 @@ private:
 
     void drawScale() {
         const double length = m_figure.division * m_figure.magnification / 1000 * m_scale;
-        const double left =
+        double left =
             m_medium == Medium::paper ? m_plot.left() + scaleLeft * m_unit : m_plot.left() + screenInset;
+        if (m_figure.sector && m_figure.home.x() < 0) // paths come down at the left
+            left = m_plot.right() - length - (scaleLeft * m_unit + scaleText * mm) -
+                   std::max(textWidth(m_figure.divisionLabel), textWidth(m_figure.ratio) - length);
         const double y =
             m_medium == Medium::paper ? m_plot.bottom() - scaleBottom * m_unit : m_plot.bottom() - screenRow;
         const double textLeft = left + length + scaleText * mm;
@@ -744,9 +867,15 @@ private:
     QRectF m_plot;
     QRectF m_guard; ///< what the painter is given of long lines
     QPointF m_centre;
-    std::vector<QRectF> m_taken; ///< by texts
-    double m_unit = 1;           ///< points a mm of the whole figure
-    double m_scale = 1;          ///< points a mm of the figure in view
+    // Directions, degrees, the preferred one first.
+    std::vector<double> m_dimensionAngles{135, 123, 147, 111, 159};
+    std::vector<double> m_limitAngles{225, 213, 237, 201, 249, 315, 303, 327,
+                                      45,  57,  33,  262, 278, 190, 350, 10};
+    std::vector<double> m_labelAngles{-60, -54, -66, -48, -72, -40, -80, -30, -20, -120, -130, -110};
+    std::vector<QRectF> m_taken;    ///< by texts
+    std::vector<QPolygonF> m_lines; ///< paths, once they were asked for
+    double m_unit = 1;              ///< points a mm of the whole figure
+    double m_scale = 1;             ///< points a mm of the figure in view
 };
 
 } // namespace

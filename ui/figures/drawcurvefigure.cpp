@@ -69,6 +69,22 @@ double centreOf(double from, double to) {
     return (from + to) / 2;
 }
 
+/// Whether some part of a segment lies in a rectangle.
+bool meets(QPointF a, QPointF b, const QRectF &rect) {
+    double from = 0;
+    double to = 1;
+    const QPointF way = b - a;
+    const auto cut = [&](double along, double distance) {
+        if (along == 0)
+            return distance >= 0;
+        (along < 0 ? from : to) =
+            along < 0 ? std::max(from, distance / along) : std::min(to, distance / along);
+        return from <= to;
+    };
+    return cut(-way.x(), a.x() - rect.left()) && cut(way.x(), rect.right() - a.x()) &&
+           cut(-way.y(), a.y() - rect.top()) && cut(way.y(), rect.bottom() - a.y());
+}
+
 class CurveFigurePainter {
 public:
     CurveFigurePainter(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium)
@@ -456,7 +472,8 @@ private:
                        QPointF(end, y(dimension.lower)));
             drawLimit(at, dimension);
             drawDimension(at, y(dimension.upper), y(dimension.lower),
-                          {{dimension.label}, {dimension.subscript, true}});
+                          {{dimension.label}, {dimension.subscript, true}},
+                          dimension.place != DimensionPlace::gutter);
         }
     }
 
@@ -479,10 +496,53 @@ private:
             drawGuard(QRectF(at - guardWidth / 2, top, guardWidth, bottom - top));
         }
         QPen tick = pen(FigureRole::dimension);
-        tick.setWidthF(limitStroke);
         tick.setCapStyle(Qt::FlatCap);
         p.setPen(tick);
+        if (limit > dimension.upper) // from the arrow to the tick: nobody is to wonder whose it is
+            p.drawLine(QPointF(at, y(dimension.upper)), QPointF(at, y(limit)));
+        tick.setWidthF(limitStroke);
+        p.setPen(tick);
         p.drawLine(QPointF(at - limitTick / 2, y(limit)), QPointF(at + limitTick / 2, y(limit)));
+    }
+
+    /// Whether a curve runs through the box.
+    [[nodiscard]] bool hitsCurve(const QRectF &box) const {
+        for (const Curve &curve : m_figure.curves) {
+            for (std::size_t i = 0; i < curve.points.size(); ++i) {
+                const FigurePoint &b = curve.points[i];
+                const FigurePoint &a = curve.points[i == 0 ? 0 : i - 1];
+                const QPointF from(x(a.x), y(a.y));
+                const QPointF to(x(b.x), y(b.y));
+                if (meets(from, to, box))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    /// The middle of a letter beside a target: in the line of its dimension, above or below it, where no
+    /// curve runs.
+    [[nodiscard]] double placeOfLetter(double at, double width, double top, double bottom,
+                                       double height) const {
+        const auto box = [&](double middle) {
+            return QRectF(at - width / 2 - 1, middle - height / 2, width + 2, height);
+        };
+        std::vector<double> places;
+        if (bottom - top >= height + 3 * arrowLength) {
+            const double first = top + arrowLength + height / 2;
+            const double last = bottom - arrowLength - height / 2;
+            for (const double part : {0.5, 0.25, 0.75, 0.0, 1.0})
+                places.push_back(first + part * (last - first));
+        }
+        for (const double away : {0.5, 1.2, 2.0, 3.0}) {
+            places.push_back(top - 2.5 * arrowLength - away * height);
+            places.push_back(bottom + 2.5 * arrowLength + away * height);
+        }
+        const auto isFree = [&](double middle) {
+            return m_plot.contains(box(middle)) && !hitsCurve(box(middle));
+        };
+        const auto found = std::ranges::find_if(places, isFree);
+        return found == places.end() ? places.front() : *found;
     }
 
     void drawGuard(const QRectF &band) {
@@ -501,7 +561,7 @@ private:
 
     /// Arrows inside with the letter in a gap of the line; where that is too tight, the letter stands above,
     /// and where the arrows would meet, they point from outside.
-    void drawDimension(double at, double top, double bottom, const TextLine &label) {
+    void drawDimension(double at, double top, double bottom, const TextLine &label, bool amongCurves) {
         constexpr double letterHeight = figureTextSize + 2;
         const bool arrowsInside = bottom - top >= 2.4 * arrowLength;
         const bool letterInside = bottom - top >= letterHeight + 3 * arrowLength;
@@ -524,6 +584,8 @@ private:
             if (middle - letterHeight / 2 < m_area.top())
                 middle = bottom + outside + letterHeight / 2;
         }
+        if (amongCurves)
+            middle = placeOfLetter(at, width, top, bottom, letterHeight);
         p.fillRect(QRectF(at - width / 2 - 0.7, middle - letterHeight / 2, width + 1.4, letterHeight),
                    colour(FigureRole::background));
         drawText(p, {at - width / 2, middle}, label, colour(FigureRole::text), true);

@@ -367,34 +367,92 @@ Strips legendStrips(const ResultsLegend &legend, double width) {
     })};
 }
 
-Strips verdictStrips(const VerdictLine &line, double width) {
-    constexpr double padding = 2 * mm;
-    constexpr double left = 1.2 * mm;
-    constexpr double reasonGap = 6 * mm;
-    constexpr double largeMark = 3.4 * mm;
-    constexpr double widestWord = 80 * mm;
-    const Mark mark = line.verdict ? markOf(*line.verdict) : Mark::none;
-    const TextBlock label(line.label, {9, false, black, 1.28});
-    const double wordLeft = mark == Mark::none ? 0 : largeMark + 1.2 * mm;
-    const bool decided = line.verdict.has_value();
-    const TextBlock word(line.word, {decided ? 12.0 : 10.5, true, black, 1.2}, widestWord);
-    const double reasonLeft = left + std::max(wordLeft + word.width(), label.width()) + reasonGap;
-    const double reasonWidth = width - reasonLeft - left;
-    TextStyle style{8.5, false, black, 1.2};
-    constexpr double smallest = 7.5;
-    while (style.size > smallest && TextBlock(line.reason, style, reasonWidth).lineCount() > 2)
-        style.size -= 0.1; // two lines, where that is readable
-    const TextBlock reason(line.reason, style, reasonWidth);
-    style.bold = !line.inAccordance;
-    const TextBlock accordance(line.accordance, style, reasonWidth);
+/// A part of the verdict: label, mark, then the state and what is said of it.
+struct StatementBlock {
+    TextBlock label;
+    Mark mark = Mark::none;
+    TextBlock state; ///< of a large verdict above the text, else at its beginning
+    TextBlock text;
 
-    const double leftHeight = label.height() + word.height();
-    const double rightHeight =
-        (line.reason.isEmpty() ? 0 : reason.height()) + (line.accordance.isEmpty() ? 0 : accordance.height());
+    [[nodiscard]] double height() const { return std::max(label.height(), state.height() + text.height()); }
+};
+
+constexpr double statementLabel = 13.5 * mm;
+constexpr double statementMark = 4 * mm;
+
+StatementBlock statementBlock(const VerdictStatement &statement, double width, bool large) {
+    constexpr TextStyle labelText{8.5, false, black, 1.25};
+    constexpr TextStyle text{8.5, false, black, 1.25};
+    constexpr TextStyle largeState{10, true, black, 1.25};
+    constexpr TextStyle largeText{8.5, false, noteGrey, 1.25};
+    StatementBlock result{TextBlock(statement.label, labelText), statement.mark, {}, {}};
+    const double room = width - statementLabel - statementMark;
+    RichText words = richText(statement.text);
+    const bool empty = statement.text.plain().isEmpty();
+    if (large) {
+        result.state = TextBlock(statement.state, largeState, room);
+        if (!empty)
+            result.text = TextBlock(words, largeText, room);
+        return result;
+    }
+    TextRun state;
+    state.text = empty ? statement.state : statement.state + u' ';
+    state.bold = true;
+    words.insert(words.begin(), state);
+    TextStyle style = text;
+    constexpr double smallest = 7.5;
+    constexpr std::size_t mostLines = 3;
+    while (style.size > smallest && TextBlock(words, style, room).lineCount() > mostLines)
+        style.size -= 0.1;
+    result.text = TextBlock(words, style, room);
+    return result;
+}
+
+void drawStatement(QPainter &painter, QPointF at, const StatementBlock &statement) {
+    statement.label.draw(painter, at);
+    const TextBlock &first = statement.state.empty() ? statement.text : statement.state;
+    const double mark = markBox * mm;
+    drawMark(painter, statement.mark, at + QPointF(statementLabel + mark / 2, first.lineHeight() / 2), mark);
+    const QPointF text = at + QPointF(statementLabel + statementMark, 0);
+    if (!statement.state.empty())
+        statement.state.draw(painter, text);
+    if (!statement.text.empty())
+        statement.text.draw(painter,
+                            text + QPointF(0, statement.state.empty() ? 0 : statement.state.height()));
+}
+
+/// The large word in the size that its column allows.
+TextBlock verdictWord(const VerdictLine &line, double width) {
+    constexpr qsizetype longWord = 12;
+    constexpr double smallest = 8;
+    TextStyle style{12, true, black, 1.2};
+    if (line.large)
+        style.size = line.word.size() > longWord ? 14 : 18;
+    while (style.size > smallest && TextBlock(line.word, style).width() > width)
+        style.size -= 0.1;
+    return {line.word, style, width};
+}
+
+Strips verdictStrips(const VerdictLine &line, double width) {
+    constexpr double left = 1.2 * mm;
+    const double padding = (line.large ? 3.2 : 1.9) * mm;
+    const double column = (line.large ? 60 : 50) * mm;
+    const double rightAt = column + (line.large ? 5 : 4) * mm;
+    const double gap = (line.large ? 1.4 : 0.9) * mm; // above and below the hairline
+    const double largeMark = (line.large ? 4.8 : 3.4) * mm;
+    const double wordLeft = line.mark == Mark::none ? 0 : largeMark + 1.2 * mm;
+    const TextBlock label(line.label, {9, false, black, 1.28});
+    const TextBlock word = verdictWord(line, column - left - wordLeft);
+    const TextBlock note =
+        line.note.isEmpty() ? TextBlock() : TextBlock(line.note, smallStyle, column - left);
+    const StatementBlock limits = statementBlock(line.limits, width - rightAt - left, line.large);
+    const StatementBlock accordance = statementBlock(line.accordance, width - rightAt - left, line.large);
+
+    const double leftHeight = label.height() + word.height() + note.height();
+    const double rightHeight = limits.height() + accordance.height() + 2 * gap;
     const double inner = std::max(leftHeight, rightHeight);
     const double height = inner + 2 * padding;
-    const bool hasReason = !line.reason.isEmpty();
-    return {strip(height, [=](QPainter &painter, QPointF at) {
+    return {strip(height, [=, mark = line.mark](QPainter &painter, QPointF at) {
         drawRule(painter, at, width, strongRule);
         drawRule(painter, at + QPointF(0, height), width, strongRule);
         QPointF place = at + QPointF(left, padding + (inner - leftHeight) / 2);
@@ -402,12 +460,15 @@ Strips verdictStrips(const VerdictLine &line, double width) {
         place.ry() += label.height();
         drawMark(painter, mark, place + QPointF(largeMark / 2, word.lineHeight() / 2), largeMark);
         word.draw(painter, place + QPointF(wordLeft, 0));
-        place = at + QPointF(reasonLeft, padding + (inner - rightHeight) / 2);
-        if (hasReason) {
-            reason.draw(painter, place);
-            place.ry() += reason.height();
-        }
-        accordance.draw(painter, place);
+        place.ry() += word.height();
+        if (!note.empty())
+            note.draw(painter, place);
+        place = at + QPointF(rightAt, padding + (inner - rightHeight) / 2);
+        drawStatement(painter, place, limits);
+        place.ry() += limits.height() + gap;
+        drawRule(painter, place, width - rightAt - left, groupRule, groupGrey);
+        place.ry() += gap;
+        drawStatement(painter, place, accordance);
     })};
 }
 
@@ -418,6 +479,20 @@ TextBlock signatureHeading(const QString &text, double width) {
     while (style.size > smallest && TextBlock(text, style).width() > width)
         style.size -= 0.1;
     return {text, style, width};
+}
+
+std::vector<double> signatureWidths(const Signatures &signatures, double width, double gap) {
+    double fixed = 0;
+    double sharing = 0;
+    for (const SignatureColumn &column : signatures.columns) {
+        fixed += column.width * mm;
+        sharing += column.width > 0 ? 0 : 1;
+    }
+    const double gaps = gap * (static_cast<double>(signatures.columns.size()) - 1);
+    std::vector<double> result;
+    for (const SignatureColumn &column : signatures.columns)
+        result.push_back(column.width > 0 ? column.width * mm : (width - gaps - fixed) / sharing);
+    return result;
 }
 
 Strips signatureStrips(const Signatures &signatures, double width) {
@@ -433,23 +508,28 @@ Strips signatureStrips(const Signatures &signatures, double width) {
         TextBlock label;
         TextBlock value;
     };
-    const auto count = static_cast<double>(std::max<std::size_t>(signatures.columns.size(), 1));
-    const double columnWidth = (width - gap * (count - 1)) / count;
+    const std::vector<double> widths = signatureWidths(signatures, width, gap);
 
     // What stands beside each other has one height, so all rules are level.
     double headings = 0;
     std::vector<double> heights;
     std::vector<std::vector<Line>> columns;
     for (const SignatureColumn &column : signatures.columns) {
-        headings = std::max(headings, signatureHeading(column.heading, columnWidth).height());
+        const double columnWidth = widths[columns.size()];
+        if (!column.heading.isEmpty())
+            headings = std::max(headings, signatureHeading(column.heading, columnWidth).height());
         columns.emplace_back();
         heights.resize(std::max(heights.size(), column.lines.size()));
         for (std::size_t i = 0; i < column.lines.size(); ++i) {
             const SignatureLine &line = column.lines[i];
             Line made{TextBlock(line.label, labelText), {}};
-            double needed = line.forSignature ? signatureHeight : lineHeight;
+            double needed = line.height > 0     ? line.height * mm
+                            : line.forSignature ? signatureHeight
+                                                : lineHeight;
             if (!line.value.isEmpty()) {
-                made.value = TextBlock(line.value, valueText, columnWidth - made.label.width() - labelGap);
+                made.value =
+                    TextBlock(line.value, valueText,
+                              line.height > 0 ? columnWidth : columnWidth - made.label.width() - labelGap);
                 needed += made.value.height() - made.value.lineHeight();
             }
             heights[i] = std::max(heights[i], needed);
@@ -461,16 +541,23 @@ Strips signatureStrips(const Signatures &signatures, double width) {
         height += each;
     return {strip(height + groupRule * mm, [=](QPainter &painter, QPointF at) {
         for (std::size_t c = 0; c < columns.size(); ++c) {
-            signatureHeading(signatures.columns[c].heading, columnWidth).draw(painter, at);
+            const double columnWidth = widths[c];
+            if (!signatures.columns[c].heading.isEmpty())
+                signatureHeading(signatures.columns[c].heading, columnWidth).draw(painter, at);
             double y = at.y() + headings;
             for (std::size_t i = 0; i < columns[c].size(); ++i) {
                 const auto &[label, value] = columns[c][i];
                 const double more = value.empty() ? 0 : value.height() - value.lineHeight();
-                const bool free = signatures.columns[c].lines[i].forSignature;
-                const double top = free ? y + signatureLabel : y + heights[i] - labelAbove - more;
+                const SignatureLine &line = signatures.columns[c].lines[i];
+                const double top = line.height > 0     ? y
+                                   : line.forSignature ? y + signatureLabel
+                                                       : y + heights[i] - labelAbove - more;
                 label.draw(painter, {at.x(), top});
-                value.draw(painter,
-                           {at.x() + label.width() + labelGap, top + label.ascent() - value.ascent()});
+                if (line.height > 0) // below its label
+                    value.draw(painter, {at.x(), y + heights[i] - labelAbove - more});
+                else
+                    value.draw(painter,
+                               {at.x() + label.width() + labelGap, top + label.ascent() - value.ascent()});
                 y += heights[i];
                 drawRule(painter, {at.x(), y}, columnWidth, groupRule);
             }
@@ -537,8 +624,25 @@ public:
     Strips operator()(const SideBySide &columns) const {
         const double leftWidth = columns.leftWidth * mm;
         const double rightAt = leftWidth + columns.gap * mm;
-        return besideEachOther(partStrips(columns.left, leftWidth),
-                               partStrips(columns.right, m_width - rightAt), rightAt, m_tallest);
+        const Strips left = partStrips(columns.left, leftWidth);
+        const Strips right = partStrips(columns.right, m_width - rightAt);
+        Strips result = besideEachOther(left, right, rightAt, m_tallest);
+        if (result.size() == 1 && !left.empty() && left.back().drawOf) {
+            // The figure gives way as far as what stands beside it allows.
+            const double above = heightOf(left) - left.back().height;
+            result.front().least =
+                std::min(result.front().height, std::max(above + left.back().least, heightOf(right)));
+            result.front().drawOf = [left, right, rightAt, above](double height) {
+                Strips lower = left;
+                lower.back().height = std::min(left.back().height, height - above);
+                lower.back().draw = left.back().drawOf(lower.back().height);
+                return [lower, right, rightAt](QPainter &painter, QPointF at) {
+                    drawStrips(painter, at, lower);
+                    drawStrips(painter, at + QPointF(rightAt, 0), right);
+                };
+            };
+        }
+        return result;
     }
     Strips operator()(const TestHead &head) const { return testHeadStrips(head, m_width, m_tallest); }
     Strips operator()(const FigureBlock &figure) const {

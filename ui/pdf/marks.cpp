@@ -24,7 +24,7 @@ QPen line(double width, const QColor &colour = Qt::black) {
     return {QBrush(colour), width * mm, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin};
 }
 
-void drawDiamond(QPainter &painter, QPointF centre) {
+void drawDiamond(QPainter &painter, QPointF centre, const QColor &ink = Qt::black) {
     const auto diamond = [&](double half) {
         return QPolygonF{centre - QPointF(half, 0), centre - QPointF(0, half), centre + QPointF(half, 0),
                          centre + QPointF(0, half)};
@@ -32,7 +32,7 @@ void drawDiamond(QPainter &painter, QPointF centre) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(Qt::white);
     painter.drawPolygon(diamond(diamondHalf + haloWidth * 1.414));
-    painter.setBrush(Qt::black);
+    painter.setBrush(ink);
     painter.drawPolygon(diamond(diamondHalf));
 }
 
@@ -42,21 +42,21 @@ void drawBand(QPainter &painter, const QRectF &band) {
     painter.drawRect(band);
 }
 
-void drawLimit(QPainter &painter, QPointF centre) {
-    painter.setPen(line(0.32));
+void drawLimit(QPainter &painter, QPointF centre, const QColor &ink) {
+    painter.setPen(line(0.32, ink));
     const QPointF half(0, guardPictureHeight * mm / 2);
     painter.drawLine(centre - half, centre + half);
 }
 
 } // namespace
 
-void drawMark(QPainter &painter, Mark mark, QPointF centre, double side) {
+void drawMark(QPainter &painter, Mark mark, QPointF centre, double side, const QColor &ink) {
     const double unit = side / markBox; // points per mm of the mark's own measures
     const auto at = [&](double x, double y) {
         return centre + QPointF(x - markBox / 2, y - markBox / 2) * unit;
     };
     painter.setBrush(Qt::NoBrush);
-    QPen pen(Qt::black);
+    QPen pen(ink);
     switch (mark) {
     case Mark::check: {
         pen.setWidthF(0.38 * unit);
@@ -81,12 +81,23 @@ void drawMark(QPainter &painter, Mark mark, QPointF centre, double side) {
         painter.setPen(pen);
         painter.drawEllipse(centre, 0.85 * unit, 0.85 * unit);
         return;
+    case Mark::warning: {
+        pen.setWidthF(0.26 * unit);
+        pen.setJoinStyle(Qt::RoundJoin);
+        painter.setPen(pen);
+        painter.drawPolygon(QPolygonF{at(1.25, 0.22), at(2.37, 2.2), at(0.13, 2.2)});
+        pen.setCapStyle(Qt::RoundCap);
+        painter.setPen(pen);
+        painter.drawLine(at(1.25, 0.95), at(1.25, 1.45));
+        painter.drawPoint(at(1.25, 1.83));
+        return;
+    }
     case Mark::none:
         return;
     }
 }
 
-void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard) {
+void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard, const QColor &ink) {
     const double width = guardPictureWidth * mm;
     const double middle = topLeft.y() + guardPictureHeight * mm / 2;
     const double perUnit = limitPlace * width / guard.limit;
@@ -100,8 +111,8 @@ void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard) {
         const double to = x(guard.limit + *guard.guardBand);
         drawBand(painter, QRectF(from, middle - bandHeight / 2, to - from, bandHeight));
     }
-    drawLimit(painter, {x(guard.limit), middle});
-    drawDiamond(painter, {x(guard.value), middle});
+    drawLimit(painter, {x(guard.limit), middle}, ink);
+    drawDiamond(painter, {x(guard.value), middle}, ink);
 }
 
 void drawBar(QPainter &painter, QPointF left, double length) {
@@ -122,6 +133,11 @@ double legendSignWidth(LegendSign sign) {
         return 0.32;
     case LegendSign::band:
         return 4.6;
+    case LegendSign::check:
+    case LegendSign::cross:
+    case LegendSign::openCircle:
+    case LegendSign::warning:
+        return markBox;
     case LegendSign::none:
         break;
     }
@@ -145,6 +161,14 @@ void drawLegendSign(QPainter &painter, LegendSign sign, QPointF centre) {
                  QRectF(centre.x() - width / 2, centre.y() - bandHeight * 0.4, width, bandHeight * 0.8));
         return;
     }
+    case LegendSign::check:
+        return drawMark(painter, Mark::check, centre, markBox * mm);
+    case LegendSign::cross:
+        return drawMark(painter, Mark::cross, centre, markBox * mm);
+    case LegendSign::openCircle:
+        return drawMark(painter, Mark::openCircle, centre, markBox * mm);
+    case LegendSign::warning:
+        return drawMark(painter, Mark::warning, centre, markBox * mm);
     case LegendSign::none:
         return;
     }

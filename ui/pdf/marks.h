@@ -2,6 +2,7 @@
 
 #include "report/report.h"
 
+#include <QColor>
 #include <QPointF>
 
 class QPainter;
@@ -10,7 +11,7 @@ namespace palmer::ui {
 
 /// Draws a mark into the square of `side` points around `centre`. They differ in form: black and white is
 /// enough.
-void drawMark(QPainter &painter, Mark mark, QPointF centre, double side);
+void drawMark(QPainter &painter, Mark mark, QPointF centre, double side, const QColor &ink = Qt::black);
 
 constexpr double markBox = 2.5; ///< width and height of a mark in a line of text, mm
 
@@ -18,7 +19,7 @@ constexpr double guardPictureWidth = 16;   ///< mm
 constexpr double guardPictureHeight = 3.1; ///< mm
 
 /// The limit stands at 60 % of the width in every picture; what lies outside is put on the end.
-void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard);
+void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard, const QColor &ink = Qt::black);
 
 /// A bar of a table from its zero line on; `left` is the middle of that, `length` in points.
 void drawBar(QPainter &painter, QPointF left, double length);

@@ -113,9 +113,10 @@ private:
         double height = needed(strips, from, end);
         if (strips[from].section)
             height = std::max(height, strips[from].gap + sectionRoom);
-        if (!m_page.strips.empty() && height > room() && !narrowGaps(strips, from, end, height - room()))
+        if (!m_page.strips.empty() && height > room() && !narrowGaps(strips, from, end, height - room()) &&
+            !lowerFigure(strips, from, end, height - room()))
             turnPage();
-        if (m_narrowing < 1 || needed(strips, from, end) <= room()) {
+        if (m_narrowing < 1 || m_lowering > 0 || needed(strips, from, end) <= room()) {
             for (std::size_t i = from; i < end; ++i)
                 place(strips[i]);
             return;
@@ -159,6 +160,20 @@ private:
         return true;
     }
 
+    /// A figure that does not find room on the first page of a test gives way rather than leave it half
+    /// blank.
+    bool lowerFigure(const Strips &strips, std::size_t from, std::size_t end, double missing) {
+        if (m_page.running)
+            return false;
+        for (std::size_t i = from; i < end; ++i) {
+            if (!strips[i].drawOf || strips[i].height - strips[i].least < missing + roundingRoom)
+                continue;
+            m_lowering = missing + roundingRoom;
+            return true;
+        }
+        return false;
+    }
+
     [[nodiscard]] double narrowed(double gap) const {
         return gap < smallestToNarrow ? gap : m_narrowing * gap;
     }
@@ -167,7 +182,13 @@ private:
         if (m_page.strips.empty() && strip.head)
             m_page.strips.push_back(*strip.head);
         m_page.strips.push_back(strip);
-        m_page.strips.back().gap = narrowed(strip.gap);
+        Strip &placed = m_page.strips.back();
+        placed.gap = narrowed(strip.gap);
+        if (m_lowering > 0 && strip.drawOf && strip.height - strip.least >= m_lowering) {
+            placed.height -= m_lowering;
+            placed.draw = strip.drawOf(placed.height);
+            m_lowering = 0;
+        }
     }
 
     void turnPage() {
@@ -182,6 +203,7 @@ private:
     PageStrips m_page;
     std::optional<RunningHead> m_running;
     double m_narrowing = 1; ///< ratio of the larger gaps on this page
+    double m_lowering = 0;  ///< what the next figure gives up of its height
 };
 
 class PageMaker {
@@ -304,41 +326,96 @@ Flow flowOf(const std::vector<Block> &blocks, QSizeF size) {
     return flow;
 }
 
+/// The page on which each block ends; 0: it has no strip.
+std::vector<int> pagesOfBlocks(const Flow &flow, std::size_t count) {
+    std::vector<int> result(count);
+    std::size_t block = 0;
+    int number = 0;
+    for (const PageStrips &page : flow.pages()) {
+        ++number;
+        for (const Strip &strip : page.strips) {
+            if (strip.block >= 0)
+                block = static_cast<std::size_t>(strip.block);
+            if (block < count)
+                result[block] = number;
+        }
+    }
+    return result;
+}
+
 std::map<QString, int> anchorPages(const Flow &flow, const std::vector<Block> &blocks) {
     std::map<QString, int> result;
     int number = 0;
     for (const PageStrips &page : flow.pages()) {
         ++number;
         for (const Strip &strip : page.strips) {
-            const auto *heading = strip.block < 0
-                                      ? nullptr
-                                      : std::get_if<Heading>(&blocks[static_cast<std::size_t>(strip.block)]);
-            if (heading && !heading->anchor.isEmpty())
-                result[heading->anchor] = number;
+            if (strip.block < 0)
+                continue;
+            const QString anchor = anchorOf(blocks[static_cast<std::size_t>(strip.block)]);
+            if (!anchor.isEmpty())
+                result.emplace(anchor, number);
         }
+    }
+    return result;
+}
+
+/// Where the results of a test and its verdict found no room on the page of its head, the verdict goes
+/// directly below the head, and the results follow whole on the next page. True: something was moved.
+bool moveVerdicts(std::vector<Block> &blocks, const Flow &flow) {
+    const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
+    bool moved = false;
+    std::optional<std::size_t> head;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (std::holds_alternative<PageBreak>(blocks[i]))
+            head.reset();
+        else if (std::holds_alternative<TestHead>(blocks[i]))
+            head = i;
+        if (!head || !std::holds_alternative<VerdictLine>(blocks[i]) || i == *head + 1 ||
+            pages[i] == pages[*head])
+            continue;
+        const auto begin = blocks.begin();
+        std::rotate(begin + static_cast<std::ptrdiff_t>(*head) + 1, begin + static_cast<std::ptrdiff_t>(i),
+                    begin + static_cast<std::ptrdiff_t>(i) + 1);
+        moved = true;
+    }
+    return moved;
+}
+
+/// A report laid out: its blocks in the order of the pages, and with their numbers put in.
+struct Layout {
+    Report report;
+    Flow flow;
+};
+
+Layout layoutOf(const Report &report, QSizeF size) {
+    Layout result{report, flowOf(report.blocks, size)};
+    Report arranged = report;
+    std::map<QString, int> numbers;
+    // Numbers of pages in the text, and verdicts that move, may move what follows them.
+    constexpr int attempts = 5;
+    for (int i = 0; i < attempts; ++i) {
+        const bool moved = moveVerdicts(arranged.blocks, result.flow);
+        std::map<QString, int> found = anchorPages(result.flow, result.report.blocks);
+        if (!moved && found == numbers)
+            break;
+        numbers = std::move(found);
+        result.report = withPages(arranged, numbers);
+        result.flow = flowOf(result.report.blocks, size);
     }
     return result;
 }
 
 } // namespace
 
+Report arrangedForPages(const Report &report) {
+    return layoutOf(report, sizeOf(report.paper)).report;
+}
+
 Pages layoutPages(const Report &report) {
     const QSizeF size = sizeOf(report.paper);
-    Flow flow = flowOf(report.blocks, size);
-    // The numbers of pages in the text may move what follows them, and so themselves.
-    std::map<QString, int> numbers = anchorPages(flow, report.blocks);
-    constexpr int attempts = 3;
-    for (int i = 0; i < attempts && !numbers.empty(); ++i) {
-        const Report numbered = withPages(report, numbers);
-        flow = flowOf(numbered.blocks, size);
-        const std::map<QString, int> moved = anchorPages(flow, numbered.blocks);
-        if (moved == numbers)
-            break;
-        numbers = moved;
-    }
-
-    const PageMaker maker(report, size);
-    const std::vector<PageStrips> &filled = flow.pages();
+    const Layout layout = layoutOf(report, size);
+    const PageMaker maker(layout.report, size);
+    const std::vector<PageStrips> &filled = layout.flow.pages();
     Pages pages;
     for (std::size_t i = 0; i < filled.size(); ++i) {
         const bool last = i + 1 == filled.size();

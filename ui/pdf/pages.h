@@ -47,6 +47,10 @@ using Pages = std::vector<PrintedPage>;
 /// tables repeat. Any report gives pages; an empty one gives one page. Needs a QApplication (figures).
 [[nodiscard]] Pages layoutPages(const Report &report);
 
+/// The report as its pages carry it: with the numbers of pages put in, and the verdict of a test directly
+/// below its head where the results find no room on that page.
+[[nodiscard]] Report arrangedForPages(const Report &report);
+
 /// Draws a page on paper, in a preview or into a file. One unit of the painter is a point; the page is not
 /// filled.
 void drawPage(QPainter &painter, const PrintedPage &page);

@@ -23,6 +23,10 @@ constexpr double headBelow = 1.05 * mm;
 constexpr double spannerGap = 0.95 * mm; ///< between a spanner, its rule and what stands below
 constexpr double markWidth = 3.7 * mm;   ///< with the gap to the word
 constexpr double tallestRow = 120 * mm;  ///< that is not split
+constexpr double noteSize = 7.5;         ///< of the lines below a cell
+constexpr std::size_t wholeRows = 15;    ///< a table of no more rows stays whole
+constexpr std::size_t leastRows = 5;     ///< on either side of a break
+constexpr QRgb paleGrey = 0xff666666;
 
 constexpr TextStyle cellStyle{textSize, false, black, 1.2};
 
@@ -113,6 +117,7 @@ struct PlacedText {
     double x = 0;
     double width = 0; ///< to align in
     TextAlignment alignment = TextAlignment::left;
+    std::size_t line = 0; ///< of the row, on which it begins
 };
 
 /// A row made ready: texts, marks and pictures in the order they are read.
@@ -122,10 +127,14 @@ struct Row {
         std::optional<Guard> guard;
         double x = 0;
         std::optional<double> bar = {}; ///< length of a bar, points
+        QColor ink = Qt::black;
+        std::size_t line = 0;
     };
     std::vector<PlacedText> texts;
     std::vector<Sign> signs;
     std::size_t lines = 1;
+    std::size_t beside = 1; ///< rows its tallest cell stands beside
+    std::size_t besideLines = 1;
 };
 
 TextAlignment textAlignment(Alignment alignment) {
@@ -165,8 +174,9 @@ PlacedText narrowText(const Cell &cell, const Place &place, double room) {
 void addCell(Row &row, const Cell &cell, const Column &column, const Place &place) {
     if (cell.blank)
         return;
+    const QColor ink = QColor::fromRgb(cell.pale ? paleGrey : black);
     if (cell.guard) {
-        row.signs.push_back({Mark::none, cell.guard, place.left});
+        row.signs.push_back({Mark::none, cell.guard, place.left, {}, ink});
         return;
     }
     if (cell.bar) {
@@ -174,7 +184,7 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
         return;
     }
     const bool missing = cell.isMissing();
-    const TextStyle style = missing ? styled(false, dashGrey) : styled(false);
+    const TextStyle style = styled(false, missing ? dashGrey : cell.pale ? paleGrey : black);
     const RichText text = missing ? RichText{{thinDash}} : richText(cell.text, cell.bold);
     PlacedText placed;
     if (column.alignment == Alignment::decimal) {
@@ -182,26 +192,47 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
     } else {
         const double before = cell.mark == Mark::none ? 0 : markWidth;
         if (cell.mark != Mark::none)
-            row.signs.push_back({cell.mark, {}, place.left});
+            row.signs.push_back({cell.mark, {}, place.left, {}, ink});
         placed = {TextBlock(text, style, place.width - before), place.left + before, place.width - before,
                   textAlignment(column.alignment)};
     }
-    row.lines = std::max(row.lines, placed.block.lineCount());
+    std::size_t lines = placed.block.lineCount();
     row.texts.push_back(std::move(placed));
+    for (const CellNote &note : cell.notes) {
+        const TextStyle small{noteSize, false, cell.pale ? paleGrey : noteGrey,
+                              textSize * cellStyle.leading / noteSize};
+        const double before = note.mark == Mark::none ? 0 : markWidth;
+        if (note.mark != Mark::none)
+            row.signs.push_back({note.mark, {}, place.left, {}, ink, lines});
+        PlacedText below{TextBlock(note.text, small, place.width - before), place.left + before};
+        below.line = lines;
+        lines += below.block.lineCount();
+        row.texts.push_back(std::move(below));
+    }
+    if (cell.rows > 1) {
+        row.beside = std::max(row.beside, cell.rows);
+        row.besideLines = std::max(row.besideLines, lines);
+    } else {
+        row.lines = std::max(row.lines, lines);
+    }
 }
 
 void drawRow(QPainter &painter, QPointF at, const Row &row) {
-    const double middle = at.y() + textSize * cellStyle.leading / 2; // of the first line
+    const double lineHeight = textSize * cellStyle.leading;
     for (const Row::Sign &sign : row.signs) {
+        const double middle = at.y() + (static_cast<double>(sign.line) + 0.5) * lineHeight;
         if (sign.bar)
             drawBar(painter, {at.x() + sign.x, middle}, *sign.bar);
         else if (sign.guard)
-            drawGuardPicture(painter, {at.x() + sign.x, middle - guardPictureHeight * mm / 2}, *sign.guard);
+            drawGuardPicture(painter, {at.x() + sign.x, middle - guardPictureHeight * mm / 2}, *sign.guard,
+                             sign.ink);
         else
-            drawMark(painter, sign.mark, {at.x() + sign.x + markBox * mm / 2, middle}, markBox * mm);
+            drawMark(painter, sign.mark, {at.x() + sign.x + markBox * mm / 2, middle}, markBox * mm,
+                     sign.ink);
     }
     for (const PlacedText &text : row.texts)
-        text.block.draw(painter, at + QPointF(text.x, 0), text.alignment, text.width);
+        text.block.draw(painter, at + QPointF(text.x, static_cast<double>(text.line) * lineHeight),
+                        text.alignment, text.width);
 }
 
 /// The part of a row that its line `index` is.
@@ -210,8 +241,8 @@ Row lineOf(const Row &row, std::size_t index) {
     if (index == 0)
         result.signs = row.signs;
     for (const PlacedText &text : row.texts) {
-        if (index < text.block.lineCount())
-            result.texts.push_back({text.block.line(index), text.x, text.width, text.alignment});
+        if (index >= text.line && index - text.line < text.block.lineCount())
+            result.texts.push_back({text.block.line(index - text.line), text.x, text.width, text.alignment});
     }
     return result;
 }
@@ -222,6 +253,7 @@ struct RowEdges {
     bool groupEnds = false;
     bool tableEnds = false;
     QString link = {};
+    bool strong = false; ///< the rule at the end of a group is black
 };
 
 void addRow(Strips &strips, Row row, double lineHeight, double width, const RowEdges &edges,
@@ -243,11 +275,13 @@ void addRow(Strips &strips, Row row, double lineHeight, double width, const RowE
         strip.closingRule = width;
         strip.link = edges.link;
         strip.draw = [part = std::make_shared<Row>(std::move(parts[i])), above, width, height = strip.height,
-                      group = last && edges.groupEnds,
+                      group = last && edges.groupEnds, strong = edges.strong,
                       end = last && edges.tableEnds](QPainter &painter, QPointF at) {
             drawRow(painter, at + QPointF(0, above), *part);
             if (end)
                 drawRule(painter, at + QPointF(0, height), width, outerRule);
+            else if (group && strong)
+                drawRule(painter, at + QPointF(0, height), width, headRule);
             else if (group)
                 drawRule(painter, at + QPointF(0, height), width, groupRule, groupGrey);
         };
@@ -255,12 +289,29 @@ void addRow(Strips &strips, Row row, double lineHeight, double width, const RowE
     }
 }
 
-/// Head and first row, last row and the one before it stay together; all of a table that must not be split.
-void keepTogether(Strips &strips, bool all, bool headed) {
+/// Short tables stay whole; of longer ones `least` rows stand on either side of a break.
+void keepTogether(Strips &strips, bool all, bool headed, std::size_t least) {
+    const std::size_t first = headed ? 1 : 0; // row
     for (std::size_t i = 0; i + 1 < strips.size(); ++i) {
-        const bool top = i == 0 || (headed && i == 1);
-        strips[i].withNext = all || top || i + 2 == strips.size();
+        const bool top = i < first + least - 1;
+        const bool end = i + least >= strips.size();
+        strips[i].withNext = strips[i].withNext || all || top || end;
     }
+}
+
+/// Cells that stand beside several rows need room there, and keep those rows together.
+std::vector<double> roomBelow(const std::vector<Row> &rows) {
+    std::vector<double> result(rows.size(), 0);
+    const double lineHeight = textSize * cellStyle.leading;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        const std::size_t end = std::min(r + rows[r].beside, rows.size());
+        double height = -2 * rowPadding;
+        for (std::size_t i = r; i < end; ++i)
+            height += static_cast<double>(rows[i].lines) * lineHeight + 2 * rowPadding;
+        if (rows[r].beside > 1)
+            result[end - 1] = std::max(0.0, static_cast<double>(rows[r].besideLines) * lineHeight - height);
+    }
+    return result;
 }
 
 /// A title, smaller where a word of it is wider than its column.
@@ -380,6 +431,29 @@ private:
     std::vector<HeadSpanner> m_spanners;
 };
 
+Row rowOf(const Table &table, const std::vector<Cell> &cells, const std::vector<Place> &columns) {
+    Row row;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const Cell &cell = cells[i];
+        const Column &column = table.columns[i];
+        const bool beforeNumber = column.alignment == Alignment::left && !column.flexible &&
+                                  cell.mark == Mark::none && !cell.text.plain().isEmpty() &&
+                                  i + 1 < columns.size() &&
+                                  table.columns[i + 1].alignment == Alignment::decimal;
+        if (beforeNumber && TextBlock(richText(cell.text, cell.bold), cellStyle).width() > columns[i].width) {
+            const double room = beginningOf(cells[i + 1], columns[i + 1]) - 2 * cellPadding - columns[i].left;
+            row.texts.push_back(narrowText(cell, columns[i], std::max(room, columns[i].width)));
+            row.lines = std::max(row.lines, row.texts.back().block.lineCount());
+            continue;
+        }
+        Place place = columns[i];
+        if (cell.columns > 1)
+            place.width = columns[std::min(i + cell.columns, columns.size()) - 1].right() - place.left;
+        addCell(row, cell, column, place);
+    }
+    return row;
+}
+
 } // namespace
 
 Strips tableStrips(const Table &table, double width) {
@@ -393,30 +467,25 @@ Strips tableStrips(const Table &table, double width) {
         head->draw = [content](QPainter &painter, QPointF at) { content->draw(painter, at); };
         strips.push_back(*head);
     }
+    std::vector<Row> rows;
+    for (const auto &cells : table.rows)
+        rows.push_back(rowOf(table, cells, columns));
+    const std::vector<double> below = roomBelow(rows);
+    std::size_t together = 0; // rows from here on that stay with the next
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
-        Row row;
-        for (std::size_t i = 0; i < table.columns.size(); ++i) {
-            const Cell &cell = table.rows[r][i];
-            const Column &column = table.columns[i];
-            const bool beforeNumber = column.alignment == Alignment::left && !column.flexible &&
-                                      cell.mark == Mark::none && !cell.text.plain().isEmpty() &&
-                                      i + 1 < columns.size() &&
-                                      table.columns[i + 1].alignment == Alignment::decimal;
-            if (beforeNumber &&
-                TextBlock(richText(cell.text, cell.bold), cellStyle).width() > columns[i].width) {
-                const double room =
-                    beginningOf(table.rows[r][i + 1], columns[i + 1]) - 2 * cellPadding - columns[i].left;
-                row.texts.push_back(narrowText(cell, columns[i], std::max(room, columns[i].width)));
-                row.lines = std::max(row.lines, row.texts.back().block.lineCount());
-            } else {
-                addCell(row, cell, column, columns[i]);
-            }
-        }
+        const auto isIn = [r](const std::vector<std::size_t> &rules) {
+            return std::binary_search(rules.begin(), rules.end(), r);
+        };
         const bool last = r + 1 == table.rows.size();
-        const bool group = std::binary_search(table.rulesAfter.begin(), table.rulesAfter.end(), r);
-        addRow(strips, std::move(row), textSize * cellStyle.leading, width,
-               {rowPadding, rowPadding, group, last, r < table.links.size() ? table.links[r] : QString()},
+        const bool strong = isIn(table.strongRulesAfter);
+        together = std::max(together, r + rows[r].beside);
+        const std::size_t before = strips.size();
+        addRow(strips, std::move(rows[r]), textSize * cellStyle.leading, width,
+               {rowPadding, rowPadding + below[r], strong || isIn(table.rulesAfter), last,
+                r < table.links.size() ? table.links[r] : QString(), strong},
                head);
+        for (std::size_t i = before; r + 1 < together && i < strips.size(); ++i)
+            strips[i].withNext = true;
     }
     if (table.headless && !strips.empty()) {
         strips.front().draw = [draw = strips.front().draw, width](QPainter &painter, QPointF at) {
@@ -424,7 +493,11 @@ Strips tableStrips(const Table &table, double width) {
             draw(painter, at);
         };
     }
-    keepTogether(strips, table.unbroken, !table.headless);
+    double height = 0;
+    for (const Strip &strip : strips)
+        height += strip.height;
+    const bool isShort = table.rows.size() <= wholeRows && height <= tallestRow;
+    keepTogether(strips, table.unbroken || isShort, !table.headless, leastRows);
     return strips;
 }
 
@@ -439,7 +512,7 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
         bold.bold = line.grade == Grade::requirement;
         gradeWidth = std::max(gradeWidth, textWidth(line.gradeName, bold) + cellPadding);
     }
-    const double sentenceLeft = textLeft + gradeWidth + cellPadding;
+    const double sentenceLeft = textLeft + gradeWidth + 2 * cellPadding;
     const double clauseLeft = width - cellPadding - clauseWidth;
     const double sentenceWidth = clauseLeft - cellPadding - sentenceLeft;
     const auto topRule = std::make_shared<Strip>(); // also where the findings go on
@@ -468,7 +541,7 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
         Row row;
         row.signs.push_back({markOf(line.grade), {}, firstPadding});
         row.texts.push_back({TextBlock(line.gradeName, grade), textLeft});
-        row.texts.push_back({TextBlock(line.sentence, style, sentenceWidth), sentenceLeft});
+        row.texts.push_back({TextBlock(richText(line.sentence), style, sentenceWidth), sentenceLeft});
         row.texts.push_back({TextBlock(line.clause.isEmpty() ? thinDash : line.clause, clause, clauseWidth),
                              clauseLeft, clauseWidth, TextAlignment::right});
         row.lines = std::max(row.texts[1].block.lineCount(), row.texts[2].block.lineCount());
@@ -478,7 +551,8 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
     }
     if (!strips.empty())
         strips.insert(strips.begin(), *topRule);
-    keepTogether(strips, false, true);
+    constexpr std::size_t leastFindings = 2;
+    keepTogether(strips, false, true, leastFindings);
     for (const std::size_t heading : headings) // behind the rule at the top
         strips[heading + 1].withNext = true;
     return strips;

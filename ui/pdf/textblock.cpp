@@ -1,10 +1,12 @@
 #include "ui/pdf/textblock.h"
 
+#include "language/papercharacters.h"
 #include "ui/fonts.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace palmer::ui {
@@ -38,16 +40,81 @@ const Face &face(double size, bool bold, bool italic) {
     return faces.emplace(key, Face{font, QFontMetricsF(font)}).first->second;
 }
 
+double sizeOf(const TextRun &look, const TextStyle &style) {
+    return look.script == TextRun::Script::normal ? style.size : scriptSize * style.size;
+}
+
 const Face &face(const TextRun &run, const TextStyle &style) {
-    const double size = run.script == TextRun::Script::normal ? style.size : scriptSize * style.size;
-    return face(size, run.bold || style.bold, run.italic);
+    return face(sizeOf(run, style), run.bold || style.bold, run.italic);
 }
 
 thread_local std::size_t measured = 0;
 
+bool needsOtherFont(const QString &text) {
+    constexpr char16_t endOfLatin = 0x370;
+    return std::ranges::any_of(text, [](QChar c) { return c.unicode() >= endOfLatin; }) &&
+           !notOnPaper(text).empty();
+}
+
+/// Pieces of a text in the paper's font, and between them single characters that it lacks.
+struct Piece {
+    QString text;
+    char32_t foreign = 0; ///< 0: of the paper's font
+};
+
+std::vector<Piece> piecesOf(const QString &text) {
+    std::vector<Piece> result;
+    for (const char32_t character : text.toUcs4()) {
+        const QString sign = QString::fromUcs4(&character, 1);
+        if (!isOnPaper(character))
+            result.push_back({sign, character});
+        else if (result.empty() || result.back().foreign != 0)
+            result.push_back({sign});
+        else
+            result.back().text += sign;
+    }
+    return result;
+}
+
+double widthOf(const Piece &piece, const TextRun &look, const TextStyle &style) {
+    if (piece.foreign != 0)
+        return foreignWidth(piece.foreign) * sizeOf(look, style);
+    return face(look, style).metrics.horizontalAdvance(piece.text) / tenths;
+}
+
+/// Of characters of other fonts a width of their own: it is the same where no such font is installed.
 double widthOf(const QString &text, const TextRun &look, const TextStyle &style) {
     measured += static_cast<std::size_t>(text.size());
-    return face(look, style).metrics.horizontalAdvance(text) / tenths;
+    if (!needsOtherFont(text))
+        return face(look, style).metrics.horizontalAdvance(text) / tenths;
+    double width = 0;
+    for (const Piece &piece : piecesOf(text))
+        width += widthOf(piece, look, style);
+    return width;
+}
+
+/// At a base line, in tenths of a point. A character of another font stands in the width set for it.
+void drawRun(QPainter &painter, QPointF at, const TextRun &run, const TextStyle &style) {
+    const Face &own = face(run, style);
+    painter.setFont(own.font);
+    if (!needsOtherFont(run.text)) {
+        painter.drawText(at, run.text);
+        return;
+    }
+    for (const Piece &piece : piecesOf(run.text)) {
+        const double width = widthOf(piece, run, style) * tenths;
+        const double needed = piece.foreign == 0 ? 0 : own.metrics.horizontalAdvance(piece.text);
+        if (needed > width && width > 0) {
+            painter.save();
+            painter.translate(at);
+            painter.scale(width / needed, 1);
+            painter.drawText(QPointF(0, 0), piece.text);
+            painter.restore();
+        } else {
+            painter.drawText(at + QPointF(piece.foreign == 0 ? 0 : (width - needed) / 2, 0), piece.text);
+        }
+        at.rx() += width;
+    }
 }
 
 double widthOf(const TextRun &run, const TextStyle &style) {
@@ -75,6 +142,36 @@ bool isSpace(QChar c) {
     return c == u' ' || c == u'\t';
 }
 
+/// Whether a line must not end at this space: before and after "=", between a number and its unit, between
+/// "ISO", "page" and their number.
+bool joinsWords(QStringView text, qsizetype space) {
+    const auto isEnd = [&](qsizetype at) {
+        return at < 0 || at >= text.size() || isSpace(text[at]) || text[at] == u'\n';
+    };
+    qsizetype from = space;
+    while (!isEnd(from - 1))
+        --from;
+    qsizetype end = space + 1;
+    while (!isEnd(end))
+        ++end;
+    const QStringView before = text.mid(from, space - from);
+    QStringView after = text.mid(space + 1, end - space - 1);
+    if (before.isEmpty() || after.isEmpty())
+        return false;
+    if (before == u"=" || after == u"=")
+        return true;
+    static constexpr std::array<QStringView, 7> numbered{u"ISO", u"page",   u"pages",  u"n°",
+                                                         u"No.", u"clause", u"article"};
+    if (after[0].isDigit() && std::ranges::find(numbered, before) != numbered.end())
+        return true;
+    while (!after.isEmpty() && QStringView(u",;:.)").contains(after.back()))
+        after.chop(1);
+    static constexpr std::array<QStringView, 17> units{
+        u"mm",  u"µm", u"m", u"nm",  u"°",      u"″",     u"°C",    u"°C/h",     u"h",
+        u"min", u"s",  u"%", u"hPa", u"mm/min", u"m/min", u"°/min", u"µm/(m·°C)"};
+    return before.back().isDigit() && std::ranges::find(units, after) != units.end();
+}
+
 std::vector<Word> words(const RichText &text) {
     std::vector<Word> result(1);
     for (const TextRun &run : text) {
@@ -86,7 +183,7 @@ std::vector<Word> words(const RichText &text) {
         };
         for (qsizetype i = 0; i < run.text.size(); ++i) {
             const QChar c = run.text[i];
-            if (!isSpace(c) && c != u'\n')
+            if ((!isSpace(c) && c != u'\n') || (isSpace(c) && joinsWords(run.text, i)))
                 continue;
             finish(i);
             if (c == u'\n')
@@ -311,9 +408,8 @@ void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment
                 y += subscriptDrop * m_style.size;
             else if (fragment.run.script == TextRun::Script::superscript)
                 y -= superscriptRise * m_style.size;
-            painter.setFont(face(fragment.run, m_style).font);
             painter.setPen(QColor::fromRgb(fragment.run.grey ? noteGrey : m_style.colour));
-            painter.drawText(QPointF(x, y) * tenths, fragment.run.text);
+            drawRun(painter, QPointF(x, y) * tenths, fragment.run, m_style);
             x += fragment.width;
         }
         baseline += lineHeight();

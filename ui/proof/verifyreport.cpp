@@ -1,6 +1,7 @@
 #include "ui/proof/verifyreport.h"
 
 #include "document/readdocument.h"
+#include "language/papercharacters.h"
 #include "proof/comparewords.h"
 #include "proof/deviation.h"
 #include "report/composereport.h"
@@ -36,6 +37,53 @@ QString wordsIn(const PrintedWords &words, const QRectF &area) {
     }
     const QString text = found.join(u' ');
     return text.size() > longest ? text.left(longest) + u'…' : text;
+}
+
+constexpr QChar replacement(u'\uFFFD');
+
+bool isForeign(const QString &text) {
+    return text.contains(replacement) || !notOnPaper(text).empty();
+}
+
+/// Where words stand with characters that the font of paper lacks: another font drew them, or none.
+std::vector<QRectF> foreignAreas(const PrintedWords &a, const PrintedWords &b) {
+    std::vector<QRectF> areas;
+    for (const PrintedWords *words : {&a, &b}) {
+        for (const PrintedWord &word : *words) {
+            if (isForeign(word.text))
+                areas.push_back(word.area);
+        }
+    }
+    return areas;
+}
+
+/// All words of a page without such characters and without the gaps between them.
+QString ownText(const PrintedWords &words) {
+    QString result;
+    for (const PrintedWord &word : words) {
+        if (!isForeign(word.text)) {
+            result += word.text;
+            continue;
+        }
+        for (const char32_t character : word.text.toUcs4()) {
+            if (isOnPaper(character) && character != replacement.unicode())
+                result += QString::fromUcs4(&character, 1);
+        }
+    }
+    return result;
+}
+
+/// A picture of 72 dots to the inch with these areas wiped out.
+QImage without(QImage picture, const std::vector<QRectF> &areas) {
+    for (const QRectF &area : areas) {
+        const double above = area.height() / 2; // other fonts are higher
+        const QRect wiped = area.adjusted(-2, -above, 2, above).toAlignedRect() & picture.rect();
+        for (int y = wiped.top(); y <= wiped.bottom(); ++y) {
+            auto *line = reinterpret_cast<QRgb *>(picture.scanLine(y));
+            std::fill(line + wiped.left(), line + wiped.right() + 1, qRgb(255, 255, 255));
+        }
+    }
+    return picture;
 }
 
 /// The box of all pixels that differ; empty: none do.
@@ -91,19 +139,24 @@ private:
         for (const PrintedWord &word : printed)
             words << word.text;
         m_result.fingerprintPrinted &= words.join(u' ').contains(m_fingerprint);
-        const std::vector<Difference> found = compareWords(printed, follows, page + 1);
+        // What another font drew, or none, is no part of the proof.
+        const std::vector<QRectF> foreign = foreignAreas(printed, follows);
+        const std::vector<Difference> found = !foreign.empty() && ownText(printed) == ownText(follows)
+                                                  ? std::vector<Difference>()
+                                                  : compareWords(printed, follows, page + 1);
         for (const Difference &difference : found) {
             const bool counts = sameProgram || isSerious(difference);
             (counts ? m_result.differences : m_result.wording).push_back(difference);
         }
         if (found.empty())
-            comparePictures(page, follows);
+            comparePictures(page, follows, foreign);
         demandFree(page + 1, follows);
     }
 
     /// The words are the same: so has to be what is seen.
-    void comparePictures(int page, const PrintedWords &words) {
-        const QRectF area = differingArea(m_printed.picture(page), m_follows.picture(page));
+    void comparePictures(int page, const PrintedWords &words, const std::vector<QRectF> &foreign) {
+        const QRectF area = differingArea(without(m_printed.picture(page), foreign),
+                                          without(m_follows.picture(page), foreign));
         if (area.isEmpty())
             return;
         m_result.differences.push_back(drawnOtherwise(page + 1, area, wordsIn(words, area)));
@@ -124,10 +177,12 @@ private:
         if (std::ranges::any_of(both, [](QChar c) { return c.isDigit(); }))
             return true;
         for (const Verdict verdict : {Verdict::conforms, Verdict::notProven, Verdict::doesNotConform}) {
-            const QStringList words = m_language.text(verdictText(verdict)).split(u' ');
-            for (const QString &word : both.split(u' ')) {
-                if (words.contains(word, Qt::CaseInsensitive))
-                    return true;
+            for (const Text &text : {verdictText(verdict), limitText(verdict), limitsText(verdict, true)}) {
+                const QStringList words = m_language.text(text).split(u' ');
+                for (const QString &word : both.split(u' ')) {
+                    if (words.contains(word, Qt::CaseInsensitive))
+                        return true;
+                }
             }
         }
         return false;

@@ -163,15 +163,14 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
                           "stable.")});
     const std::string symbols = symbolsOf(evaluation.parameters, shifted);
     if (!symbols.empty())
-        note(evaluation, "monteCarloShift",
-             {simulationDecides
-                  ? REPORT_TEXT("report",
-                                "The errors of measurement shift %1 by more than a third of the uncertainty "
-                                "that the Monte Carlo simulation gives: the budget decides.")
-                  : REPORT_TEXT("report",
-                                "The errors of measurement shift %1 by more than a third of the uncertainty "
-                                "that the Monte Carlo simulation gives."),
-              {symbols}});
+        note(
+            evaluation, "monteCarloShift",
+            {simulationDecides
+                 ? REPORT_TEXT("report", "Measurement errors bias %1 by more than a third of the uncertainty "
+                                         "that the Monte Carlo simulation gives: the budget decides.")
+                 : REPORT_TEXT("report", "Measurement errors bias %1 by more than a third of the uncertainty "
+                                         "that the Monte Carlo simulation gives."),
+             {symbols}});
     findDifferences(evaluation, reason);
 }
 

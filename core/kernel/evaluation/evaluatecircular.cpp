@@ -161,7 +161,7 @@ void explainMissingValues(TestEvaluation &evaluation) {
     std::string symbols;
     for (const Parameter &p : evaluation.parameters) {
         if (!p.value && p.required)
-            symbols += (symbols.empty() ? "" : ", ") + parameterId(p);
+            symbols += (symbols.empty() ? "" : ", ") + plainSymbol(p);
     }
     if (symbols.empty())
         return;

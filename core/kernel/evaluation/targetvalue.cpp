@@ -32,6 +32,8 @@ constexpr std::array entries{
     Entry{"R+",       [](Target t, double c) { return repeatability(t.positive, c); }},
     Entry{"R-",       [](Target t, double c) { return repeatability(t.negative, c); }},
     Entry{"R",        [](Target t, double c) { return repeatability(t, c); }},
+    Entry{"U",        [](Target t, double) { return std::abs(t.reversal()); }},
+    Entry{"Ps",       [](Target t, double c) { return c * (t.positive.s + t.negative.s); }},
 };
 // clang-format on
 

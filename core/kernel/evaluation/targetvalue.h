@@ -8,7 +8,8 @@
 namespace palmer {
 
 /// The quantity of a target that a TargetTerm names: "mean+", "mean-", "mean", "reversal", "s+", "s-",
-/// "range+", "range-", "R+", "R-", "R", besides "lower+", "upper+", "lower-", "upper-" (x̄ ∓ c·s). `c`: factor
+/// "range+", "range-", "R+", "R-", "R", of VDI/DGQ 3441 "U" (the size of the reversal) and "Ps"
+/// (c·(s↑ + s↓)), besides "lower+", "upper+", "lower-", "upper-" (x̄ ∓ c·s). `c`: factor
 /// of s of the edition. mm, rotary: degrees. Null where it is undefined or the id names nothing.
 [[nodiscard]] std::optional<double> targetValue(std::string_view id, const TargetStatistics &target,
                                                 double c);

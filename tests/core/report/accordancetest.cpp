@@ -31,7 +31,7 @@ QByteArray lines(const TestEvaluation &evaluation, Language::Id language) {
     for (const FindingLine &line : findingLines(evaluation, Language(language)).lines) {
         if (!line.heading.isEmpty())
             result << u'[' + line.heading + u']';
-        result << line.clause + u'|' + line.sentence;
+        result << line.clause + u'|' + line.sentence.plain();
     }
     return result.join(u'\n').toUtf8();
 }

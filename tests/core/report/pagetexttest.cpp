@@ -66,11 +66,28 @@ private slots:
 
     void pagesArePutInWhereTheyAreKnown() {
         Report report;
-        report.blocks = {VerdictLine{{}, "a", "b", "c", false, "see page %1.", "findings-1"},
-                         VerdictLine{{}, "a", "b", "c", false, "see page %1.", "findings-2"}};
-        QCOMPARE(pageText(report), "a  b\nc\nsee page –.\na  b\nc\nsee page –.\n");
+        VerdictLine line;
+        line.label = "a";
+        line.word = "b";
+        line.limits.state = "c";
+        line.accordance = {"d", Mark::none, "e", QString("see page %1.")};
+        line.anchor = "findings-1";
+        report.blocks = {line, line};
+        std::get<VerdictLine>(report.blocks[1]).anchor = "findings-2";
+        QCOMPARE(pageText(report), "a  b\nc\nd  e  see page –.\na  b\nc\nd  e  see page –.\n");
         report = withPages(report, {{"findings-1", 3}});
-        QCOMPARE(pageText(report), "a  b\nc\nsee page 3.\na  b\nc\nsee page –.\n");
+        QCOMPARE(pageText(report), "a  b\nc\nd  e  see page 3.\na  b\nc\nd  e  see page –.\n");
+    }
+
+    void rowsPrintThePageTheyLeadTo() {
+        Table table;
+        table.columns = {{QString("Test")}, {QString("Page")}};
+        table.columns[1].pages = true;
+        table.rows = {{Cell("1"), Cell()}, {Cell("2"), Cell()}, {Cell("adjusted"), blankCell()}};
+        table.links = {"test-1", "test-2", "test-1"};
+        Report report;
+        report.blocks = {table};
+        QCOMPARE(pageText(withPages(report, {{"test-1", 4}})), "Test  Page\n1  4\n2  –\nadjusted\n");
     }
 
     void aTerminalShowsEveryBlock() {

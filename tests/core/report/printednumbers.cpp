@@ -138,6 +138,7 @@ void PrintedNumbersTest::examples_data() {
     };
     row("10.04 beyond 10", 10.04, 10, 0, 0, Bound::magnitude, "10.04||10|");
     row("10.05 beyond 10: the tie goes down", 10.05, 10, 0, 0, Bound::magnitude, "10.05||10|");
+    row("U has no more digits for that", 10.001, 10, 14.3, 0, Bound::magnitude, "10.001|14.3|10|");
     row("10.06 beyond 10", 10.06, 10, 0, 0, Bound::magnitude, "10.1||10|");
     row("9.96 within 10", 9.96, 10, 0, 0, Bound::magnitude, "10.0||10|");
     row("9.96 within 9.98, not 10.0", 9.96, 9.98, 0, 0, Bound::magnitude, "9.96||9.98|");

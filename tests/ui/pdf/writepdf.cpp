@@ -2,6 +2,7 @@
 
 #include "report/pagetext.h"
 #include "ui/figures/exportfigure.h"
+#include "ui/pdf/pages.h"
 #include "ui/pdf/reports.h"
 
 #include <QApplication>
@@ -103,7 +104,7 @@ void takeBeginning(QString &text, const QStringList &beginnings) {
 /// and in order.
 void compare(const Report &composed, const QByteArray &pdf) {
     const QStringList pages = pageTexts(pdf);
-    const Report report = withPages(composed, anchorPages(composed, pages));
+    const Report report = ui::arrangedForPages(withPages(composed, anchorPages(composed, pages)));
     const QString expected = expectedText(report);
     const QStringList heads = tableHeads(report);
     QStringList runningHeads;

@@ -107,7 +107,7 @@ Edition vdi3441() {
             .standardCycle = standardCycle2006,
             .stepCycle = stepCycle2006,
             .rows = rowsVdi3441(),
-            .targetTerms = targetTerms2006WithoutClauses(),
+            .targetTerms = targetTermsVdi3441(),
             .requirements = requirementsVdi3441()};
 }
 

@@ -194,9 +194,13 @@ Sentence drift(const PositioningCase &test) {
         const char *symbol;
         Outcome outcome;
     };
-    const std::array candidates{Beside{"R", repeatabilityOfAxis(test.statistics, test.edition.c)},
-                                Beside{"R↑", repeatabilityUp(test.statistics, test.edition.c)},
-                                Beside{"R↓", repeatabilityDown(test.statistics, test.edition.c)}};
+    const std::array ofVdi{Beside{"Psmax", vdiScatter(test.statistics, test.edition.c)}}; // it knows no R
+    const std::array ofIso{Beside{"R", repeatabilityOfAxis(test.statistics, test.edition.c)},
+                           Beside{"R↑", repeatabilityUp(test.statistics, test.edition.c)},
+                           Beside{"R↓", repeatabilityDown(test.statistics, test.edition.c)}};
+    const bool vdi = std::ranges::any_of(
+        test.edition.rows, [](const Row &row) { return std::string_view(row.term.id) == "Psmax"; });
+    const std::span<const Beside> candidates = vdi ? std::span<const Beside>(ofVdi) : ofIso;
     const auto beside =
         std::ranges::find_if(candidates, [](const Beside &b) { return !std::isnan(b.outcome.value); });
     const Number change = deviation(test, test.drift->change, 2);

@@ -19,8 +19,8 @@ constexpr bool at20 = true;
 // clang-format off
 constexpr std::array table1988{
     Row{{"A", {"A"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A"), "2.13", deviation, always}, both, accuracy, at20},
-    Row{{"A+", {"A↑"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A↑, A↓"), "2.13", deviation, always}, up, accuracyUp, at20},
-    Row{{"A-", {"A↓"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A↑, A↓"), "2.13", deviation, always}, down, accuracyDown, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", deviation, always}, up, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", deviation, always}, down, accuracyDown, at20},
     Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.12", deviation, always}, both, repeatabilityOfAxis},
     Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, always}, up, repeatabilityUp},
     Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, always}, down, repeatabilityDown},
@@ -108,6 +108,16 @@ constexpr std::array targets2014{
     TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT("report", "unidirectional positioning repeatability at a position"), "3.19"},
     TargetTerm{"R", {"R", "i"}, REPORT_TEXT("report", "bi-directional positioning repeatability at a position"), "3.20"},
 };
+
+constexpr std::array targetsVdi3441{
+    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), ""},
+    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), ""},
+    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), ""},
+    TargetTerm{"U", {"U", "i"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne) at a position"), ""},
+    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), ""},
+    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), ""},
+    TargetTerm{"Ps", {"Ps", "i"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite) at a position"), ""},
+};
 // clang-format on
 
 template <std::size_t n>
@@ -158,6 +168,9 @@ std::span<const TargetTerm> targetTerms2006() {
 }
 std::span<const TargetTerm> targetTerms2006WithoutClauses() {
     return targetsWithoutClauses2006;
+}
+std::span<const TargetTerm> targetTermsVdi3441() {
+    return targetsVdi3441;
 }
 std::span<const TargetTerm> targetTerms2014() {
     return targets2014;

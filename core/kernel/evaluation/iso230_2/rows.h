@@ -17,6 +17,7 @@ namespace palmer::iso230_2 {
 [[nodiscard]] std::span<const TargetTerm> targetTerms1988();
 [[nodiscard]] std::span<const TargetTerm> targetTerms2006();
 [[nodiscard]] std::span<const TargetTerm> targetTerms2006WithoutClauses();
+[[nodiscard]] std::span<const TargetTerm> targetTermsVdi3441();
 [[nodiscard]] std::span<const TargetTerm> targetTerms2014();
 [[nodiscard]] std::span<const TargetTerm> targetTerms2014WithoutClauses();
 

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "report/testpart.h"
+
+namespace palmer {
+
+/// The first page of a report over several tests: the verdict of all, and every quantity that has a limit,
+/// test by test. Tests as found are printed for information where there are others.
+void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
+
+} // namespace palmer
