@@ -7328,7 +7328,7 @@
     </message>
     <message>
         <source>%1 and %2 would both be written as %3; choose another name</source>
-        <translation>%1 et %2 seraient tous deux écrits sous %3 ; choisir un autre nom</translation>
+        <translation>%1 et %2 seraient tous deux écrits sous %3&#x202f;; choisir un autre nom</translation>
     </message>
 </context>
 </TS>

@@ -224,8 +224,8 @@ void ResultsPanel::showVerdict() {
     if (table.provisional) {
         m_chip->setContent(tr("provisional"), QStringLiteral("dots"), Token::secondaryText, Token::hover);
     } else {
-        VerdictMark look = verdictMark(largeMark(evaluation.verdict, accordance));
-        if (look.icon.isEmpty() && evaluation.verdict)
+        VerdictMark look = verdictMark(evaluation.verdict);
+        if (largeMark(evaluation.verdict, accordance) == Mark::warning)
             look = {QStringLiteral("warn"), Token::unsure, {}};
         m_chip->setContent(m_language.text(largeWord(evaluation.verdict, anyLimit, accordance)), look.icon,
                            look.colour, groundOf(look.colour));

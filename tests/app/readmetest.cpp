@@ -1,0 +1,46 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "app/runcli.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+/// What the README says to type works as it stands there, in its order.
+class ReadmeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyCommandDoesWhatItSays();
+};
+
+void ReadmeTest::everyCommandDoesWhatItSays() {
+    QFile readme(QStringLiteral(SOURCE "/README.md"));
+    QVERIFY(readme.open(QIODevice::ReadOnly));
+    QTemporaryDir folder;
+    for (const char *part : {"resources", "tests", "doc"})
+        QVERIFY(QFile::link(QStringLiteral(SOURCE "/") + part, folder.filePath(part)));
+    int commands = 0;
+    const QString begin = "    build/release/bin/palmer-cli ";
+    for (const QString &line : QString::fromUtf8(readme.readAll()).split('\n')) {
+        if (!line.startsWith(begin))
+            continue;
+        ++commands;
+        QProcess process;
+        process.setWorkingDirectory(folder.path());
+        process.start(QStringLiteral(PALMER_CLI), QProcess::splitCommand(line.mid(begin.size())));
+        QVERIFY(process.waitForFinished(120'000));
+        const QByteArray errors = process.readAllStandardError();
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit, qPrintable(line));
+        // 1: a verdict other than "conforms", an unmet requirement.
+        QVERIFY2(process.exitCode() <= 1, qPrintable(line + '\n' + QString::fromUtf8(errors)));
+    }
+    QVERIFY(commands > 15);
+    for (const char *written : {"report.fr.pdf", "report.en.pdf", "deviation.svg", "x-axis.pdf",
+                                "laser.palmer", "reports/rotary-axis.pdf", "figures/rotary-axis.svg"})
+        QVERIFY2(QFile::exists(folder.filePath(written)), written);
+}
+
+QTEST_GUILESS_MAIN(ReadmeTest)
+#include "readmetest.moc"
