@@ -29,7 +29,7 @@ private slots:
         QTest::addColumn<QByteArrayList>("texts");
         QTest::newRow("in English") << "en"
                                     << QByteArrayList{"Coefficient of expansion of the machine", "9.18", "89",
-                                                      "To improve first", "k = 2"};
+                                                      "Improve first", "k = 2"};
         QTest::newRow("in French") << "fr"
                                    << QByteArrayList{"Coefficient de dilatation de la machine", "9,18", "89",
                                                      "améliorer"};

@@ -250,10 +250,10 @@ private slots:
         test.limits["Fmin"].value = -0.012;
         const CircleFigure both = figureOf(test);
         QCOMPARE(*both.envelope->limit, 30.0);
-        QCOMPARE(both.envelope->limitLabel, QStringLiteral("limit 30\u00a0µm"));
+        QCOMPARE(both.envelope->limitLabel, QStringLiteral("limit of G(b): 30\u00a0µm"));
         Test converted = test; // through another unit
         converted.limits["G(b)"].value = 0.0010000000000000002;
-        QCOMPARE(figureOf(converted).envelope->limitLabel, QStringLiteral("limit 1\u00a0µm"));
+        QCOMPARE(figureOf(converted).envelope->limitLabel, QStringLiteral("limit of G(b): 1\u00a0µm"));
         QVERIFY(both.limits.empty()); // of F only about the centre of F
         const CircleFigure radial =
             figureOf(test, {.of = CircleOf::counterclockwise, .subject = CircleSubject::radialDeviation});
@@ -390,7 +390,7 @@ private slots:
         QCOMPARE(figure.title, QStringLiteral("Trajectoires réelles"));
         QCOMPARE(figure.caption, QStringLiteral("grossissement 1\u202f000:1, 5\u00a0µm par division"));
         QCOMPARE(figure.centre, QStringLiteral("autour du centre de la zone minimale de G(b)"));
-        QCOMPARE(figure.envelope->limitLabel, QStringLiteral("limite 25,5\u00a0µm"));
+        QCOMPARE(figure.envelope->limitLabel, QStringLiteral("limite de G(b)\u00a0: 25,5\u00a0µm"));
         QCOMPARE(legendTexts(figure),
                  list({"sens antihoraire, XY", "sens horaire, YX", "cercle nominal", "zone minimale, G(b)",
                        "centre de référence", "point de départ"}));

@@ -128,7 +128,7 @@ void DeviationFigure::workedExample() {
     QVERIFY(std::abs(dimension(figure, "B")->upper - 5.40) < 1e-12);
     QVERIFY(std::abs(dimension(figure, "B")->lower - 0.92) < 1e-12);
     QCOMPARE(legendTexts(figure),
-             (QStringList{u"x̄↑ ±\u202f2s↑"_s, u"x̄↓ ±\u202f2s↓"_s, u"x̄ bidirectional"_s, u"readings"_s}));
+             (QStringList{u"x̄↑ ±\u202f2s↑"_s, u"x̄↓ ±\u202f2s↓"_s, u"x̄ bi-directional"_s, u"readings"_s}));
     QCOMPARE(labels(figure.x), (QStringList{u"0"_s, u"250"_s, u"500"_s, u"750"_s, u"1\u202f000"_s,
                                             u"1\u202f250"_s, u"1\u202f500"_s}));
     QCOMPARE(labels(figure.y),
@@ -191,7 +191,7 @@ void DeviationFigure::oneRunHasNoLimits() {
     QVERIFY(figure.bands.empty());
     QVERIFY(figure.readings.empty()); // they are the curves
     QCOMPARE(dimensionIds(figure), (QStringList{u"M"_s, u"E"_s, u"B"_s}));
-    QCOMPARE(legendTexts(figure), (QStringList{u"x̄↑"_s, u"x̄↓"_s, u"x̄ bidirectional"_s}));
+    QCOMPARE(legendTexts(figure), (QStringList{u"x̄↑"_s, u"x̄↓"_s, u"x̄ bi-directional"_s}));
 }
 
 void DeviationFigure::longAxis() {

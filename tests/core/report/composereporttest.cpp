@@ -895,9 +895,9 @@ private slots:
         const Report composed = report(full, english);
         const QString all = pageText(composed);
         // 4.4 and 6 of ISO 230-4:2005, in the order of the standard.
-        for (const char *stated : {"Date of test  20\u00A0November 2026",
-                                   "Machine  MX, VMC 500",
-                                   "Instrument  IX, DBB 150",
+        for (const char *stated : {"Date of test  20\u00A0November 2026, 10:15",
+                                   "Machine  Machining centre, MX, VMC 500",
+                                   "Instrument  ballbar, No. 000-150",
                                    "Nominal diameter  300\u00A0mm",
                                    "Feed  1\u202F000\u00A0mm/min",
                                    "Contouring  anticlockwise, clockwise",
@@ -912,8 +912,8 @@ private slots:
                                    "Captured range  360° per sense",
                                    "Points  1\u202F800 per sense",
                                    "Start, stop  X+; X+",
-                                   "Smoothing  0",
-                                   "Compensation  ON",
+                                   "Smoothing  none",
+                                   "Compensation  pitch table active",
                                    "Other axes  Z 100",
                                    "magnification 1\u202F000:1",
                                    "Circle, G, G(b)  minimum zone",
@@ -934,10 +934,13 @@ private slots:
             changed.tests[0] = std::make_shared<const Test>(test);
             QStringList result;
             for (const Table &table : tablesOf(report(std::make_shared<const Document>(changed), english))) {
+                if (table.columns.empty() || table.columns[0].title.plain() != "Quantity")
+                    continue;
                 for (const auto &row : table.rows) {
-                    if (row.size() == 7 && row[0].bold)
+                    if (row[0].bold)
                         result << row[0].text.plain();
                 }
+                break; // that of the limits comes later
             }
             return result.join(' ');
         };
@@ -1037,7 +1040,8 @@ private slots:
                     QVERIFY((175 - width) / static_cast<double>(table.columns.size() - 2) > 9);
                 }
             }
-            QCOMPARE(readings, static_cast<std::size_t>(2 * targets * runs));
+            // One run each way is what the table of targets prints: not twice.
+            QCOMPARE(readings, static_cast<std::size_t>(runs > 1 ? 2 * targets * runs : 0));
         }
     }
 

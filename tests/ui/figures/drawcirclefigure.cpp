@@ -100,7 +100,7 @@ private slots:
                 result.image.convertToFormat(QImage::Format_Grayscale8), centre, 0.6, radius, 200);
         }
         QVERIFY(width[1] > 0.1);
-        QVERIFY(width[0] > 1.7 * width[1]);
+        QVERIFY(width[0] > 1.3 * width[1]);
     }
 
     void darkFiguresAreDark() {

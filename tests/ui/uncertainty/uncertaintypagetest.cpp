@@ -301,7 +301,7 @@ private slots:
         QVERIFY(!table->item(0, 3)->font().bold());
         QVERIFY(
             table->item(0, 1)->data(Qt::AccessibleTextRole).toString().endsWith(u"used for the verdict"_s));
-        QVERIFY(edited.part<QLabel>("decides")->text().contains(u"The U of the budget decides."_s));
+        QVERIFY(edited.part<QLabel>("decides")->text().contains(u"The budget U is used for the verdict."_s));
         edited.part<QToolButton>("method3")->click();
         table = edited.part<RowTable>("methods");
         // A is shifted too far: the budget decides there, the simulation for what it does not shift.

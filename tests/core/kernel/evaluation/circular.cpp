@@ -556,7 +556,7 @@ void Circular::equalToTheLimitConformsWhateverTheRadius() {
         for (int tenths = 1; tenths <= 200; ++tenths) {
             const double width = tenths / 10.0; // µm
             Test test = circularTest({path(counterclockwise, 72, [&](double theta) {
-                return std::fmod(theta + 1, 90) < 45 ? width / 2 : -width / 2;
+                return std::fmod(theta * 180 / std::numbers::pi + 1, 90) < 45 ? width / 2 : -width / 2;
             })});
             measurement(test).nominalRadius = radius;
             const auto verdict = [&](const char *id, double limit) {
@@ -569,7 +569,10 @@ void Circular::equalToTheLimitConformsWhateverTheRadius() {
                 const double nothing = 1e-6; // µm: beyond all rounding up to 7 m of radius
                 QVERIFY2(verdict(id, value) == Verdict::conforms, id);
                 QVERIFY2(verdict(id, value + nothing) == Verdict::conforms, id);
-                QVERIFY2(verdict(id, value - nothing) == Verdict::doesNotConform, id);
+                QVERIFY2(
+                    verdict(id, value - nothing) == Verdict::doesNotConform,
+                    qPrintable(
+                        QStringLiteral("%1 of R %2: %3").arg(QString::fromUtf8(id)).arg(radius).arg(value)));
             }
         }
     }
