@@ -88,9 +88,9 @@ Digits digitsOf(const Parameter &parameter, const DecisionRule &rule, std::optio
         least = decimalsWithUncertainty(*parameter.expandedUncertainty, parameter.term.quantity, resolution);
     if (!isComparable(parameter))
         return {least, least};
-    const Comparison exact{judgedValue(*parameter.value, parameter.bound),
-                           judgedLimit(*parameter.limit->value, parameter.bound),
-                           parameter.guardedUncertainty(), roundingBeside(parameter, *parameter.limit->value)};
+    const Comparison exact{
+        judgedValue(*parameter.value, parameter.bound), judgedLimit(*parameter.limit->value, parameter.bound),
+        parameter.guardedUncertainty(), roundingBeside(parameter, *parameter.limit->value)};
     for (int more = least; more <= mostDecimals; ++more) {
         for (const Digits digits : {Digits{more, least}, Digits{least, more}, Digits{more, more}}) {
             if (printedComparison(parameter, digits, units).agreesWith(exact, rule))

@@ -606,6 +606,17 @@ bool isMark(const Block &block) {
     return std::holds_alternative<RunningHead>(block) || std::holds_alternative<PageBreak>(block);
 }
 
+/// What stands above the heading of the signatures goes with them: they never stand alone on a page.
+void takeAlong(Strips &above) {
+    constexpr std::size_t most = 3;
+    const auto stays = [](const Strip &strip) { return !strip.pageBreak && !strip.running; };
+    std::size_t heading = above.size();
+    while (heading > 0 && above[heading - 1].withNext && stays(above[heading - 1]))
+        --heading;
+    for (std::size_t i = heading; i > 0 && heading - i < most && stays(above[i - 1]); --i)
+        above[i - 1].withNext = true;
+}
+
 class StripMaker {
 public:
     StripMaker(double width, double tallest)
@@ -703,6 +714,8 @@ Strips blockStrips(const std::vector<Block> &blocks, double width, double talles
         Strips strips = std::visit(maker, block);
         if (strips.empty())
             continue;
+        if (std::holds_alternative<Signatures>(block))
+            takeAlong(result);
         if (!isMark(block)) {
             if (above && staysBelow(block) && !result.empty())
                 result.back().withNext = true;

@@ -45,7 +45,8 @@ void Style::directionsDifferWithoutColour() {
         QCOMPARE(figurePen(FigureRole::downEdge, medium).style(), Qt::CustomDashLine);
         QCOMPARE(figurePen(FigureRole::mean, medium).dashPattern().size(), qsizetype{4});
     }
-    // A copier of one bit keeps both: neither is lighter than 58 % black. Dashes and markers tell them apart there.
+    // A copier of one bit keeps both: neither is lighter than 58 % black. Dashes and markers tell them apart
+    // there.
     for (const FigureRole role : {FigureRole::up, FigureRole::down, FigureRole::clockwise})
         QVERIFY(qGray(figureColor(role, Medium::paper).rgb()) <= 0.42 * 255);
     const int bandUp = qGray(bandColor(true, false, Medium::paper).rgb());

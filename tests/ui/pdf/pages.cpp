@@ -184,6 +184,7 @@ private slots:
     void signaturesAreNeverSplit();
     void headOfASplitTableRepeats();
     void runningHeadBeginsOnTheSecondPage();
+    void signaturesNeverStandAlone();
     void resultsStayWhole();
     void resultsStandOnTheFirstPage();
     void extremeDocumentsStayInTheMargins_data();
@@ -277,6 +278,22 @@ void PagesTest::runningHeadBeginsOnTheSecondPage() {
     }
 }
 
+void PagesTest::signaturesNeverStandAlone() {
+    Signatures signatures;
+    signatures.columns = {{u"Operator"_s, {{u"Date"_s, {}, false, 0}, {u"Signature"_s, {}, true, 0}}}};
+    int overleaf = 0;
+    for (int rows = 20; rows < 70; ++rows) {
+        const QStringList pages = pageTexts(pdfOf(
+            reportOfBlocks({Heading{2, u"Values"_s}, tableOf(rows), Heading{2, u"SIGN"_s}, signatures})));
+        if (pages.size() == 1)
+            continue;
+        ++overleaf;
+        const QString last = squeezed(pages.last());
+        QVERIFY2(last.contains(u"row") || !last.contains(u"SIGN"), qPrintable(pages.last()));
+    }
+    QVERIFY(overleaf > 20);
+}
+
 void PagesTest::resultsStayWhole() {
     for (const QString &name : storedDocuments) {
         const Report report = reportOf(storedDocument(name), Language::Id::french);
@@ -290,7 +307,8 @@ void PagesTest::resultsStayWhole() {
                 --from;
             const QString heading = squeezed(std::get<Heading>(report.blocks[from]).text);
             const QString words = squeezed(verdict->label + verdict->word);
-            // On one page; where a head is too long for both, the verdict below the head and the results overleaf.
+            // On one page; where a head is too long for both, the verdict below the head and the results
+            // overleaf.
             bool together = false;
             for (qsizetype page = 0; page < pages.size(); ++page) {
                 const bool hasResults = squeezed(pages[page]).contains(heading);

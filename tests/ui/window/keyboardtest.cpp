@@ -183,7 +183,8 @@ void KeyboardTest::ctrlHomeClearsTheSelection() {
     view->setFocus();
     for (const auto &[key, row] :
          {std::pair(Qt::Key_Home, 0), std::pair(Qt::Key_End, view->model()->rowCount() - 1)}) {
-        view->selectionModel()->setCurrentIndex(view->model()->index(3, 4), QItemSelectionModel::ClearAndSelect);
+        view->selectionModel()->setCurrentIndex(view->model()->index(3, 4),
+                                                QItemSelectionModel::ClearAndSelect);
         QTest::keyClick(view, Qt::Key_Down, Qt::ShiftModifier);
         QCOMPARE(view->selectionModel()->selectedIndexes().size(), 2);
         QTest::keyClick(view, key, Qt::ControlModifier);

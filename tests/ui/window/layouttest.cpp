@@ -305,7 +305,7 @@ void LayoutTest::theNumberOfAnAgreementIsTypedBesideItsText() {
     };
     QVERIFY(agreed());
     QCOMPARE(agreed()->value, std::optional(0.5));
-    QCOMPARE(agreed()->state, AgreementState::agreed); // to state a number is to agree
+    QCOMPARE(agreed()->state, AgreementState::agreed);     // to state a number is to agree
     shown.find("field.agreedPoints.gradient")->setFocus(); // a visit of its own
     value->setFocus();
     QTest::keyClick(value, Qt::Key_End);
