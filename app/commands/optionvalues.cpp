@@ -31,6 +31,20 @@ std::optional<double> numberOf(const Invocation &invocation, const char *option)
     return given ? std::optional(numberGiven(option, *given)) : std::nullopt;
 }
 
+std::optional<long long> wholeGiven(const QString &given) {
+    bool isNumber = false;
+    const long long number = given.toLongLong(&isNumber);
+    if (isNumber)
+        return number;
+    static const QRegularExpression power(QStringLiteral("^[0-9]+([.,][0-9]+)?[eE][+]?[0-9]{1,2}$"));
+    constexpr double exact = 9e15; // a double holds all whole numbers up to here
+    const double value =
+        power.match(given).hasMatch() ? QString(given).replace(u',', u'.').toDouble(&isNumber) : 0;
+    if (!isNumber || value > exact || value != std::floor(value))
+        return {};
+    return static_cast<long long>(value);
+}
+
 std::optional<std::int64_t> seedOf(const Invocation &invocation) {
     const auto given = invocation.value(QLatin1StringView("seed"));
     if (!given)

@@ -18,6 +18,9 @@ namespace palmer {
 /// The number that is `given` to the option. Throws as numberOf().
 [[nodiscard]] double numberGiven(const char *option, const QString &given);
 
+/// A whole number, also with a power of ten (1e6); nothing for any other.
+[[nodiscard]] std::optional<long long> wholeGiven(const QString &given);
+
 /// --seed, a whole number that a test file can keep; nothing without it. Throws UsageError.
 [[nodiscard]] std::optional<std::int64_t> seedOf(const Invocation &invocation);
 

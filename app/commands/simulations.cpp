@@ -1,5 +1,6 @@
 #include "commands/simulations.h"
 
+#include "commands/optionvalues.h"
 #include "commands/progressline.h"
 #include "commands/streams.h"
 
@@ -15,12 +16,11 @@ std::optional<long long> wholeNumber(const Invocation &invocation, const char *o
     const auto text = invocation.value(QLatin1StringView(option));
     if (!text)
         return std::nullopt;
-    bool isNumber = false;
-    const long long number = text->toLongLong(&isNumber);
-    if (!isNumber || number < least)
+    const std::optional<long long> number = wholeGiven(*text);
+    if (!number || *number < least)
         throw UsageError({REPORT_TEXT("report", "--%1 takes a whole number from %2 on, not %3"),
                           {std::string(option), std::to_string(least), text->toStdString()}});
-    if (number > most)
+    if (*number > most)
         throw UsageError({REPORT_TEXT("report", "--%1 takes a whole number up to %2, not %3"),
                           {std::string(option), std::to_string(most), text->toStdString()}});
     return number;

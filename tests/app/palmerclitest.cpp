@@ -153,11 +153,20 @@ void PalmerCliTest::endsWithItsCode_data() {
         << QByteArray(open).replace("\"direct\"", "\"budget\", \"trials\": 1000000001") << 3;
     QTest::newRow("unknown method of uncertainty")
         << QStringList{"evaluate", "--uncertainty", "guess", "-"} << smallTest("") << 2;
+    QTest::newRow("trials with a power of ten")
+        << QStringList{"evaluate", "--trials", "1e3", "-"} << smallTest("") << 0;
+    QTest::newRow("trials that are not whole")
+        << QStringList{"evaluate", "--trials", "1.5e0", "-"} << smallTest("") << 2;
+    QTest::newRow("a comma of thousands")
+        << QStringList{"evaluate", "--trials", "1,000", "-"} << smallTest("") << 2;
+    QTest::newRow("too large a power")
+        << QStringList{"evaluate", "--trials", "1e99", "-"} << smallTest("") << 2;
     QTest::newRow("no trials") << QStringList{"evaluate", "--trials", "0", "-"} << smallTest("") << 2;
     QTest::newRow("a seed that is no number")
         << QStringList{"evaluate", "--seed", "x", "-"} << smallTest("") << 2;
     QTest::newRow("no such file") << QStringList{"evaluate", "/nowhere/x.palmer"} << QByteArray() << 3;
-    QTest::newRow("a folder without files") << QStringList{"evaluate", "/proc/self/fdinfo"} << QByteArray() << 3;
+    QTest::newRow("a folder without files")
+        << QStringList{"evaluate", "/proc/self/fdinfo"} << QByteArray() << 3;
 }
 
 void PalmerCliTest::endsWithItsCode() {
