@@ -7330,5 +7330,9 @@
         <source>%1 and %2 would both be written as %3; choose another name</source>
         <translation>%1 et %2 seraient tous deux écrits sous %3&#x202f;; choisir un autre nom</translation>
     </message>
+    <message>
+        <source>the work on this file broke off, perhaps for want of memory; try it alone</source>
+        <translation>le traitement de ce fichier s’est interrompu, peut-être faute de mémoire ; l’essayer seul</translation>
+    </message>
 </context>
 </TS>

@@ -1,5 +1,6 @@
 #include "commands/explain.h"
 
+#include "commands/optionvalues.h"
 #include "commands/preparation.h"
 #include "commands/streams.h"
 #include "document/evaluateddocument.h"
@@ -75,14 +76,8 @@ Asked askedOf(const Invocation &invocation, std::size_t tests) {
             {REPORT_TEXT("report", "the command %1 takes a file and a parameter"), {std::string("explain")}});
     if (invocation.arguments.size() == 2)
         asked.parameter = invocation.arguments.back();
-    if (const auto word = invocation.value(QLatin1StringView("test"))) {
-        bool isNumber = false;
-        const uint number = word->toUInt(&isNumber);
-        if (!isNumber || number < 1 || number > tests)
-            throw UsageError({REPORT_TEXT("report", "there is no test %1; the file has %2"),
-                              {word->toStdString(), Number{static_cast<double>(tests), Quantity::count}}});
-        asked.test = number - 1;
-    }
+    if (invocation.has(QLatin1StringView("test")))
+        asked.test = testIndex(invocation, tests);
     return asked;
 }
 

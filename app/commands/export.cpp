@@ -45,16 +45,6 @@ constexpr std::array options{
     forceOption,
 };
 
-std::size_t testIndex(const Invocation &invocation, std::size_t count) {
-    const QString word = invocation.value(QLatin1StringView("test")).value_or(QStringLiteral("1"));
-    bool isNumber = false;
-    const uint number = word.toUInt(&isNumber);
-    if (!isNumber || number < 1 || number > count)
-        throw UsageError({REPORT_TEXT("report", "there is no test %1; the file has %2"),
-                          {word.toStdString(), Number{static_cast<double>(count), Quantity::count}}});
-    return number - 1;
-}
-
 std::optional<CompensationFormat> compensationFormat(const QString &word) {
     if (word == QLatin1StringView("linuxcnc"))
         return CompensationFormat::linuxcnc;

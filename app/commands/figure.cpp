@@ -1,6 +1,7 @@
 #include "commands/figure.h"
 
 #include "commands/inputs.h"
+#include "commands/optionvalues.h"
 #include "commands/outputfile.h"
 #include "commands/preparation.h"
 #include "commands/streams.h"
@@ -109,17 +110,6 @@ void checkWord(const std::optional<QString> &asked) {
     }
     known += std::string(", ") + budgetWord;
     throw UsageError({REPORT_TEXT("report", "unknown figure %1; known: %2"), {asked->toStdString(), known}});
-}
-
-/// Index of the test asked for.
-std::size_t testIndex(const Invocation &invocation, std::size_t count) {
-    const QString word = invocation.value(QLatin1StringView("test")).value_or(QStringLiteral("1"));
-    bool isNumber = false;
-    const uint number = word.toUInt(&isNumber);
-    if (!isNumber || number < 1 || number > count)
-        throw UsageError({REPORT_TEXT("report", "there is no test %1; the file has %2"),
-                          {word.toStdString(), Number{static_cast<double>(count), Quantity::count}}});
-    return number - 1;
 }
 
 QByteArray picture(const Figure &figure, const QString &title, const QString &ending) {

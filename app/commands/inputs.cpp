@@ -89,7 +89,14 @@ int eachDocument(const Invocation &invocation, const Inputs &inputs,
         return {cannotRead, {}};
     };
     jobs.broken = [&](int i) {
-        printError(inputAt(i).file, notEnoughMemory(), invocation.language);
+        printError(
+            inputAt(i).file,
+            Error(Error::Kind::unreadable,
+                  {REPORT_TEXT("report",
+                               "the work on this file broke off, perhaps for want of memory; try it alone"),
+                   {},
+                   {}}),
+            invocation.language);
         return cannotRead;
     };
     jobs.heard = [&](int, const JobResult &result) {

@@ -2,6 +2,7 @@
 
 #include "commands/command.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -20,6 +21,10 @@ namespace palmer {
 
 /// A whole number, also with a power of ten (1e6); nothing for any other.
 [[nodiscard]] std::optional<long long> wholeGiven(const QString &given);
+
+/// Index of the test that --test asks for, from 1, of `count`; without it the first. Throws UsageError where
+/// there is none.
+[[nodiscard]] std::size_t testIndex(const Invocation &invocation, std::size_t count);
 
 /// --seed, a whole number that a test file can keep; nothing without it. Throws UsageError.
 [[nodiscard]] std::optional<std::int64_t> seedOf(const Invocation &invocation);

@@ -51,7 +51,8 @@ constexpr Layer layers[]{
     {"core/report", "kernel document language tables import validation export figures"},
     {"core/proof", "kernel document language tables import validation export figures report"},
     {"ui", "kernel document language tables import validation export figures editing report proof ui"},
-    {"app", "kernel document language tables import validation export figures editing report proof ui commands"},
+    {"app",
+     "kernel document language tables import validation export figures editing report proof ui commands"},
 };
 
 template <class Visit>

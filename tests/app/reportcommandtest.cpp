@@ -99,7 +99,8 @@ void ReportCommandTest::refusesWrongUsage_data() {
         << QStringList{"report", example, "-o", "x.pdf", "--language", "fr,de"} << "de";
     QTest::newRow("two languages to standard output")
         << QStringList{"report", example, "-o", "-", "--language", "fr,en"} << "standard output";
-    QTest::newRow("two files") << QStringList{"report", example, example, "-o", "x.pdf"} << "would both be written as";
+    QTest::newRow("two files") << QStringList{"report", example, example, "-o", "x.pdf"}
+                               << "would both be written as";
     QTest::newRow("figure without output") << QStringList{"figure", example} << "-o OUT.svg|png|pdf";
     QTest::newRow("unknown ending") << QStringList{"figure", example, "-o", "x.bmp"} << "svg";
     QTest::newRow("no such test") << QStringList{"figure", example, "-o", "x.svg", "--test", "2"} << "test 2";
