@@ -7332,7 +7332,11 @@
     </message>
     <message>
         <source>the work on this file broke off, perhaps for want of memory; try it alone</source>
-        <translation>le traitement de ce fichier s’est interrompu, peut-être faute de mémoire ; l’essayer seul</translation>
+        <translation>le traitement de ce fichier s’est interrompu, peut-être faute de mémoire&#x202f;; l’essayer seul</translation>
+    </message>
+    <message>
+        <source>--set %1 is a choice of the import, and this is a test file; its fields have paths, as tests[0].title</source>
+        <translation>--set %1 est un choix de l’import, et ceci est un fichier d’essai ; ses champs ont des chemins, comme tests[0].title</translation>
     </message>
 </context>
 </TS>

@@ -214,11 +214,27 @@ Document withTests(Document document) {
     return document;
 }
 
+/// Throws UsageError for a choice of the import: it would do nothing to a test file.
+void demandNoChoice(const Invocation &invocation) {
+    const QString settings = invocation.value(QLatin1StringView("set")).value_or(QString());
+    for (const QString &setting : settings.split(u'\n', Qt::SkipEmptyParts)) {
+        const QString key = setting.section(u'=', 0, 0);
+        if (findImportKey(key.toStdString()))
+            throw UsageError(
+                {REPORT_TEXT("report", "--set %1 is a choice of the import, and this is a test file; its "
+                                       "fields have paths, as tests[0].title"),
+                 {key.toStdString()}});
+    }
+}
+
 } // namespace
 
 std::optional<Document> documentFrom(const QString &file, const Invocation &invocation) {
     const QByteArray bytes = bytesFrom(file);
-    if (isPdf(bytes))
+    const bool isReport = isPdf(bytes);
+    if (isReport || isTestFile(bytes, file))
+        demandNoChoice(invocation);
+    if (isReport)
         return prepared(readDocument(readReportPdf(bytes).testFile), invocation);
     if (isTestFile(bytes, file))
         return prepared(withTests(readDocument(bytes)), invocation);

@@ -358,10 +358,10 @@ void BatchCommandTest::fieldsAreSetByTheirPath() {
 
 void BatchCommandTest::unknownFieldsAreRefused_data() {
     QTest::addColumn<QString>("setting");
-    for (const char *setting :
-         {"machine.nme=X", "limits.A.valu=1", "machine.year=soon", "role=before", "tests[7].title=X",
-          "tests[x].title=X", "machine.=X", ".name=X", "machine..name=X", "machine=X", "nonsense=1",
-          "limits.A.value=", "tests[0]=X", "machine.name[0]=X", "[0]=1", "targets[0]=1e999"})
+    for (const char *setting : {"machine.nme=X", "limits.A.valu=1", "machine.year=soon", "role=before",
+                                "tests[7].title=X", "tests[x].title=X", "machine.=X", ".name=X",
+                                "machine..name=X", "machine=X", "nonsense=1", "limits.A.value=", "axis=Y",
+                                "unit=um", "tests[0]=X", "machine.name[0]=X", "[0]=1", "targets[0]=1e999"})
         QTest::newRow(setting) << setting;
 }
 
