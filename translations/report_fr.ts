@@ -7336,7 +7336,19 @@
     </message>
     <message>
         <source>--set %1 is a choice of the import, and this is a test file; its fields have paths, as tests[0].title</source>
-        <translation>--set %1 est un choix de l’import, et ceci est un fichier d’essai ; ses champs ont des chemins, comme tests[0].title</translation>
+        <translation>--set %1 est un choix de l’import, et ceci est un fichier d’essai&#x202f;; ses champs ont des chemins, comme tests[0].title</translation>
+    </message>
+    <message>
+        <source>the device is full; save to a file or to another device</source>
+        <translation>le périphérique est plein ; enregistrer dans un fichier ou sur un autre périphérique</translation>
+    </message>
+    <message>
+        <source>nobody reads from this pipe; start its reader first, or save to a file</source>
+        <translation>personne ne lit ce tube ; lancer d’abord son lecteur, ou enregistrer dans un fichier</translation>
+    </message>
+    <message>
+        <source>the device could not be written, for want of permission or because it is none that takes a file; save to a file</source>
+        <translation>l’écriture sur le périphérique a échoué, faute de droits ou parce qu’il ne peut recevoir de fichier ; enregistrer dans un fichier</translation>
     </message>
 </context>
 </TS>

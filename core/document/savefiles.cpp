@@ -26,7 +26,7 @@ namespace {
     const QStorageInfo disk(info.absolutePath());
     if (disk.isValid() && disk.isReadOnly())
         refuse(REPORT_TEXT("report", "the disk is read-only; save in a folder of another disk"));
-    if ((info.exists() && !info.isFile()) || (disk.isValid() && disk.bytesAvailable() < size))
+    if (disk.isValid() && disk.bytesAvailable() < size)
         refuse(REPORT_TEXT("report",
                            "the disk is full; what was there before is unchanged: free some space or "
                            "save on another disk"));
@@ -69,18 +69,28 @@ int openDevice(const QByteArray &name) {
     return -1;
 }
 
-bool writeDevice(const QByteArray &bytes, const QString &path) {
+[[noreturn]] void refuseDevice(int cause) {
+    if (cause == ENOSPC)
+        refuse(REPORT_TEXT("report", "the device is full; save to a file or to another device"));
+    if (cause == ENXIO || cause == EPIPE)
+        refuse(
+            REPORT_TEXT("report", "nobody reads from this pipe; start its reader first, or save to a file"));
+    refuse(REPORT_TEXT("report",
+                       "the device could not be written, for want of permission or because it is none that "
+                       "takes a file; save to a file"));
+}
+
+void writeDevice(const QByteArray &bytes, const QString &path) {
     const Descriptor device(openDevice(QFile::encodeName(path)));
     if (device.number() < 0)
-        return false;
+        refuseDevice(errno);
     for (qsizetype at = 0; at < bytes.size();) {
         const auto written =
             ::write(device.number(), bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at));
         if (written < 0 && errno != EINTR)
-            return false;
+            refuseDevice(errno);
         at += std::max<qsizetype>(written, 0);
     }
-    return true;
 }
 
 /// Whether all is on the disk. Some file systems cannot tell.
@@ -205,8 +215,8 @@ void saveFiles(const std::vector<FileToSave> &files) {
             forFile(file.path, [&] { staged.push_back(std::make_unique<Staged>(file)); });
     }
     for (const FileToSave &file : files) {
-        if (isDevice(file.path) && !writeDevice(file.bytes, file.path))
-            forFile(file.path, [&] { refuseSaving(file.path, file.bytes.size()); });
+        if (isDevice(file.path))
+            forFile(file.path, [&] { writeDevice(file.bytes, file.path); });
     }
     renameAll(staged);
 }

@@ -4,6 +4,7 @@
 
 #include <QXmlStreamReader>
 #include <QXmlStreamWriter>
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -198,7 +199,9 @@ std::optional<ReportMetadata> readXmp(const QByteArray &packet) {
                 return std::nullopt; // stated twice
         }
     }
-    if (xml.hasError() || found.size() != ownProperties.size())
+    const bool complete = std::ranges::all_of(
+        ownProperties, [&](const OwnProperty &property) { return found.contains(property.name); });
+    if (xml.hasError() || !complete || found.size() != ownProperties.size())
         return std::nullopt;
     ReportMetadata result;
     result.making.program = found[programName];

@@ -228,11 +228,15 @@ private slots:
             palmer::testdata::runCli({"export", example, "--as", "csv", "-o", "/dev/full"});
         QCOMPARE(full.code, 3);
         QCOMPARE(full.err.count('\n'), 1);
+        QVERIFY(full.err.contains("the device is full"));
         QCOMPARE(palmer::testdata::runCli({"export", example, "--as", "csv", "-o", "/dev/null"}).code, 0);
         // A pipe, read by another program.
         const QTemporaryDir folder;
         const QString pipe = folder.filePath("pipe");
         QCOMPARE(::mkfifo(pipe.toUtf8().constData(), 0600), 0);
+        const CliResult unread = palmer::testdata::runCli({"export", example, "--as", "csv", "-o", pipe});
+        QCOMPARE(unread.code, 3);
+        QVERIFY2(unread.err.contains("nobody reads from this pipe"), qPrintable(unread.err));
         QProcess reader;
         reader.start("cat", {pipe});
         QCOMPARE(palmer::testdata::runCli({"export", example, "--as", "csv", "-o", pipe}).code, 0);

@@ -32,6 +32,7 @@ PasteBar::PasteBar(QWidget *parent)
     m_content->setObjectName(QStringLiteral("pasteContent"));
     m_undo->setObjectName(QStringLiteral("pasteUndo"));
     m_close->setObjectName(QStringLiteral("pasteClose"));
+    m_summary->setWordWrap(true); // beside the choices there is little room in a narrow window
     m_remarks->setWordWrap(true);
     m_remarks->setTextFormat(Qt::PlainText);
     m_remarks->setFont(themeFont(TextSize::small));
@@ -61,8 +62,7 @@ PasteBar::PasteBar(QWidget *parent)
     marks->addWidget(m_point);
     auto *row = new QHBoxLayout;
     row->setSpacing(8);
-    row->addWidget(m_summary);
-    row->addStretch();
+    row->addWidget(m_summary, 1);
     row->addWidget(m_guess);
     row->addLayout(marks);
     row->addWidget(m_content);
