@@ -74,10 +74,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n text(s) without numbers in the words of that version: not compared</source>
+        <source>%n place(s) that this version prints otherwise: not compared</source>
         <translation>
-            <numerusform>%n text without numbers in the words of that version: not compared</numerusform>
-            <numerusform>%n texts without numbers in the words of that version: not compared</numerusform>
+            <numerusform>%n place that this version prints otherwise: not compared</numerusform>
+            <numerusform>%n places that this version prints otherwise: not compared</numerusform>
         </translation>
     </message>
     <message numerus="yes">

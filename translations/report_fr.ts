@@ -6899,13 +6899,6 @@
             <numerusform>%n écarts&#xa0;: le rapport ne découle pas des données jointes.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n text(s) without numbers in the words of that version: not compared</source>
-        <translation>
-            <numerusform>%n texte sans nombre dans les mots de cette version&#xa0;: non comparé</numerusform>
-            <numerusform>%n textes sans nombre dans les mots de cette version&#xa0;: non comparés</numerusform>
-        </translation>
-    </message>
     <message>
         <source>the option %1 needs a value (%2)</source>
         <translation>l’option %1 demande une valeur (%2)</translation>
@@ -7340,15 +7333,26 @@
     </message>
     <message>
         <source>the device is full; save to a file or to another device</source>
-        <translation>le périphérique est plein ; enregistrer dans un fichier ou sur un autre périphérique</translation>
+        <translation>le périphérique est plein&#x202f;; enregistrer dans un fichier ou sur un autre périphérique</translation>
     </message>
     <message>
         <source>nobody reads from this pipe; start its reader first, or save to a file</source>
-        <translation>personne ne lit ce tube ; lancer d’abord son lecteur, ou enregistrer dans un fichier</translation>
+        <translation>personne ne lit ce tube&#x202f;; lancer d’abord son lecteur, ou enregistrer dans un fichier</translation>
     </message>
     <message>
         <source>the device could not be written, for want of permission or because it is none that takes a file; save to a file</source>
-        <translation>l’écriture sur le périphérique a échoué, faute de droits ou parce qu’il ne peut recevoir de fichier ; enregistrer dans un fichier</translation>
+        <translation>l’écriture sur le périphérique a échoué, faute de droits ou parce qu’il ne peut recevoir de fichier&#x202f;; enregistrer dans un fichier</translation>
+    </message>
+    <message>
+        <source>Results and verdicts follow from the attached data; other texts and pictures of %1 are not compared. Where the data come from is not verified.</source>
+        <translation>Les résultats et les verdicts découlent des données jointes&#x202f;; les autres textes et les images de %1 ne sont pas comparés. La provenance des données n’est pas vérifiée.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) that this version prints otherwise: not compared</source>
+        <translation>
+            <numerusform>%n endroit imprimé autrement par cette version&#xa0;: non comparé</numerusform>
+            <numerusform>%n endroits imprimés autrement par cette version&#xa0;: non comparés</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

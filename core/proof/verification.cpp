@@ -60,6 +60,12 @@ QString withDetail(const QString &what, const QString &detail, const Language &l
 } // namespace
 
 QString conclusion(const Verification &verification, const Language &language) {
+    if (verification.follows() && verification.otherVersion)
+        return language.sentence(
+            {REPORT_TEXT("report",
+                         "Results and verdicts follow from the attached data; other texts and pictures of "
+                         "%1 are not compared. Where the data come from is not verified."),
+             {verification.madeBy.toStdString()}});
     if (verification.follows())
         return language.text(REPORT_TEXT("report",
                                          "The numbers follow from the attached data. Where the data "
@@ -127,8 +133,7 @@ QString verificationText(const Verification &verification, const Language &langu
             REPORT_TEXT("report", "The PDF as it was made is unchanged; something was appended to it.")));
     if (!verification.wording.empty())
         add(language.sentence(
-            {REPORT_TEXT_COUNTED("report",
-                                 "%n text(s) without numbers in the words of that version: not compared"),
+            {REPORT_TEXT_COUNTED("report", "%n place(s) that this version prints otherwise: not compared"),
              {},
              static_cast<int>(verification.wording.size())}));
     for (const SignatureStatement &signature : verification.signatures)
@@ -154,6 +159,7 @@ QByteArray verificationJson(const Verification &verification, const QString &fil
                     {"identical", verification.identical},
                     {"appended", verification.appended},
                     {"madeBy", verification.madeBy.toStdString()},
+                    {"otherVersion", verification.otherVersion},
                     {"fingerprint", verification.fingerprint.toStdString()},
                     {"fingerprintPrinted", verification.fingerprintPrinted},
                     {"differences", list(verification.differences)},

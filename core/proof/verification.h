@@ -46,7 +46,8 @@ struct Verification {
     QString fingerprint;                 ///< of the attached file
     bool fingerprintPrinted = true;      ///< on every page
     std::vector<Difference> differences; ///< in the order of the pages
-    std::vector<Difference> wording; ///< words that another version prints otherwise: no numbers, no verdicts
+    bool otherVersion = false;       ///< made by another version: results and verdicts are compared, no more
+    std::vector<Difference> wording; ///< what that version prints otherwise: not compared
     std::vector<SignatureStatement> signatures;
 
     /// Every printed number follows from the attached data.

@@ -2,9 +2,12 @@
 
 #include "document/readdocument.h"
 #include "language/papercharacters.h"
+#include "proof/comparerows.h"
 #include "proof/comparewords.h"
 #include "proof/deviation.h"
 #include "report/composereport.h"
+#include "report/formula.h"
+#include "report/printednumbers.h"
 #include "report/wording.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/proof/pdfpages.h"
@@ -16,7 +19,8 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double sizeTolerance = 0.01; ///< points: a size is written with two decimals
+constexpr double sizeTolerance = 0.01;    ///< points: a size is written with two decimals
+constexpr std::size_t fewDifferences = 5; ///< on a page that another version laid out as this one does
 
 Document attachedDocument(const QByteArray &testFile) {
     try {
@@ -102,11 +106,39 @@ QRectF differingArea(const QImage &a, const QImage &b) {
     return area;
 }
 
+/// What the tables of results and the lines of verdicts print.
+std::vector<PrintedRow> rowsOf(const EvaluatedDocument &evaluated, const Report &composed,
+                               const Language &language) {
+    std::vector<PrintedRow> rows;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        const Test &test = *evaluated.document->tests[i];
+        const std::optional<double> resolution = finestResolution(*evaluated.document, test);
+        for (const Parameter &parameter : evaluated.tests[i]->parameters) {
+            const PrintedNumbers numbers = printedNumbers(parameter, test.decisionRule, resolution, language);
+            if (!isPrinted(parameter, evaluated.document->report) || numbers.value.isEmpty())
+                continue;
+            PrintedRow row{symbolFormula(parameter.term.symbol, parameter.index).plain(),
+                           {numbers.value, numbers.uncertainty, numbers.limit}};
+            if (parameter.verdict)
+                row.values << language.text(limitText(*parameter.verdict));
+            row.values.removeAll(QString());
+            rows.push_back(std::move(row));
+        }
+    }
+    for (const Block &block : composed.blocks) {
+        const auto *verdict = std::get_if<VerdictLine>(&block);
+        if (verdict && !verdict->word.isEmpty())
+            rows.push_back({verdict->word, {}}); // larger than its label, and so in a line of its own
+    }
+    return rows;
+}
+
 class PageComparison {
 public:
     PageComparison(const OpenedReport &report, const Report &composed, const Language &language,
                    const QByteArray &pdf, Verification &result)
         : m_report(report)
+        , m_composed(composed)
         , m_fingerprint(shortFingerprint(composed.fingerprint))
         , m_language(language)
         , m_printed(report.pdf)
@@ -117,8 +149,10 @@ public:
         const int pages = std::min(m_printed.count(), m_follows.count());
         for (int page = 0; page < pages; ++page)
             compare(page, sameProgram);
-        if (m_printed.count() != m_follows.count())
+        if (sameProgram && m_printed.count() != m_follows.count())
             m_result.differences.push_back(otherPageCount(m_printed.count(), m_follows.count()));
+        if (!sameProgram)
+            compareRowsOfResults();
         m_result.signatures = m_printed.signatures();
         for (const SignatureStatement &signature : m_result.signatures) {
             if (signature.state == SignatureStatement::State::broken)
@@ -127,6 +161,21 @@ public:
     }
 
 private:
+    /// Another version may lay its pages out otherwise.
+    void compareRowsOfResults() {
+        std::vector<PrintedWords> pages;
+        for (int page = 0; page < m_printed.count(); ++page)
+            pages.push_back(m_printed.words(page));
+        for (Difference &difference :
+             compareRows(pages, rowsOf(m_report.evaluated, m_composed, m_language))) {
+            const bool isNamed = std::ranges::any_of(m_result.differences, [&](const Difference &other) {
+                return other.page == difference.page && other.area.intersects(difference.area);
+            });
+            if (!isNamed)
+                m_result.differences.push_back(std::move(difference));
+        }
+    }
+
     void compare(int page, bool sameProgram) {
         const QSizeF size = m_printed.size(page) - m_follows.size(page);
         if (std::abs(size.width()) > sizeTolerance || std::abs(size.height()) > sizeTolerance) {
@@ -144,22 +193,25 @@ private:
         const std::vector<Difference> found = !foreign.empty() && ownText(printed) == ownText(follows)
                                                   ? std::vector<Difference>()
                                                   : compareWords(printed, follows, page + 1);
+        const bool sameLayout = printed.size() == follows.size() && found.size() <= fewDifferences;
         for (const Difference &difference : found) {
-            const bool counts = sameProgram || isSerious(difference);
+            const bool counts = sameProgram || (sameLayout && isSerious(difference));
             (counts ? m_result.differences : m_result.wording).push_back(difference);
         }
         if (found.empty())
-            comparePictures(page, follows, foreign);
+            comparePictures(page, follows, foreign, sameProgram);
         demandFree(page + 1, follows);
     }
 
     /// The words are the same: so has to be what is seen.
-    void comparePictures(int page, const PrintedWords &words, const std::vector<QRectF> &foreign) {
+    void comparePictures(int page, const PrintedWords &words, const std::vector<QRectF> &foreign,
+                         bool sameProgram) {
         const QRectF area = differingArea(without(m_printed.picture(page), foreign),
                                           without(m_follows.picture(page), foreign));
         if (area.isEmpty())
             return;
-        m_result.differences.push_back(drawnOtherwise(page + 1, area, wordsIn(words, area)));
+        (sameProgram ? m_result.differences : m_result.wording)
+            .push_back(drawnOtherwise(page + 1, area, wordsIn(words, area)));
     }
 
     /// The picture of a signature must not hide what is printed.
@@ -189,6 +241,7 @@ private:
     }
 
     const OpenedReport &m_report;
+    const Report &m_composed;
     QString m_fingerprint;
     const Language &m_language;
     PdfPages m_printed;
@@ -236,6 +289,7 @@ Verification verifyReport(const OpenedReport &report) {
         return result;
     result.appended = report.pdf.startsWith(buffer.data());
     const bool sameProgram = metadata.making.program == QLatin1StringView("Palmer " PALMER_VERSION);
+    result.otherVersion = !sameProgram;
     for (const PdfAddition &addition : report.parts.additions)
         result.differences.push_back(differenceOf(addition));
     if (report.parts.testFileName != composed.testFileName)

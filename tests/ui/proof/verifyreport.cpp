@@ -76,6 +76,8 @@ private slots:
     void aForgeryByHandIsFoundAtItsPlace();
     void theFingerprintOnThePagesIsCompared();
     void anotherVersionMayUseOtherWords();
+    void anotherVersionMayLayItsPagesOutOtherwise_data();
+    void anotherVersionMayLayItsPagesOutOtherwise();
     void whatIsAddedIsNamed_data();
     void whatIsAddedIsNamed();
     void aSignatureDoesNotDisturb();
@@ -190,6 +192,66 @@ void VerifyReport::anotherVersionMayUseOtherWords() {
     result = verified(
         changed(buffer.data(), [&](QPDF &pdf) { QVERIFY(redraw(pdf, 1, random, isDigit, isDigit)); }));
     QVERIFY(!result.follows());
+}
+
+void VerifyReport::anotherVersionMayLayItsPagesOutOtherwise_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<Language::Id>("language");
+    bool french = false;
+    for (const QString &name : testdata::storedDocuments) {
+        QTest::newRow(qPrintable(name)) << name << (french ? Language::Id::french : Language::Id::english);
+        french = !french;
+    }
+}
+
+void VerifyReport::anotherVersionMayLayItsPagesOutOtherwise() {
+    QFETCH(const QString, name);
+    QFETCH(const Language::Id, language);
+    const EvaluatedDocument document = evaluated(name);
+    Report report = composeReport(document, Language(language), {u"Palmer 0.0.9"_s, true, {}, {}});
+    const QString more = u"What only that version said in 99 words.\n"_s.repeated(30);
+    for (std::size_t i = report.blocks.size(); i > 0; --i) {
+        if (std::holds_alternative<TestHead>(report.blocks[i - 1]))
+            report.blocks.insert(report.blocks.begin() + static_cast<std::ptrdiff_t>(i), Paragraph{more});
+    }
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    ui::writePdf(report, buffer, attachedResults(document));
+    const Verification result = verified(buffer.data());
+    QVERIFY2(result.follows(), qPrintable(english(result)));
+    QVERIFY(result.otherVersion);
+    QVERIFY(english(result).startsWith(u"Results and verdicts follow"_s));
+
+    // The same report, and one value of a table of results is another.
+    for (Block &block : report.blocks) {
+        auto *table = std::get_if<Table>(&block);
+        const auto isResult = [](const std::vector<Cell> &row) {
+            return std::ranges::any_of(row, [](const Cell &cell) { return cell.guard.has_value(); });
+        };
+        if (!table || std::ranges::none_of(table->rows, isResult))
+            continue;
+        for (Cell &cell : *std::ranges::find_if(table->rows, isResult)) {
+            QString text = cell.text.plain();
+            static const QRegularExpression number(
+                u"^\u2212?[0-9]+[.,][0-9]+$"_s); // not the targets that rule
+            if (!number.match(text).hasMatch())
+                continue;
+            const auto digit = std::ranges::find_if(text, [](QChar c) { return c.isDigit(); });
+            *digit = *digit == u'9' ? u'8' : QChar(digit->unicode() + 1);
+            cell.text = text;
+            buffer.close();
+            buffer.setData({});
+            buffer.open(QIODevice::WriteOnly);
+            ui::writePdf(report, buffer, attachedResults(document));
+            const Verification forged = verified(buffer.data());
+            QVERIFY(!forged.follows());
+            return;
+        }
+    }
+    QVERIFY(std::ranges::none_of(document.tests, [](const auto &test) {
+        return std::ranges::any_of(test->parameters,
+                                   [](const Parameter &p) { return p.verdict.has_value(); });
+    }));
 }
 
 void VerifyReport::whatIsAddedIsNamed_data() {
