@@ -2654,7 +2654,7 @@
     </message>
     <message>
         <source>Guard band, times U</source>
-        <translation>Facteur de bande de garde (× U)</translation>
+        <translation>Bande de garde (× U)</translation>
     </message>
     <message>
         <source>Agreed limits</source>
@@ -2666,7 +2666,7 @@
     </message>
     <message>
         <source>Agreed for edition</source>
-        <translation>Convenue pour l’édition</translation>
+        <translation>Pour l’édition</translation>
     </message>
     <message>
         <source>Source</source>
@@ -4906,7 +4906,7 @@
     </message>
     <message>
         <source>Guard band, times U</source>
-        <translation>Facteur de bande de garde (× U)</translation>
+        <translation>Bande de garde (× U)</translation>
     </message>
     <message>
         <source>Annex A</source>

@@ -123,6 +123,15 @@ QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @field; bord
 QCheckBox::indicator:hover, QCheckBox::indicator:focus { border-color: @accent; }
 QCheckBox::indicator:checked { image: url(:/icons/check-@kind.svg); background: @selected; border-color: @accent; }
 QCheckBox::indicator:disabled { border-color: @line; }
+QScrollBar { background: transparent; border: none; }
+QScrollBar:vertical { width: 9px; }
+QScrollBar:horizontal { height: 9px; }
+QScrollBar::handle { background: @field; border-radius: 3px; margin: 1px; }
+QScrollBar::handle:hover { background: @disabled; }
+QScrollBar::handle:vertical { min-height: 28px; }
+QScrollBar::handle:horizontal { min-width: 28px; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QStatusBar { background: @window; border-top: 1px solid @line; }
 QStatusBar::item { border: none; }
 QPushButton { background: @base; color: @text; border: 1px solid @field; border-radius: 4px;

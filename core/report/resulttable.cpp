@@ -129,6 +129,10 @@ Text briefName(const Parameter &parameter, const TestEvaluation &evaluation) {
     return shortNameOf(parameter, evaluation, true);
 }
 
+Text listedName(const Text &term) {
+    return shortName(term, false);
+}
+
 std::optional<DecisionScale> decisionScale(const Parameter &parameter) {
     if (!parameter.value || !parameter.limit || !parameter.limit->value ||
         !(judgedLimit(*parameter.limit->value, parameter.bound) > 0))

@@ -66,6 +66,10 @@ struct ResultTable {
 /// sense.
 [[nodiscard]] Text briefName(const Parameter &parameter, const TestEvaluation &evaluation);
 
+/// What a list calls the parameter of this term below its bidirectional companion: short; the term where
+/// there is no shorter one.
+[[nodiscard]] Text listedName(const Text &term);
+
 /// Whether readings are missing that were not set aside: the test is under way.
 [[nodiscard]] bool isUnfinished(const Test &test);
 

@@ -177,8 +177,11 @@ void LimitsPage::addLimit(const Name &of, const std::string &id, Quantity quanti
 
 void LimitsPage::refreshOthers() {
     for (const Name &of : m_names) {
-        const QString name = of.name.empty() ? QString() : language().text(of.name);
-        of.label->setText(name.isEmpty() ? of.symbol : of.symbol + QStringLiteral("   ") + name);
+        const auto labelled = [&](const QString &name) {
+            return name.isEmpty() ? of.symbol : of.symbol + QStringLiteral("   ") + name;
+        };
+        of.label->setText(labelled(of.name.empty() ? QString() : language().text(listedName(of.name))));
+        of.label->setToolTip(labelled(of.name.empty() ? QString() : language().text(of.name)));
     }
 }
 

@@ -25,6 +25,8 @@ constexpr int numberWidth = 30;
 constexpr int positionWidth = 74;
 constexpr int readingWidth = 46;
 constexpr int cellMargin = 12;
+constexpr int tightMargin = 8; ///< where all that was measured fits only so
+constexpr int rowHeightTight = 22;
 constexpr int rowHeightNormal = 26;
 constexpr int rowHeightLow = 24;
 constexpr int rowHeightHigh = 32;
@@ -58,7 +60,7 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
         view->setHorizontalHeader(new ReadingsHeader(model, view));
         view->verticalHeader()->hide();
         view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-        view->verticalHeader()->setMinimumSectionSize(rowHeightLow);
+        view->verticalHeader()->setMinimumSectionSize(rowHeightTight);
         view->setShowGrid(false);
         view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
         view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -104,11 +106,19 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     fitColumns();
 }
 
+int ReadingsView::rowHeight() const {
+    const int ofWindow = window() ? window()->height() : 0;
+    const int wanted = ofWindow >= highWindow                  ? rowHeightHigh
+                       : ofWindow <= lowWindow && ofWindow > 0 ? rowHeightLow
+                                                               : rowHeightNormal;
+    const int rows = m_model.rowCount();
+    const int room = height() - 2 * frameWidth() - horizontalHeader()->height();
+    const bool fitsTight = rows * wanted > room && rows * rowHeightTight <= room;
+    return std::max(fitsTight ? room / rows : wanted, QFontMetrics(font()).height() + 4);
+}
+
 void ReadingsView::setRowHeight() {
-    const int height = window() ? window()->height() : 0;
-    const int row = height >= highWindow                ? rowHeightHigh
-                    : height <= lowWindow && height > 0 ? rowHeightLow
-                                                        : rowHeightNormal;
+    const int row = rowHeight();
     if (verticalHeader()->defaultSectionSize() == row)
         return;
     verticalHeader()->setDefaultSectionSize(row);
@@ -121,41 +131,57 @@ void ReadingsView::fitColumns() {
         int width = qRound(formulaWidth(m_model.head(column).text, font()));
         for (const QString &text : m_model.widestTexts(column))
             width = std::max(width, metrics.horizontalAdvance(text));
-        return width + cellMargin;
+        return width;
     };
     const int columns = m_model.columnCount();
-    int reading = readingWidth;
-    m_widths.clear();
+    const int reading =
+        columns > ReadingsModel::firstReadingColumn ? widest(ReadingsModel::firstReadingColumn) : 0;
+    m_contents.clear();
     for (int column = 0; column < columns; ++column) {
-        int width = readingWidth;
-        if (column == ReadingsModel::numberColumn)
-            width = std::max(numberWidth, widest(column));
-        else if (column == ReadingsModel::positionColumn)
-            width = std::max(positionWidth, widest(column));
-        else if (column == ReadingsModel::firstReadingColumn)
-            width = reading = std::max(readingWidth, widest(column));
-        else if (column < m_model.computedColumn())
-            width = reading;
-        else
-            width = std::max(readingWidth, widest(column));
-        m_widths.push_back(width);
-        setColumnWidth(column, width);
-        m_frozen->setColumnWidth(column, width);
+        const bool isReading =
+            column >= ReadingsModel::firstReadingColumn && column < m_model.computedColumn();
+        m_contents.push_back(isReading ? reading : widest(column));
         m_frozen->setColumnHidden(column, column > ReadingsModel::positionColumn);
     }
     setRowHeight();
-    showComputed();
+    shareWidth();
     placeFrozen();
 }
 
+int ReadingsView::widthOf(int column, bool tight) const {
+    const int content = m_contents[static_cast<std::size_t>(column)];
+    if (tight)
+        return content + tightMargin;
+    const int least = column == ReadingsModel::numberColumn     ? numberWidth
+                      : column == ReadingsModel::positionColumn ? positionWidth
+                                                                : readingWidth;
+    return std::max(least, content + cellMargin);
+}
+
 /// The computed columns stand there only where all of them fit: what was measured needs no scrolling then.
-void ReadingsView::showComputed() {
-    int needed = 0;
-    for (const int width : m_widths)
-        needed += width;
-    const bool fit = needed <= width() - 2 * frameWidth();
-    for (int column = m_model.computedColumn(); column < m_model.columnCount(); ++column) {
-        if (isColumnHidden(column) == fit)
+/// Where that does not fit either, its margins are narrower, if that is enough.
+void ReadingsView::shareWidth() {
+    const int columns = static_cast<int>(m_contents.size());
+    const int measured = std::min(m_model.computedColumn(), columns);
+    const auto needed = [&](int count, bool tight) {
+        int sum = 0;
+        for (int column = 0; column < count; ++column)
+            sum += widthOf(column, tight);
+        return sum;
+    };
+    const bool scrolls =
+        m_model.rowCount() * rowHeight() > height() - 2 * frameWidth() - horizontalHeader()->height();
+    const int room = width() - 2 * frameWidth() - (scrolls ? verticalScrollBar()->sizeHint().width() : 0);
+    const bool fit = needed(columns, false) <= room;
+    const bool tight = needed(measured, false) > room && needed(measured, true) <= room;
+    const int spare = tight ? (room - needed(measured, true)) / std::max(1, measured) : 0;
+    for (int column = 0; column < columns; ++column) {
+        const int width = widthOf(column, tight) + spare;
+        if (columnWidth(column) != width) {
+            setColumnWidth(column, width);
+            m_frozen->setColumnWidth(column, width);
+        }
+        if (column >= measured && isColumnHidden(column) == fit)
             setColumnHidden(column, !fit);
     }
 }
@@ -182,7 +208,7 @@ void ReadingsView::updateGeometries() {
 
 void ReadingsView::resizeEvent(QResizeEvent *event) {
     setRowHeight();
-    showComputed();
+    shareWidth();
     QTableView::resizeEvent(event);
     placeFrozen();
 }

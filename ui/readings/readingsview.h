@@ -69,15 +69,18 @@ private:
     /// Whether Tab, or Shift+Tab, leaves the table: nothing lies further on.
     [[nodiscard]] bool isAtEnd(bool forward);
     void placeFrozen();
-    void showComputed();
+    [[nodiscard]] int rowHeight() const;
     void setRowHeight();
+    /// Of the widest text of the column with its margins; not below that of a usual column unless `tight`.
+    [[nodiscard]] int widthOf(int column, bool tight) const;
+    void shareWidth();
 
     ReadingsModel &m_model;
     ReadingsEditor &m_editor;
     Selection &m_selection;
     QTableView *m_frozen;
     QLabel *m_reason;              ///< why a text is no number, beside its cell
-    std::vector<int> m_widths;     ///< of the columns, also of those that are hidden
+    std::vector<int> m_contents;   ///< widths of the texts of the columns, also of those that are hidden
     QPersistentModelIndex m_typed; ///< the cell typed last
     QString m_said;                ///< of the current cell
     QModelIndex m_hovered;
