@@ -7354,5 +7354,25 @@
             <numerusform>%n endroits imprimés autrement par cette version&#xa0;: non comparés</numerusform>
         </translation>
     </message>
+    <message>
+        <source>line %1 of what was pasted is no limit; expected a symbol and a number</source>
+        <translation>la ligne %1 de ce qui a été collé n’est pas une limite&#x202f;; attendu&#xa0;: un symbole et un nombre</translation>
+    </message>
+    <message>
+        <source>line %1 of what was pasted has several numbers; expected the limit alone</source>
+        <translation>la ligne %1 de ce qui a été collé contient plusieurs nombres&#x202f;; attendu&#xa0;: la limite seule</translation>
+    </message>
+    <message>
+        <source>line %1 of what was pasted begins with no symbol of this edition</source>
+        <translation>la ligne %1 de ce qui a été collé ne commence par aucun symbole de cette édition</translation>
+    </message>
+    <message>
+        <source>line %1 of what was pasted is one limit more than there are rows</source>
+        <translation>la ligne %1 de ce qui a été collé est une limite de plus qu’il n’y a de lignes</translation>
+    </message>
+    <message>
+        <source>the unit in line %1 of what was pasted is not one of this axis</source>
+        <translation>l’unité de la ligne %1 de ce qui a été collé n’est pas une unité de cet axe</translation>
+    </message>
 </context>
 </TS>

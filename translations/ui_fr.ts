@@ -303,6 +303,10 @@
         <source>declare what was not declared</source>
         <translation>déclaration de ce qui n’était pas déclaré</translation>
     </message>
+    <message>
+        <source>paste limits</source>
+        <translation>coller des limites</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -2680,6 +2684,14 @@
         <source>Origin of all limits</source>
         <translation>Origine de toutes les limites</translation>
     </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted</source>
+        <translation>Rien n’a été collé</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::MachinePage</name>
@@ -3220,6 +3232,14 @@
     <message>
         <source>&amp;Validation</source>
         <translation>&amp;Validation</translation>
+    </message>
+    <message>
+        <source>%1 is read-only: changes can be saved under another name.</source>
+        <translation>%1 est en lecture seule&#xa0;: les modifications peuvent être enregistrées sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (lecture seule)</translation>
     </message>
 </context>
 <context>

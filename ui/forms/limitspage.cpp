@@ -1,12 +1,17 @@
 #include "ui/forms/limitspage.h"
 
+#include "document/documenterror.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "report/resulttable.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/templatebutton.h"
 
+#include <QClipboard>
 #include <QCoreApplication>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -119,7 +124,10 @@ void LimitsPage::prepare() {
     if (wanted == m_built || onlyLess)
         return;
     m_built = wanted;
+    m_quantity = rotary ? Quantity::angularDeviation : Quantity::deviation;
     m_names.clear();
+    m_ids.clear();
+    m_edits.clear();
     clear();
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Decision rule"));
     beginRow();
@@ -131,9 +139,11 @@ void LimitsPage::prepare() {
     addNumber("guardFactor", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Guard band, times U"),
               Quantity::number, guardFactorMember(), 1, Allowed::notNegative);
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed limits"));
+    addSectionButton(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Paste"), [this] {
+        pasteLimits(0);
+    })->setObjectName(QStringLiteral("pasteLimits"));
     for (const LimitRow &row : rows)
-        addLimit({nullptr, row.symbol, row.name}, row.id,
-                 rotary ? Quantity::angularDeviation : Quantity::deviation, edition->kind);
+        addLimit({nullptr, row.symbol, row.name}, row.id, m_quantity, edition->kind);
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Origin of all limits"), originOfAll());
     addStretch();
@@ -157,6 +167,9 @@ void LimitsPage::addLimit(const Name &of, const std::string &id, Quantity quanti
     Field *limit = addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"), quantity,
                              ofLimit<&Limit::value>(id), 2);
     limit->setLabelArgument(of.symbol);
+    limit->edit()->installEventFilter(this);
+    m_ids.push_back({id, of.symbol});
+    m_edits.push_back(limit->edit());
     std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "that of the test")};
     std::vector<std::optional<std::string>> values{std::nullopt};
     for (const Edition *edition : editions()) {
@@ -172,6 +185,42 @@ void LimitsPage::addLimit(const Name &of, const std::string &id, Quantity quanti
     if (!first) {
         for (Field *field : {limit, edition, origin})
             field->hideLabel();
+    }
+}
+
+bool LimitsPage::eventFilter(QObject *watched, QEvent *event) {
+    const auto row = std::ranges::find(m_edits, watched);
+    if (row == m_edits.end() || event->type() != QEvent::KeyPress ||
+        !static_cast<QKeyEvent *>(event)->matches(QKeySequence::Paste))
+        return Form::eventFilter(watched, event);
+    const QString text = QGuiApplication::clipboard()->text();
+    if (!text.trimmed().contains(u'\n') && !text.contains(u'\t'))
+        return Form::eventFilter(watched, event);
+    pasteLimits(static_cast<std::size_t>(row - m_edits.begin()));
+    return true;
+}
+
+void LimitsPage::pasteLimits(std::size_t row) {
+    const Test *shown = shownTest();
+    if (!shown)
+        return;
+    try {
+        PastedLimits pasted = palmer::pasteLimits(
+            shown->limits, m_ids, row, QGuiApplication::clipboard()->text(), m_quantity, language().units());
+        if (pasted.limits == shown->limits)
+            return;
+        edit(QT_TRANSLATE_NOOP("edits", "paste limits"), [&](Document &document) {
+            editTest(document, test(), [&](Test &test) { test.limits = std::move(pasted.limits); });
+        });
+    } catch (const Error &error) {
+        auto *box = new QMessageBox(
+            QMessageBox::Warning, word(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Nothing was pasted")),
+            word(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Nothing was pasted")), QMessageBox::Ok, this);
+        box->setObjectName(QStringLiteral("errorBox"));
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->setTextFormat(Qt::PlainText);
+        box->setInformativeText(language().sentence(error.message));
+        box->open();
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editing/limitblock.h"
 #include "ui/forms/form.h"
 
 namespace palmer::ui {
@@ -16,8 +17,13 @@ public:
 protected:
     void prepare() override;
     void refreshOthers() override;
+    /// Takes what a spreadsheet copied where a field would take its first line.
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    /// Puts the limits of the clipboard in, from that row on where no symbols stand there; or says why not.
+    void pasteLimits(std::size_t row);
+
     /// A limit as a row of the table: what it is of, its value, edition and origin.
     struct Name {
         ElidedLabel *label;
@@ -27,6 +33,9 @@ private:
     void addLimit(const Name &of, const std::string &id, Quantity quantity, Kind kind);
 
     std::vector<Name> m_names;
+    std::vector<LimitName> m_ids;   ///< of the rows
+    std::vector<QWidget *> m_edits; ///< their limits
+    Quantity m_quantity = Quantity::deviation;
     QStringList m_built; ///< for which edition and parameters there are fields
 };
 

@@ -770,7 +770,20 @@ void MainWindow::watchFile(const std::optional<FileState> &known) {
     m_autosave.setFileState(m_watch.known());
     m_outsideAsked = false;
     m_fileGone = false;
+    if (isReadOnly()) // said before anything is typed, not when it is to be saved
+        m_notice->show(tr("%1 is read-only: changes can be saved under another name.")
+                           .arg(QFileInfo(m_model.path()).fileName()),
+                       {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
+                        {QStringLiteral("closeNotice"), tr("&Close"), {}}});
     lockFile();
+}
+
+bool MainWindow::isReadOnly() const {
+    const QFileInfo file(m_model.path());
+    constexpr auto anybody = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
+    return !m_model.path().isEmpty() && file.exists() &&
+           (!file.isWritable() || !(file.permissions() & anybody) ||
+            !QFileInfo(file.absolutePath()).isWritable());
 }
 
 void MainWindow::lockFile() {
@@ -864,7 +877,7 @@ void MainWindow::showError(const QString &title, const QString &fileName, const 
 }
 
 bool MainWindow::save() {
-    if (m_model.path().isEmpty())
+    if (m_model.path().isEmpty() || isReadOnly())
         return saveAs();
     if (!m_outsideAsked && QFileInfo::exists(m_model.path()) && m_watch.isChanged()) {
         QMessageBox box(QMessageBox::Warning, tr("Save"),
@@ -1136,6 +1149,8 @@ void MainWindow::showState() {
     if (m_model.path().isEmpty())
         name = m_reportPath.isEmpty() ? QString::fromStdString(m_model.document()->report.title)
                                       : tr("%1 (copy)").arg(QFileInfo(m_reportPath).fileName());
+    if (isReadOnly())
+        name = tr("%1 (read-only)").arg(name);
     setWindowTitle(QStringLiteral("%1[*] — Palmer").arg(name.isEmpty() ? tr("Untitled") : name));
     setWindowModified(isUnsaved());
     if (!m_reading.isEmpty())

@@ -99,6 +99,8 @@ private:
     void watchFile(const std::optional<FileState> &known = {});
     /// Marks the file as open here for other programs and other machines, and says where it is open already.
     void lockFile();
+    /// Neither the program nor anybody may write to the file, or to its folder.
+    [[nodiscard]] bool isReadOnly() const;
     bool mayForget(const QStringList &refused);
     [[nodiscard]] static QString notTaken(const QStringList &refused);
     void read(const QString &path);

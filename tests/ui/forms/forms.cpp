@@ -20,8 +20,10 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -688,6 +690,32 @@ private slots:
         edited.type(u"guardFactor"_s, u"-1"_s);
         QVERIFY(fields(edited.page, u"guardFactor"_s).at(0)->isRefused());
         QCOMPARE(edited.test().decisionRule.guardFactor, 1.0);
+    }
+
+    void limitsArePastedFromASpreadsheet() {
+        Edited<LimitsPage> edited(example());
+        edited.type(u"limits"_s, u"20"_s);
+        const auto paste = [&](const QString &text, int row) {
+            QGuiApplication::clipboard()->setText(text);
+            QWidget *edit = fields(edited.page, u"limits"_s)[row]->edit();
+            edit->setFocus();
+            QTest::keySequence(edit, QKeySequence::Paste);
+        };
+        paste(u"A\t15\nR↑\t0,006 mm\n"_s, 3);
+        QCOMPARE(edited.test().limits.at("A").value, std::optional(0.015));
+        QCOMPARE(edited.test().limits.at("R+").value, std::optional(0.006));
+        paste(u"1\n2\n"_s, 1); // from the row on that has the focus
+        QCOMPARE(edited.test().limits.at("A+").value, std::optional(0.001));
+        QCOMPARE(edited.test().limits.at("A-").value, std::optional(0.002));
+        const Limits before = edited.test().limits;
+        paste(u"A\t15\nno limit\n"_s, 0);
+        QVERIFY(edited.test().limits == before);
+        auto *box = edited.page.findChild<QMessageBox *>();
+        QVERIFY(box && box->informativeText().contains(u"line 2"_s));
+        delete box;
+        // A text of one line is what the field takes.
+        paste(u"7"_s, 1);
+        QVERIFY(!edited.page.findChild<QMessageBox *>());
     }
 
     void circlesHaveTheirOwnLimits() {

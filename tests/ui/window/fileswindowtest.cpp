@@ -65,6 +65,7 @@ private slots:
     void oneQuestionForSeveralWindows();
     void undoIsBoundedByMemory();
     void saysThatAFileIsOpenElsewhere();
+    void saysThatAFileIsReadOnly();
 };
 
 void FilesWindowTest::savingProposesAName_data() {
@@ -170,6 +171,32 @@ void FilesWindowTest::undoIsBoundedByMemory() {
     const int limit = model.undoStack()->undoLimit();
     QVERIFY(limit >= 10 && limit * 24LL * 1'000'000 <= 512LL * 1024 * 1024);
     QCOMPARE(model.undoStack()->count(), std::min(30, limit));
+}
+
+void FilesWindowTest::saysThatAFileIsReadOnly() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.palmer"_s);
+    saveDocument(openDocument(examplePath("rotary-axis")), path);
+    QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::ReadGroup));
+    const ShownWindow shown(path);
+    const auto *sentence = shown.find<QLabel>("noticeSentence");
+    QVERIFY(sentence->isVisible());
+    QCOMPARE(sentence->text(), u"⚠ a.palmer is read-only: changes can be saved under another name."_s);
+    QVERIFY(shown.window->windowTitle().contains(u"(read-only)"_s));
+    // Saving asks for another name.
+    const QString other = folder.filePath(u"b.palmer"_s);
+    bool asked = false;
+    QTimer::singleShot(0, shown.window, [&] {
+        auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+        asked = dialog != nullptr;
+        if (dialog)
+            dialog->reject();
+    });
+    QTest::keyClick(shown.window, Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(asked);
+    QVERIFY(shown.window->saveTo(other));
+    QVERIFY(!sentence->isVisible());
+    QVERIFY(!shown.window->windowTitle().contains(u"(read-only)"_s));
 }
 
 void FilesWindowTest::saysThatAFileIsOpenElsewhere() {

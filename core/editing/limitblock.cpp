@@ -1,0 +1,179 @@
+#include "editing/limitblock.h"
+
+#include "document/documenterror.h"
+#include "kernel/evaluation/edition.h"
+#include "kernel/words/unit.h"
+#include "language/entry.h"
+#include "tables/units.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+QStringList cellsOf(const QString &line, const QString &block) {
+    static const QRegularExpression blanks(QStringLiteral("\\s+"));
+    QStringList cells;
+    if (block.contains(u'\t'))
+        cells = line.split(u'\t');
+    else if (block.contains(u';'))
+        cells = line.split(u';');
+    else if (block.contains(u'|'))
+        cells = line.split(u'|');
+    else
+        cells = line.split(blanks);
+    for (QString &cell : cells)
+        cell = cell.trimmed();
+    cells.removeAll(QString());
+    return cells;
+}
+
+QString squeezed(QString text) {
+    static const QRegularExpression space(QStringLiteral("[\\s_,]"));
+    return text.normalized(QString::NormalizationForm_KC).remove(space);
+}
+
+const Unit *unitOfWord(const QString &word) {
+    return unitIn('(' + word.toStdString() + ')');
+}
+
+/// A number with its unit, where one stands behind it: "15 µm".
+struct Amount {
+    QString number;
+    const Unit *unit = nullptr;
+};
+
+std::optional<Amount> amountIn(const QString &cell) {
+    static const QRegularExpression form(
+        QStringLiteral("^[≤<]?\\s*([+\\-\u2212]?[0-9.,\u00a0\u202f ]*[0-9][0-9.,]*)\\s*(\\D*)$"));
+    const QRegularExpressionMatch match = form.match(cell);
+    if (!match.hasMatch())
+        return std::nullopt;
+    Amount amount{match.captured(1).trimmed(), nullptr};
+    if (const QString word = match.captured(2).trimmed(); !word.isEmpty()) {
+        amount.unit = unitOfWord(word);
+        if (!amount.unit)
+            return std::nullopt;
+    }
+    return amount;
+}
+
+/// What a line says.
+struct Line {
+    int number = 0; ///< from 1
+    const LimitName *name = nullptr;
+    std::vector<Amount> amounts;
+    const Unit *unit = nullptr;
+    const Edition *edition = nullptr;
+};
+
+[[noreturn]] void refuse(Text sentence, const Line &line) {
+    throw Error(Error::Kind::content,
+                {sentence, {Number{static_cast<double>(line.number), Quantity::count, 0}}, {}});
+}
+
+class LimitBlock {
+public:
+    LimitBlock(const std::vector<LimitName> &names, const QString &block)
+        : m_names(names) {
+        int number = 0;
+        for (const QString &text : block.split(QRegularExpression(QStringLiteral("\r\n|\r|\n")))) {
+            ++number;
+            Line line = read(cellsOf(text, block));
+            line.number = number;
+            const bool heading = m_lines.empty() && line.amounts.empty() && !line.name;
+            if (heading && line.unit)
+                m_unit = line.unit;
+            if (!heading && (line.name || !line.amounts.empty()))
+                m_lines.push_back(std::move(line));
+            else if (!heading && !text.trimmed().isEmpty())
+                refuse(REPORT_TEXT("report",
+                                   "line %1 of what was pasted is no limit; expected a symbol and a "
+                                   "number"),
+                       line);
+        }
+    }
+
+    [[nodiscard]] PastedLimits into(Limits limits, std::size_t first, Quantity quantity,
+                                    const DisplayUnits &units) const {
+        PastedLimits result{std::move(limits), 0};
+        const bool named = std::ranges::any_of(m_lines, [](const Line &line) { return line.name; });
+        for (const Line &line : m_lines) {
+            if (line.amounts.empty())
+                continue;
+            if (line.amounts.size() > 1)
+                refuse(
+                    REPORT_TEXT("report",
+                                "line %1 of what was pasted has several numbers; expected the limit alone"),
+                    line);
+            if (named && !line.name)
+                refuse(REPORT_TEXT("report", "line %1 of what was pasted begins with no symbol of this "
+                                             "edition"),
+                       line);
+            const std::size_t at = first + result.taken;
+            if (!named && at >= m_names.size())
+                refuse(
+                    REPORT_TEXT("report", "line %1 of what was pasted is one limit more than there are rows"),
+                    line);
+            Limit &limit = result.limits[line.name ? line.name->id : m_names[at].id];
+            limit.value = valueOf(line, quantity, units);
+            if (line.edition)
+                limit.edition = line.edition->word;
+            ++result.taken;
+        }
+        return result;
+    }
+
+private:
+    Line read(const QStringList &cells) const {
+        Line line;
+        for (const QString &cell : cells) {
+            const auto named = std::ranges::find_if(m_names, [&](const LimitName &name) {
+                return squeezed(cell) == squeezed(name.symbol) || cell.toStdString() == name.id;
+            });
+            if (!line.name && line.amounts.empty() && named != m_names.end())
+                line.name = &*named;
+            else if (const Edition *edition = findEdition(cell.toStdString()))
+                line.edition = edition;
+            else if (auto amount = amountIn(cell))
+                line.amounts.push_back(std::move(*amount));
+            else if (const Unit *unit = unitOfWord(cell))
+                line.unit = unit;
+            else if (const Unit *within = unitIn(cell.toStdString()))
+                line.unit = line.unit ? line.unit : within;
+        }
+        return line;
+    }
+
+    [[nodiscard]] double valueOf(const Line &line, Quantity quantity, const DisplayUnits &units) const {
+        const Amount &amount = line.amounts.front();
+        const Unit *unit = amount.unit ? amount.unit : line.unit ? line.unit : m_unit;
+        const NumberEntry entry = unit ? enteredNumber(amount.number, Quantity::number)
+                                       : enteredNumber(amount.number, quantity, units);
+        const UnitKind kind = quantity == Quantity::angularDeviation ? UnitKind::angle : UnitKind::length;
+        if (unit && unit->kind != kind)
+            refuse(REPORT_TEXT("report", "the unit in line %1 of what was pasted is not one of this axis"),
+                   line);
+        if (!entry.value)
+            refuse(REPORT_TEXT("report", "line %1 of what was pasted is no limit; expected a symbol and a "
+                                         "number"),
+                   line);
+        return unit ? unit->toBase(*entry.value) : *entry.value;
+    }
+
+    const std::vector<LimitName> &m_names;
+    std::vector<Line> m_lines;
+    const Unit *m_unit = nullptr; ///< of the heading
+};
+
+} // namespace
+
+PastedLimits pasteLimits(Limits limits, const std::vector<LimitName> &names, std::size_t first,
+                         const QString &block, Quantity quantity, const DisplayUnits &units) {
+    return LimitBlock(names, block).into(std::move(limits), first, quantity, units);
+}
+
+} // namespace palmer
