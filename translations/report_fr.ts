@@ -7374,5 +7374,10 @@
         <source>the unit in line %1 of what was pasted is not one of this axis</source>
         <translation>l’unité de la ligne %1 de ce qui a été collé n’est pas une unité de cet axe</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>from one value to another</comment>
+        <translation>de %1 à %2</translation>
+    </message>
 </context>
 </TS>

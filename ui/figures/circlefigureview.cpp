@@ -237,6 +237,13 @@ void CircleFigureView::refresh() {
     emit figureChanged();
 }
 
+void CircleFigureView::describe(const QString &content) {
+    for (CircleCanvas *canvas : m_canvases)
+        canvas->setAccessibleDescription((canvas == m_current ? content + QStringLiteral(". ") : QString()) +
+                                         tr("Plus and minus zoom, arrows move, 0 shows the whole; the wheel "
+                                            "zooms with Ctrl or after a click"));
+}
+
 void CircleFigureView::retranslate() {
     m_choice->setAccessibleName(tr("Which figure"));
     m_choice->setToolTip(
@@ -251,11 +258,8 @@ void CircleFigureView::retranslate() {
     name(m_clockwise, tr("clockwise"), tr("Show the path clockwise"));
     name(m_repetitions, tr("repetitions"), tr("Show repeated paths"));
     m_choice->setFont(themeFont(TextSize::small));
-    for (CircleCanvas *canvas : m_canvases) {
+    for (CircleCanvas *canvas : m_canvases)
         canvas->setAccessibleName(tr("Circle figure"));
-        canvas->setAccessibleDescription(tr("Plus and minus zoom, arrows move, 0 shows the whole; the wheel "
-                                            "zooms with Ctrl or after a click"));
-    }
     fillChoice();
     refresh();
 }

@@ -36,6 +36,8 @@ public:
     void fit();
 
     /// The figure that is copied and saved: of several that used last. Nothing without a test.
+    /// Says for those who cannot see it what the current figure shows.
+    void describe(const QString &content);
     [[nodiscard]] std::optional<CircleFigure> paperFigure() const;
     [[nodiscard]] CircleCanvas *canvas() const { return m_canvases.front(); }
 

@@ -4,6 +4,7 @@
 #include "document/testfile.h"
 #include "figures/deviationfigure.h"
 #include "figures/driftfigure.h"
+#include "figures/figuresentence.h"
 #include "language/decimals.h"
 #include "report/explanation.h"
 #include "report/readingtable.h"
@@ -243,9 +244,17 @@ void FigureView::refresh() {
                 tr("band ±%1s").arg(m_language.number(evaluation.edition->c, Quantity::number, -1));
     m_note->setText(note);
     m_canvas->setFigure(*m_shown, readingsOf(full, *measurement));
-    m_canvas->setAccessibleName(m_whole->title);
+    describe();
     mark();
     showHoverLabel();
+}
+
+/// For those who cannot see it: the content, then the keys.
+void FigureView::describe() {
+    m_canvas->setAccessibleName(m_whole->title);
+    m_canvas->setAccessibleDescription(figureSentence(*m_whole, m_language) + QStringLiteral(". ") +
+                                       tr("Plus and minus zoom, arrows move, 0 shows the whole; the wheel "
+                                          "zooms with Ctrl or after a click"));
 }
 
 /// What is zoomed to; nothing where the whole is shown.
@@ -269,7 +278,7 @@ void FigureView::refreshDrift(const DriftMeasurement &drift) {
                                 m_language.quantity(*range, deviationQuantity(drift.axis), decimals)
                           : QString());
     m_canvas->setFigure(*m_shown, readingsOf(*m_whole));
-    m_canvas->setAccessibleName(m_whole->title);
+    describe();
     mark();
     showHoverLabel();
 }
@@ -280,6 +289,7 @@ void FigureView::refreshCircles() {
     if (!figure)
         return;
     m_title->setText(figure->title);
+    m_circles->describe(figureSentence(*figure, m_language));
     QStringList note;
     if (measurement->feed)
         note << QStringLiteral("F ") + m_language.quantity(*measurement->feed, Quantity::feed);
@@ -438,8 +448,6 @@ void FigureView::retranslate() {
     name(m_detach, tr("Open the figure in a window of its own"));
     name(m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
     m_canvas->setToolTip({});
-    m_canvas->setAccessibleDescription(tr(
-        "Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click"));
     refresh();
 }
 

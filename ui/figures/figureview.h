@@ -54,6 +54,7 @@ private:
 
     void refresh();
     void refreshCircles();
+    void describe();
     void refreshDrift(const DriftMeasurement &drift);
     [[nodiscard]] std::optional<std::array<Interval, 2>> zoomedRanges() const;
     /// What is copied and saved: the figure in view, for paper.

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "figures/figure.h"
+#include "language/language.h"
+
+namespace palmer {
+
+/// What a figure shows, in words, for those who cannot see it: what is drawn, over what, from which value to
+/// which, with the texts and in the units of the figure.
+[[nodiscard]] QString figureSentence(const Figure &figure, const Language &language);
+
+} // namespace palmer
