@@ -45,7 +45,7 @@ constexpr const char *deviationWord = "deviation";
 constexpr const char *budgetWord = "budget";
 
 struct CircleWord {
-    const char *word;
+    const char *word = nullptr;
     CircleOf of;
 };
 

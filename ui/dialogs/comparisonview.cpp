@@ -23,7 +23,7 @@ constexpr qsizetype markersOfPath = 8;
 struct LineStyle {
     Token colour;
     Qt::PenStyle dashes;
-    int corners; ///< of the marker; 0: a disc
+    int corners = 0; ///< of the marker; 0: a disc
 };
 constexpr std::array styles{
     LineStyle{Token::up, Qt::SolidLine, 0},       LineStyle{Token::down, Qt::DashLine, 4},

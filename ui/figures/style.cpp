@@ -14,7 +14,7 @@ struct Dashes {
 
 struct Row {
     FigureRole role;
-    double width; ///< mm; 0: not a line
+    double width = 0; ///< mm; 0: not a line
     Dashes dashes;
     QRgb paper;
     QRgb light;
@@ -119,8 +119,8 @@ QColor blend(const QColor &colour, const QColor &ground, double strength) {
     const auto mix = [strength](int above, int below) {
         return qRound(strength * above + (1 - strength) * below);
     };
-    return QColor(mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
-                  mix(colour.blue(), ground.blue()));
+    return {mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
+            mix(colour.blue(), ground.blue())};
 }
 
 QColor bandColor(bool up, bool down, Medium medium) {

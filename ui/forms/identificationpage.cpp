@@ -34,7 +34,7 @@ auto within() {
 
 struct SignerWord {
     Signer signer;
-    const char *word;
+    const char *word = nullptr;
 };
 constexpr SignerWord signerWords[] = {
     {Signer::operatorSigns, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator")},
