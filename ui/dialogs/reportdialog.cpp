@@ -582,7 +582,8 @@ bool ReportDialog::printOn(QPrinter &printer) {
     QPainter painter;
     if (m_pages.empty() || !painter.begin(&printer))
         return false;
-    int first = 1, last = pageCount();
+    int first = 1;
+    int last = pageCount();
     if (printer.printRange() == QPrinter::PageRange && printer.fromPage() > 0) {
         first = printer.fromPage();
         last = std::min(last, printer.toPage());

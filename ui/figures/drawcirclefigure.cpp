@@ -636,9 +636,11 @@ private:
         if (!hasRoom(along.mapRect(boxOf(above, width))))
             return false;
         const double step = textHeight;
-        for (double x = -width / 2; x <= width / 2; x += step) {
+        double x = -width / 2;
+        while (x <= width / 2) {
             if (isCrossed(boxOf(along.map(above + QPointF(x, 0)), step / 2)))
                 return false;
+            x += step;
         }
         return true;
     }

@@ -13,12 +13,12 @@ struct Dashes {
 };
 
 struct Row {
-    FigureRole role;
+    FigureRole role = FigureRole::background;
     double width = 0; ///< mm; 0: not a line
     Dashes dashes;
-    QRgb paper;
-    QRgb light;
-    QRgb dark;
+    QRgb paper = 0;
+    QRgb light = 0;
+    QRgb dark = 0;
 };
 
 constexpr Dashes solid{};
