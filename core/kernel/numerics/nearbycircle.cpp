@@ -85,7 +85,7 @@ std::array<double, Terms::number> sumsOf(const Terms &terms, std::size_t n) {
 struct FirstStep {
     static constexpr std::size_t number = 2;
     static constexpr std::size_t columns = 3;
-    const double *column[columns]; ///< change, step by it
+    const double *column[columns]{}; ///< change, step by it
 
     template <class Value>
     [[gnu::always_inline]] inline void of(const Value (&c)[columns], Value (&values)[number]) const {
@@ -98,7 +98,7 @@ struct FirstStep {
 struct Distances {
     static constexpr std::size_t number = 5;
     static constexpr std::size_t columns = 7;
-    const double *column[columns]; ///< change, then those of a set
+    const double *column[columns]{}; ///< change, then those of a set
     Point delta;
 
     template <class Value>
