@@ -68,7 +68,7 @@ void keepQuiet(QtMsgType type, const QMessageLogContext &, const QString &messag
 }
 
 /// Figures need a QApplication; it needs no display.
-std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char *argv[]) {
+std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char **argv) {
     static int count = 1; // the words are ours, none is Qt's
     if (!needsDrawing(words))
         return std::make_unique<QCoreApplication>(count, argv);

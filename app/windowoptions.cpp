@@ -18,7 +18,7 @@ constexpr int noDisplay = 3; // as for a file: it could not be opened
 /// Options of Qt's applications, and whether a value follows. Qt takes them with one dash or two.
 struct QtOption {
     std::string_view name;
-    bool hasValue;
+    bool hasValue = false;
 };
 constexpr auto qtOptions = std::to_array<QtOption>({
     {"platform", true},

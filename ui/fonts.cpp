@@ -19,6 +19,7 @@ bool load() {
             throw std::runtime_error("the font of the reports is missing");
         // Read in place: the program holds it as long as it runs.
         const QByteArray data =
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of QResource
             QByteArray::fromRawData(reinterpret_cast<const char *>(file.data()), qsizetype(file.size()));
         const int id = QFontDatabase::addApplicationFontFromData(data);
         if (id < 0 || QFontDatabase::applicationFontFamilies(id).value(0) != paperFamily())

@@ -18,6 +18,7 @@ public:
         std::size_t row = 0;
         std::size_t column = 0;
 
+        // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14 at every default <=>
         auto operator<=>(const Cell &) const = default;
     };
     struct Refused {

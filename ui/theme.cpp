@@ -58,8 +58,8 @@ Pair colours(Token token) {
 
 QColor mixed(const QColor &colour, const QColor &ground, double strength) {
     const auto part = [&](int a, int b) { return qRound(a * strength + b * (1 - strength)); };
-    return QColor(part(colour.red(), ground.red()), part(colour.green(), ground.green()),
-                  part(colour.blue(), ground.blue()));
+    return {part(colour.red(), ground.red()), part(colour.green(), ground.green()),
+            part(colour.blue(), ground.blue())};
 }
 
 void renderIcon(QPainter &painter, const QRectF &area, const QString &name, const QColor &colour) {
@@ -239,7 +239,7 @@ public:
     }
 
 private:
-    void fill() {
+    static void fill() {
         const QString sheet = filledStyleSheet(QApplication::palette());
         if (sheet != qApp->styleSheet())
             qApp->setStyleSheet(sheet);

@@ -101,6 +101,39 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
                                                : given.value_or(QString());
 }
 
+/// "title" of --title=x, "o" of -o; empty where it is written neither way.
+QString optionName(const QString &word) {
+    const qsizetype mark = word.indexOf(u'=');
+    const bool isLong = word.startsWith(QLatin1StringView("--"));
+    const QString longName = word.mid(2, mark < 0 ? -1 : mark - 2);
+    QString name = word.size() == 2 ? word.mid(1) : QString();
+    if (isLong)
+        name = longName.size() > 1 ? longName : QString();
+    return name == QLatin1StringView("h") ? QStringLiteral("help") : name; // as everywhere
+}
+
+void settleLanguage(Invocation &invocation) {
+    const auto chosen = invocation.value(QLatin1StringView("language"));
+    if (!chosen)
+        return;
+    const auto found = Language::fromName(*chosen);
+    if (!found)
+        throw UsageError(
+            {REPORT_TEXT("report", "unknown language %1; known: fr, en"), {chosen->toStdString()}});
+    invocation.language = *found;
+    invocation.languageChosen = true;
+}
+
+void demandFiles(const Command &command, const Invocation &invocation) {
+    const bool takesFiles = *command.arguments != 0;
+    if (takesFiles && invocation.arguments.isEmpty())
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file (%2)"),
+                          {std::string(command.name), std::string(command.arguments)}});
+    if (!takesFiles && !invocation.arguments.isEmpty())
+        throw UsageError(
+            {REPORT_TEXT("report", "the command %1 takes no file"), {std::string(command.name)}});
+}
+
 } // namespace
 
 int worse(int a, int b) {
@@ -140,40 +173,19 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
         } else if (word == QLatin1StringView("--")) {
             onlyFiles = true;
         } else {
-            const qsizetype mark = word.indexOf(u'=');
-            const bool isLong = word.startsWith(QLatin1StringView("--"));
-            const QString longName = word.mid(2, mark < 0 ? -1 : mark - 2);
-            QString name = word.size() == 2 ? word.mid(1) : QString(); // -o
-            if (isLong)
-                name = longName.size() > 1 ? longName : QString();
-            if (name == QLatin1StringView("h")) // as everywhere
-                name = QStringLiteral("help");
-            const Option *option = findOption(command, name);
+            const Option *option = findOption(command, optionName(word));
             if (!option)
                 throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),
                                   {word.toStdString(), std::string(command.name)}});
+            const qsizetype mark = word.indexOf(u'=');
             take(result, *option, mark < 0 ? std::nullopt : std::optional(word.mid(mark + 1)), words, next);
         }
     }
     // A command may give the option another meaning: the languages of its reports.
-    const bool ownLanguage = findOwnOption(command, QStringLiteral("language"));
-    if (const auto chosen = result.value(QLatin1StringView("language")); chosen && !ownLanguage) {
-        const auto found = Language::fromName(*chosen);
-        if (!found)
-            throw UsageError(
-                {REPORT_TEXT("report", "unknown language %1; known: fr, en"), {chosen->toStdString()}});
-        result.language = *found;
-        result.languageChosen = true;
-    }
-    if (result.has(QLatin1StringView("help")))
-        return result;
-    const bool takesFiles = *command.arguments != 0;
-    if (takesFiles && result.arguments.isEmpty())
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file (%2)"),
-                          {std::string(command.name), std::string(command.arguments)}});
-    if (!takesFiles && !result.arguments.isEmpty())
-        throw UsageError(
-            {REPORT_TEXT("report", "the command %1 takes no file"), {std::string(command.name)}});
+    if (!findOwnOption(command, QStringLiteral("language")))
+        settleLanguage(result);
+    if (!result.has(QLatin1StringView("help")))
+        demandFiles(command, result);
     return result;
 }
 

@@ -26,8 +26,8 @@ enum ExitCode : int {
 /// An option of a command: --name, or --name VALUE where `value` stands for something. A name of one letter
 /// has one dash.
 struct Option {
-    const char *name;
-    const char *value; ///< placeholder in the help; empty for a switch
+    const char *name = nullptr;
+    const char *value = nullptr; ///< placeholder in the help; empty for a switch
     Text description;
     bool repeats = false; ///< may stand several times: the values are joined by line breaks
 };
@@ -45,11 +45,11 @@ struct Invocation {
 
 /// A command of the program; the help is made of these rows.
 struct Command {
-    const char *name;
-    const char *arguments; ///< "FILE…"; empty: takes none
+    const char *name = nullptr;
+    const char *arguments = nullptr; ///< "FILE…"; empty: takes none
     Text description;
     std::span<const Option> options;
-    int (*run)(const Invocation &);
+    int (*run)(const Invocation &) = nullptr;
     bool draws = false; ///< needs a QApplication
 };
 

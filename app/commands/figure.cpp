@@ -45,7 +45,7 @@ constexpr const char *deviationWord = "deviation";
 constexpr const char *budgetWord = "budget";
 
 struct CircleWord {
-    const char *word;
+    const char *word = nullptr;
     CircleOf of;
 };
 
@@ -126,7 +126,7 @@ constexpr std::array endings{"svg", "png", "pdf", "csv"};
 
 /// Of several files: the kind of picture by --as, into a folder.
 QString endingOf(const Invocation &invocation, const QString &output, bool several) {
-    const QString ending = several ? invocation.value(QLatin1StringView(asOption)).value_or(QString())
+    QString ending = several ? invocation.value(QLatin1StringView(asOption)).value_or(QString())
                                    : QFileInfo(output).suffix().toLower();
     if (std::ranges::any_of(endings, [&](const char *known) { return ending == QLatin1StringView(known); }))
         return ending;

@@ -175,7 +175,7 @@ std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, 
                        invocation.language.sentence({REPORT_TEXT("report", "Roles of the columns as read: "
                                                                            "--set columns=%1; known: %2."),
                                                      {wordOf(imported.columns), roleWords()}}));
-        throw *imported.refusal;
+        throw Error(*imported.refusal);
     }
     printRemarks(file, imported.remarks, invocation.language);
     const bool accepts = invocation.has(QLatin1StringView("accept"));

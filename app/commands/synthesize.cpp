@@ -199,10 +199,10 @@ PositioningSynthesis positioning(const Invocation &invocation) {
     constexpr double mostRuns = 500;
     asked.runs = static_cast<int>(count(invocation, "runs", 5, mostRuns));
     struct Key {
-        const char *id;
-        double PositioningSynthesis::*value;
-        double base; ///< base unit of one
-        double zero; ///< added
+        const char *id = nullptr;
+        double PositioningSynthesis::*value = nullptr;
+        double base = 0; ///< base unit of one
+        double zero = 0; ///< added
     };
     const std::array keys{Key{"scale", &PositioningSynthesis::scale, 1e-6, 0},
                           Key{"cyclic", &PositioningSynthesis::cyclic, 1e-3, 0},

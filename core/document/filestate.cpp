@@ -8,7 +8,7 @@ namespace palmer {
 
 namespace {
 
-constexpr qint64 mostHashed = 4 * 1024 * 1024; ///< bytes
+constexpr qint64 mostHashed = qint64{4} * 1024 * 1024; ///< bytes
 
 } // namespace
 

@@ -12,7 +12,7 @@ namespace palmer {
 template <class Enumeration>
 struct FileWord {
     Enumeration value;
-    const char *word;
+    const char *word = nullptr;
 };
 
 /// The words of the file format, one table for each enumeration: a word exists once.

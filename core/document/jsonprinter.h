@@ -17,7 +17,7 @@ class JsonPrinter;
 /// A member of an object, printed when its turn comes. What `print` refers to has to live as long.
 struct JsonMember {
     std::string_view key;
-    bool isSmall; ///< a scalar, nothing, or a short list of scalars: may share a line with others
+    bool isSmall = false; ///< a scalar, nothing, or a short list of scalars: may share a line with others
     std::function<void(JsonPrinter &, const Place &)> print;
 };
 

@@ -253,7 +253,7 @@ private:
                REPORT_TEXT("report", "more than 10 000 000 readings or points"));
     }
 
-    void demandDepth(std::size_t depth, const Place &place) const {
+    static void demandDepth(std::size_t depth, const Place &place) {
         if (depth == depthLimit)
             refuse(Error::Kind::content, place,
                    REPORT_TEXT("report", "nested deeper than a test file can be"));

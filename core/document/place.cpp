@@ -56,9 +56,11 @@ std::string excerpt(std::string_view text) {
     std::string result;
     for (const char c : text.substr(0, std::min(text.size(), 2 * excerptLength))) {
         if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) {
-            std::array<char, 8> escape{};
-            std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(c));
-            result += escape.data();
+            constexpr std::string_view digits = "0123456789abcdef";
+            const auto code = static_cast<unsigned char>(c);
+            result += "\\u00";
+            result += digits[code >> 4U];
+            result += digits[code & 0xFU];
         } else {
             result += c;
         }

@@ -272,7 +272,7 @@ void check(const Document &document, const Place &place) {
         const Place atTest(atTests, i);
         const Place atNames(atTest, "instruments");
         for (std::size_t k = 0; k < test.instruments.size(); ++k)
-            if (instruments.count(test.instruments[k]) == 0)
+            if (!instruments.contains(test.instruments[k]))
                 refuse(Place(atNames, k),
                        REPORT_TEXT("report", "expected the id of an instrument of this file; “%1” is none"),
                        {excerpt(test.instruments[k])});
@@ -282,7 +282,7 @@ void check(const Document &document, const Place &place) {
         if (const auto *const circular = std::get_if<CircularMeasurement>(&test.measurement))
             drift = circular->uncertainty.driftTest;
         const Place atUncertainty(atTest, "uncertainty");
-        if (drift && drifts.count(*drift) == 0)
+        if (drift && !drifts.contains(*drift))
             refuse(Place(atUncertainty, "driftTest"),
                    REPORT_TEXT("report", "expected the id of a drift test of this file; “%1” is none"),
                    {excerpt(*drift)});
@@ -537,7 +537,7 @@ void demandFormat(const json &file) {
     if (!file.is_object() || format == file.end() || *format != fileFormat)
         throw Error(Error::Kind::format,
                     {REPORT_TEXT("report", "this is not a test file of Palmer; expected %1"),
-                     {std::string("\"format\": \"") + fileFormat + '"'},
+                     {std::string(R"("format": ")") + fileFormat + '"'},
                      {}});
 }
 

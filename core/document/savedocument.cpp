@@ -24,6 +24,12 @@ constexpr qint64 mebibyte = qint64(1) << 20;
            REPORT_TEXT("report", "the file cannot be read; check its permissions and the medium it is on"));
 }
 
+/// Whole ones, as a limit is said.
+Number mebibytes(qint64 bytes) {
+    const qint64 whole = bytes / mebibyte;
+    return {static_cast<double>(whole), Quantity::count, 0};
+}
+
 } // namespace
 
 void saveBytes(const QByteArray &bytes, const QString &path) {
@@ -32,13 +38,13 @@ void saveBytes(const QByteArray &bytes, const QString &path) {
 
 QByteArray bytesToSave(const Document &document) {
     demandBounds(document);
-    const QByteArray bytes = writeDocument(document);
+    QByteArray bytes = writeDocument(document);
     if (bytes.size() > largestFile)
         throw Error(
             Error::Kind::tooLarge,
             {REPORT_TEXT("report", "the test file would be larger than %1 MiB and could not be opened "
                                    "again; divide its tests between several files"),
-             {Number{static_cast<double>(largestFile / mebibyte), Quantity::count, 0}}});
+             {mebibytes(largestFile)}});
     return bytes;
 }
 
@@ -49,8 +55,7 @@ void saveDocument(const Document &document, const QString &path) {
 void demandReadable(qint64 size, qint64 limit) {
     if (size > limit)
         throw Error(Error::Kind::tooLarge,
-                    {REPORT_TEXT("report", "the file is larger than %1 MiB"),
-                     {Number{static_cast<double>(limit / mebibyte), Quantity::count, 0}}});
+                    {REPORT_TEXT("report", "the file is larger than %1 MiB"), {mebibytes(limit)}});
 }
 
 QByteArray readBytes(const QString &path, qint64 limit) {
@@ -67,7 +72,7 @@ QByteArray readBytes(const QString &path, qint64 limit) {
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         refuseReading();
     // As long as it says it is: what the system makes up while it is read (/proc) says 0 and may never end.
-    const QByteArray bytes = file.read(file.size());
+    QByteArray bytes = file.read(file.size());
     demandReadable(file.size(), limit);
     if (file.error() != QFileDevice::NoError)
         refuseReading();

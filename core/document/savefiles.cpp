@@ -57,8 +57,10 @@ private:
 int openDevice(const QByteArray &name) {
     constexpr int attempts = 200;
     for (int attempt = 0; attempt < attempts; ++attempt) {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
         const int device = ::open(name.constData(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
         if (device >= 0) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
             ::fcntl(device, F_SETFL, ::fcntl(device, F_GETFL) & ~O_NONBLOCK);
             return device;
         }
@@ -101,6 +103,7 @@ bool isOnDisk(int descriptor) {
 /// The folder knows of the new name; a power cut would bring back the old file, which is no loss of both.
 void syncFolder(const QString &path) {
     const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
     const Descriptor directory(::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (directory.number() >= 0)
         ::fsync(directory.number());

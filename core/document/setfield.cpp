@@ -142,7 +142,7 @@ Document withField(const Document &document, std::string_view path, std::string_
                 refused = error;
         }
     }
-    throw *refused;
+    throw Error(*refused);
 }
 
 } // namespace palmer

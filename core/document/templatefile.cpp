@@ -27,8 +27,8 @@ constexpr auto anEditionOf = std::to_array({"ISO 230-2:2014", "ISO 230-4:2005"})
 
 /// What a template may hold: its key, and where that stands in a test file.
 struct Part {
-    const char *key;
-    const char *place;
+    const char *key = nullptr;
+    const char *place = nullptr;
 };
 constexpr auto parts = std::to_array<Part>({{"machine", "machine"},
                                             {"instrument", "instruments[0]"},
@@ -127,12 +127,7 @@ std::string placeInTemplate(const std::string &place, const Part &part) {
     return part.key + rest;
 }
 
-} // namespace
-
-Template readTemplate(const QByteArray &bytes) {
-    const json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    if (!file.is_object() || !file.contains("format") || file["format"] != templateFormat)
-        throw Error(Error::Kind::format, {REPORT_TEXT("report", "this is no template of Palmer"), {}, {}});
+const Part &partIn(const json &file) {
     const Part *part = nullptr;
     for (const Part &candidate : parts) {
         if (!file.contains(candidate.key))
@@ -145,19 +140,49 @@ Template readTemplate(const QByteArray &bytes) {
     if (!part)
         refuse(REPORT_TEXT("report", "the key “%1” is missing"),
                {std::string("machine · instrument · laboratory · limits · conditions")});
-    const bool isLimits = std::string_view(part->key) == "limits";
+    return *part;
+}
+
+void demandKnownKeys(const json &file, const Part &part) {
+    const bool isLimits = std::string_view(part.key) == "limits";
     for (const auto &[key, value] : file.items()) {
-        const bool known = key == "format" || key == "version" || key == "name" || key == part->key ||
+        const bool known = key == "format" || key == "version" || key == "name" || key == part.key ||
                            (isLimits && (key == "kind" || key == "decisionRule"));
         if (!known)
             refuse(REPORT_TEXT("report", "this key is unknown"), {}, excerpt(key));
     }
-    if (const auto conditions = file.find("conditions"); conditions != file.end()) {
-        for (const auto &[key, value] : conditions->items()) {
-            if (conditions->is_object() && std::ranges::find(declared, key) == declared.end())
-                refuse(REPORT_TEXT("report", "this key is unknown"), {}, "conditions." + excerpt(key));
-        }
+    const auto conditions = file.find("conditions");
+    if (conditions == file.end() || !conditions->is_object())
+        return;
+    for (const auto &[key, value] : conditions->items()) {
+        if (std::ranges::find(declared, key) == declared.end())
+            refuse(REPORT_TEXT("report", "this key is unknown"), {}, "conditions." + excerpt(key));
     }
+}
+
+/// The part of a document.
+decltype(Template::content) contentOf(Document document, const Part &part) {
+    const std::string_view key = part.key;
+    if (key == "machine")
+        return std::move(document.machine);
+    if (key == "instrument")
+        return std::move(document.instruments.at(0));
+    if (key == "laboratory")
+        return std::move(document.report.laboratory);
+    const Test &test = *document.tests.at(0);
+    if (key == "conditions")
+        return declarationsOf(test);
+    return LimitSet{kindOf(test), test.limits, test.decisionRule};
+}
+
+} // namespace
+
+Template readTemplate(const QByteArray &bytes) {
+    const json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    if (!file.is_object() || !file.contains("format") || file["format"] != templateFormat)
+        throw Error(Error::Kind::format, {REPORT_TEXT("report", "this is no template of Palmer"), {}, {}});
+    const Part &part = partIn(file);
+    demandKnownKeys(file, part);
     Template result;
     if (const auto name = file.find("name"); name != file.end()) {
         if (!name->is_string())
@@ -165,21 +190,10 @@ Template readTemplate(const QByteArray &bytes) {
         result.name = name->get<std::string>();
     }
     try {
-        Document document = readDocument(QByteArray::fromStdString(compactJson(testFile(file, *part))));
-        const std::string_view key = part->key;
-        if (key == "machine")
-            result.content = std::move(document.machine);
-        else if (key == "instrument")
-            result.content = std::move(document.instruments.at(0));
-        else if (key == "laboratory")
-            result.content = std::move(document.report.laboratory);
-        else if (key == "conditions")
-            result.content = declarationsOf(*document.tests.at(0));
-        else
-            result.content = LimitSet{kindOf(*document.tests.at(0)), document.tests[0]->limits,
-                                      document.tests[0]->decisionRule};
+        result.content =
+            contentOf(readDocument(QByteArray::fromStdString(compactJson(testFile(file, part)))), part);
     } catch (const Error &error) {
-        throw Error(error.kind, error.message, placeInTemplate(error.place, *part));
+        throw Error(error.kind, error.message, placeInTemplate(error.place, part));
     }
     return result;
 }

@@ -166,12 +166,12 @@ void removeTest(Document &document, std::size_t index) {
         return;
     const std::string id = document.tests[index]->id;
     document.tests.erase(document.tests.begin() + static_cast<std::ptrdiff_t>(index));
-    for (std::size_t i = 0; i < document.tests.size(); ++i) {
-        if (id.empty() || driftTestOf(*document.tests[i]) != id)
+    for (auto &other : document.tests) {
+        if (id.empty() || driftTestOf(*other) != id)
             continue;
-        auto test = std::make_shared<Test>(*document.tests[i]);
+        auto test = std::make_shared<Test>(*other);
         forgetDriftTest(*test, id);
-        document.tests[i] = std::move(test);
+        other = std::move(test);
     }
 }
 

@@ -25,7 +25,7 @@ bool hasNumber(const CellTable &table, const TableRow &row) {
 }
 
 double inBase(double shown, Quantity quantity, const DisplayUnits &units) {
-    std::array<char, 400> buffer; // the longest double without exponent
+    std::array<char, 400> buffer{}; // the longest double without exponent
     const auto [end, error] =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), shown, std::chars_format::fixed);
     return fromShown(std::string_view(buffer.data(), static_cast<std::size_t>(end - buffer.data())), quantity,

@@ -169,7 +169,7 @@ CompensationTable closed(const CompensationTable &curve, double low) {
     constexpr double same = 1e-6;
     struct Point {
         double position, forward, reverse;
-        int readings;
+        int readings = 0;
     };
     std::vector<Point> points;
     for (std::size_t i = 0; i < curve.positions.size(); ++i) {

@@ -25,7 +25,7 @@ public:
         if (!line.empty())
             m_text += "# " + line + '\n';
     }
-    void text(std::string cell) {
+    void text(const std::string &cell) {
         begin();
         const bool quote = cell.find_first_of("\"\r\n;,") != std::string::npos;
         if (!quote) {

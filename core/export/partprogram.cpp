@@ -18,15 +18,16 @@ namespace {
 
 /// What tells the dialects of G-code apart. Heidenhain Klartext has words of its own.
 struct Code {
-    const char *open;      ///< before the first block
-    const char *close;     ///< after the last
-    const char *setUp;     ///< work offset; absolute, metric, feed per minute; exact stop at every target
-    const char *dwell;     ///< the word before the seconds
-    const char *offset;    ///< the work offset the positions are in
-    bool brackets;         ///< comments in brackets, else after a semicolon
-    bool assigns;          ///< an axis with a number is known: X1=10
-    bool pointOfPositions; ///< a position without a decimal point would be one of increments
-    bool pointOfFeed;      ///< likewise a feed
+    const char *open = nullptr;  ///< before the first block
+    const char *close = nullptr; ///< after the last
+    const char *setUp =
+        nullptr; ///< work offset; absolute, metric, feed per minute; exact stop at every target
+    const char *dwell = nullptr;   ///< the word before the seconds
+    const char *offset = nullptr;  ///< the work offset the positions are in
+    bool brackets = false;         ///< comments in brackets, else after a semicolon
+    bool assigns = false;          ///< an axis with a number is known: X1=10
+    bool pointOfPositions = false; ///< a position without a decimal point would be one of increments
+    bool pointOfFeed = false;      ///< likewise a feed
 };
 
 constexpr Code codeOf(Dialect dialect) {

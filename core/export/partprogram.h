@@ -12,10 +12,10 @@ enum class Dialect { iso, siemens, heidenhain, linuxcnc, haas };
 
 /// A dialect as it is chosen: its word on the command line, its name, the usual ending of its files.
 struct DialectName {
-    Dialect dialect;
-    const char *word;
-    const char *name;
-    const char *ending;
+    Dialect dialect = Dialect::iso;
+    const char *word = nullptr;
+    const char *name = nullptr;
+    const char *ending = nullptr;
 };
 
 /// All dialects, in the order they are offered.

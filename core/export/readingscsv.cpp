@@ -29,8 +29,8 @@ void writePositioning(CsvWriter &csv, const PositioningMeasurement &m, const Tes
         csv.text("deviation " + std::to_string(++runs[up ? 0 : 1]) + (up ? " ↑" : " ↓") + unit);
     }
     struct Statistic {
-        const char *heading;
-        const char *id;
+        const char *heading = nullptr;
+        const char *id = nullptr;
     };
     constexpr std::array statistics{Statistic{"mean ↑", "mean+"},       Statistic{"mean ↓", "mean-"},
                                     Statistic{"mean", "mean"},          Statistic{"reversal", "reversal"},

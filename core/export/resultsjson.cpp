@@ -108,8 +108,8 @@ Json parameter(const Parameter &parameter, const UncertaintyEvaluation &uncertai
 
 Json target(double position, const TargetStatistics &statistics, double c) {
     struct Key {
-        const char *key;
-        const char *id;
+        const char *key = nullptr;
+        const char *id = nullptr;
     };
     constexpr std::array keys{
         Key{"meanPositive", "mean+"},

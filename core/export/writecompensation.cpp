@@ -143,7 +143,7 @@ std::string writeCsv(const CompensationTable &table, const CompensationOptions &
 
 struct Line {
     std::string_view text;
-    std::size_t number;
+    std::size_t number = 0;
 };
 
 std::vector<Line> linesOf(std::string_view text) {
@@ -191,31 +191,41 @@ std::vector<std::string_view> split(std::string_view text, char delimiter) {
     }
 }
 
-CompensationTable readCsv(std::string_view text) {
-    CompensationTable table;
+/// How the values of a file are written.
+struct CsvForm {
     bool incremental = false;
     bool deviations = false;
     DecimalMark mark = DecimalMark::point;
+};
+
+CsvForm readCsvHead(const Line &line, CompensationTable &table) {
+    table.axis = noted(line.text, "axis").value_or("");
+    table.motion = noted(line.text, "unit") == "deg" ? Motion::rotary : Motion::linear;
+    table.perDirection = noted(line.text, "values") == "perDirection";
+    return {noted(line.text, "form") == "incremental", noted(line.text, "sign") == "deviation",
+            noted(line.text, "decimalMark") == "comma" ? DecimalMark::comma : DecimalMark::point};
+}
+
+void readCsvRow(const Line &line, DecimalMark mark, CompensationTable &table) {
+    const auto cells = split(line.text, ';');
+    if (cells.size() != (table.perDirection ? 3U : 2U))
+        refuseLine(line);
+    const double position = numberOf(cells[0], mark, line);
+    if (!table.positions.empty() && !(position > table.positions.back()))
+        refuse(REPORT_TEXT("report", "the positions of a compensation table ascend"));
+    table.positions.push_back(position);
+    table.forward.push_back(numberOf(cells[1], mark, line));
+    table.reverse.push_back(numberOf(cells.back(), mark, line));
+}
+
+CompensationTable readCsv(std::string_view text) {
+    CompensationTable table;
+    CsvForm form;
     for (const Line &line : linesOf(text)) {
-        if (line.text.starts_with(csvMark)) {
-            table.axis = noted(line.text, "axis").value_or("");
-            table.motion = noted(line.text, "unit") == "deg" ? Motion::rotary : Motion::linear;
-            table.perDirection = noted(line.text, "values") == "perDirection";
-            incremental = noted(line.text, "form") == "incremental";
-            deviations = noted(line.text, "sign") == "deviation";
-            mark = noted(line.text, "decimalMark") == "comma" ? DecimalMark::comma : DecimalMark::point;
-        }
-        if (line.text.empty() || line.text.front() == '#' || line.text.starts_with("position"))
-            continue;
-        const auto cells = split(line.text, ';');
-        if (cells.size() != (table.perDirection ? 3U : 2U))
-            refuseLine(line);
-        const double position = numberOf(cells[0], mark, line);
-        if (!table.positions.empty() && !(position > table.positions.back()))
-            refuse(REPORT_TEXT("report", "the positions of a compensation table ascend"));
-        table.positions.push_back(position);
-        table.forward.push_back(numberOf(cells[1], mark, line));
-        table.reverse.push_back(numberOf(cells.back(), mark, line));
+        if (line.text.starts_with(csvMark))
+            form = readCsvHead(line, table);
+        if (!line.text.empty() && line.text.front() != '#' && !line.text.starts_with("position"))
+            readCsvRow(line, form.mark, table);
     }
     if (table.positions.empty())
         refuse(REPORT_TEXT("report", "the compensation table has no values, no step or no begin"));
@@ -223,8 +233,8 @@ CompensationTable readCsv(std::string_view text) {
     for (auto *values : {&table.forward, &table.reverse}) {
         double sum = 0;
         for (double &value : *values) {
-            sum = incremental ? sum + value : value;
-            value = rounded(deviations ? -sum : sum, parts);
+            sum = form.incremental ? sum + value : value;
+            value = rounded(form.deviations ? -sum : sum, parts);
         }
     }
     return table;

@@ -245,8 +245,9 @@ QRectF boxOf(const Interval &sector) {
     add(sector.from);
     add(sector.to);
     constexpr double quarter = 90;
-    for (double angle = std::ceil(sector.from / quarter) * quarter; angle < sector.to; angle += quarter)
-        add(angle);
+    const double first = std::ceil(sector.from / quarter) * quarter;
+    for (int i = 0; first + i * quarter < sector.to; ++i)
+        add(first + i * quarter);
     return box;
 }
 
@@ -354,7 +355,8 @@ void addRings(CircleFigure &figure, const Interval &deviations, const Visible &i
             std::min({last, std::floor(deviation(inView.radii.to) / figure.division) + 1, first + mostRings});
     }
     figure.rings.clear();
-    for (double k = first; k <= last; k += 1) {
+    for (int i = 0; first + i <= last; ++i) {
+        const double k = first + i;
         const double value = k == 0 ? 0.0 : k * figure.division;
         figure.rings.push_back({value, withSign(value, decimals, language)});
     }

@@ -27,11 +27,11 @@ struct AxisSource {
     const PositioningMeasurement &measurement;
     const PositioningResults &results;
     const TestEvaluation &evaluation;
-    bool rotary;
-    double positionScale; ///< mm or degrees → the unit positions are shown in
-    double scale;         ///< mm or degrees → the unit deviations are shown in
-    double c;
-    bool limits; ///< ± c·s is drawn
+    bool rotary = false;
+    double positionScale = 0; ///< mm or degrees → the unit positions are shown in
+    double scale = 0;         ///< mm or degrees → the unit deviations are shown in
+    double c = 0;
+    bool limits = false; ///< ± c·s is drawn
 
     [[nodiscard]] std::size_t targets() const {
         return std::min(measurement.targets.size(), results.targets.size());

@@ -17,8 +17,8 @@ constexpr double hour = 3600;
 
 /// A unit of time, and how many seconds it has.
 struct TimeUnit {
-    double seconds;
-    const char *symbol;
+    double seconds = 0;
+    const char *symbol = nullptr;
 };
 
 TimeUnit timeUnit(double duration) {

@@ -16,6 +16,52 @@ constexpr double margin = 0.06;    ///< of the span, on either side
 constexpr double mostStretch = 3;  ///< of the scale, to show the origin
 constexpr double leastSpan = 1e-6; ///< mm or degrees
 
+StripLane laneOf(Direction direction, const PositioningMeasurement &measurement,
+                 const PositioningResults &results, std::size_t target, double scale) {
+    StripLane lane;
+    lane.role = direction == Direction::positive ? CurveRole::up : CurveRole::down;
+    const double correction = target < results.corrections.size() ? results.corrections[target] : 0;
+    for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
+        const Run &run = measurement.runs[j];
+        if (run.approach == direction && target < run.deviations.size() && run.deviations[target])
+            lane.readings.push_back({(*run.deviations[target] + correction) * scale, j});
+    }
+    return lane;
+}
+
+void addStatistics(StripLane &lane, const DirectionStatistics &s, double c, double scale) {
+    if (!std::isfinite(s.mean))
+        return;
+    lane.mean = s.mean * scale;
+    if (std::isfinite(s.s) && c > 0) {
+        lane.lower = (s.mean - c * s.s) * scale;
+        lane.upper = (s.mean + c * s.s) * scale;
+    }
+}
+
+/// Of what the lanes show, in their unit.
+Interval rangeOf(const std::vector<StripLane> &lanes) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    const auto include = [&](double value) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    };
+    for (const StripLane &lane : lanes) {
+        for (const auto &reading : lane.readings)
+            include(reading.value);
+        if (lane.lower && lane.upper) {
+            include(*lane.lower);
+            include(*lane.upper);
+        }
+    }
+    if (!(least <= most))
+        return {-1, 1};
+    // The origin is there to compare with unless it would squeeze the readings.
+    const bool withOrigin = std::max(most, 0.0) - std::min(least, 0.0) < mostStretch * (most - least);
+    return withOrigin ? Interval{std::min(least, 0.0), std::max(most, 0.0)} : Interval{least, most};
+}
+
 } // namespace
 
 TargetStrip targetStrip(const Test &test, const TestEvaluation &evaluation, std::size_t target,
@@ -26,55 +72,25 @@ TargetStrip targetStrip(const Test &test, const TestEvaluation &evaluation, std:
     const double c = evaluation.edition ? evaluation.edition->c : 0;
 
     TargetStrip strip;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    const auto include = [&](double value) {
-        least = std::min(least, value);
-        most = std::max(most, value);
-    };
-    for (const Direction direction : {Direction::positive, Direction::negative}) {
-        if (!(direction == Direction::positive ? results.upward : results.downward))
-            continue;
-        StripLane lane;
-        lane.role = direction == Direction::positive ? CurveRole::up : CurveRole::down;
-        for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
-            const Run &run = measurement.runs[j];
-            if (run.approach != direction || target >= run.deviations.size() || !run.deviations[target])
-                continue;
-            const double correction = target < results.corrections.size() ? results.corrections[target] : 0;
-            lane.readings.push_back({(*run.deviations[target] + correction) * scale, j});
-            include(lane.readings.back().value);
-        }
-        if (target < results.targets.size()) {
-            const DirectionStatistics &s = direction == Direction::positive
-                                               ? results.targets[target].positive
-                                               : results.targets[target].negative;
-            if (std::isfinite(s.mean))
-                lane.mean = s.mean * scale;
-            if (std::isfinite(s.mean) && std::isfinite(s.s) && c > 0) {
-                lane.lower = (s.mean - c * s.s) * scale;
-                lane.upper = (s.mean + c * s.s) * scale;
-                include(*lane.lower);
-                include(*lane.upper);
-            }
-        }
-        strip.lanes.push_back(std::move(lane));
+    if (results.upward)
+        strip.lanes.push_back(laneOf(Direction::positive, measurement, results, target, scale));
+    if (results.downward)
+        strip.lanes.push_back(laneOf(Direction::negative, measurement, results, target, scale));
+    if (target < results.targets.size()) {
+        for (StripLane &lane : strip.lanes)
+            addStatistics(lane,
+                          lane.role == CurveRole::up ? results.targets[target].positive
+                                                     : results.targets[target].negative,
+                          c, scale);
     }
     if (strip.lanes.size() == 2 && strip.lanes[0].mean && strip.lanes[1].mean)
         strip.reversal = QStringLiteral("B ") + language.number(results.targets[target].reversal(),
                                                                 deviationQuantity(measurement.axis),
                                                                 statisticDecimals(measurement));
-    if (!(least <= most)) {
-        least = -1;
-        most = 1;
-    }
-    // The origin is there to compare with unless it would squeeze the readings.
-    if (std::max(most, 0.0) - std::min(least, 0.0) < mostStretch * (most - least)) {
-        least = std::min(least, 0.0);
-        most = std::max(most, 0.0);
-    }
-    const double span = std::max(most - least, leastSpan * scale);
-    setRange(strip.axis, least - margin * span, most + margin * span, mostParts, TickSteps::values, language);
+    const Interval range = rangeOf(strip.lanes);
+    const double span = std::max(range.to - range.from, leastSpan * scale);
+    setRange(strip.axis, range.from - margin * span, range.to + margin * span, mostParts, TickSteps::values,
+             language);
     strip.axis.unit = language.unit(deviationQuantity(measurement.axis));
     return strip;
 }

@@ -1,5 +1,7 @@
 #include "figures/thinning.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -27,11 +29,8 @@ std::size_t pointsOf(const std::vector<Line> &lines, CurveRole role) {
 
 template <class Line>
 bool areOrdinary(const std::vector<Line> &lines) {
-    for (const CurveRole role : {CurveRole::up, CurveRole::down, CurveRole::mean, CurveRole::drift}) {
-        if (pointsOf(lines, role) > mostPoints)
-            return false;
-    }
-    return true;
+    constexpr std::array roles{CurveRole::up, CurveRole::down, CurveRole::mean, CurveRole::drift};
+    return std::ranges::all_of(roles, [&](CurveRole role) { return pointsOf(lines, role) <= mostPoints; });
 }
 
 /// The points of the lines of one role in a row, whatever gaps lie between.

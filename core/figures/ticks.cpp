@@ -56,7 +56,8 @@ void setRange(FigureAxis &axis, double from, double to, double mostParts, TickSt
     const double slack = 1e-9 * axis.step;
     const double first = std::ceil((from - slack) / axis.step);
     const double last = std::floor((to + slack) / axis.step);
-    for (double k = first; k <= last; k += 1) {
+    for (int i = 0; first + i <= last; ++i) {
+        const double k = first + i;
         const double value = k == 0 ? 0.0 : k * axis.step;
         axis.ticks.push_back({value, language.number(value, Quantity::number, decimals)});
     }

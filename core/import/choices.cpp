@@ -221,9 +221,8 @@ std::optional<double> Choices::chosenNumber(std::string_view key) const {
 }
 
 Choice<std::string> Choices::settle(std::string_view key, std::string_view found, Origin origin) {
-    const Choice<std::string> choice = isChosen(key)
-                                           ? Choice<std::string>{std::string(chosen(key)), Origin::chosen}
-                                           : Choice<std::string>{std::string(found), origin};
+    Choice<std::string> choice = isChosen(key) ? Choice<std::string>{std::string(chosen(key)), Origin::chosen}
+                                               : Choice<std::string>{std::string(found), origin};
     remember(key, choice.value, choice.origin);
     return choice;
 }

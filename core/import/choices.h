@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace palmer {
@@ -17,7 +18,7 @@ using ImportOptions = std::map<std::string, std::string, std::less<>>;
 
 /// A word that a choice can have, and what it is called.
 struct ImportWord {
-    const char *word;
+    const char *word = nullptr;
     Text name;
 };
 
@@ -25,9 +26,9 @@ enum class ImportValue { word, number, text };
 
 /// A choice that importers know.
 struct ImportKey {
-    const char *key;
+    const char *key = nullptr;
     Text name;
-    ImportValue value;
+    ImportValue value = ImportValue::word;
     std::span<const ImportWord> words = {}; ///< of `word`
 };
 
@@ -50,8 +51,8 @@ struct ImportChoice {
 /// The choices of one reading: what the user chose wins, else what was found.
 class Choices {
 public:
-    explicit Choices(const ImportOptions &options)
-        : m_options(options) {}
+    explicit Choices(ImportOptions options)
+        : m_options(std::move(options)) {}
 
     [[nodiscard]] const ImportOptions &options() const { return m_options; }
     [[nodiscard]] bool isChosen(std::string_view key) const;

@@ -222,14 +222,14 @@ Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const Im
     choices.settle("format", format.word, Origin::recognised);
     readInto(imported, bytes, format, choices);
     if (imported.refusal && !showsAnything(imported))
-        throw *imported.refusal;
+        throw Error(*imported.refusal);
     return imported;
 }
 
 Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
     Imported imported = showMeasurement(bytes, fileName, options);
     if (imported.refusal)
-        throw *imported.refusal;
+        throw Error(*imported.refusal);
     return imported;
 }
 

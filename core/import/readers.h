@@ -16,9 +16,9 @@ struct ImportSource {
 
 /// A format: how it is known by its content, and its reader. Readers throw Error for what cannot be used.
 struct ImportFormat {
-    const char *word;
-    bool (*recognises)(QByteArrayView bytes);
-    void (*read)(const ImportSource &source, Choices &choices, Imported &imported);
+    const char *word = nullptr;
+    bool (*recognises)(QByteArrayView bytes) = nullptr;
+    void (*read)(const ImportSource &source, Choices &choices, Imported &imported) = nullptr;
 };
 
 /// The formats in the order they are asked in; a table takes what no other recognises.

@@ -13,7 +13,7 @@
 namespace palmer {
 namespace {
 
-constexpr char catalogueContext[] = "report";
+constexpr const char *catalogueContext = "report";
 constexpr QChar noBreakSpace(u'\u00A0');
 constexpr QChar narrowNoBreakSpace(u'\u202F');
 constexpr QChar minus(u'\u2212');
@@ -172,7 +172,7 @@ QString Language::shown(const std::string &decimal) const {
 }
 
 QString Language::quantity(double value, Quantity quantity, int decimals) const {
-    const QString digits = number(value, quantity, decimals);
+    QString digits = number(value, quantity, decimals);
     const QString sign = unit(quantity);
     if (sign.isEmpty() || digits == dash)
         return digits;
@@ -195,7 +195,7 @@ Language Language::withUnits(const DisplayUnits &units) const {
 QString Language::date(const std::string &iso) const {
     if (iso.empty())
         return dash;
-    const QString written = QString::fromStdString(iso);
+    QString written = QString::fromStdString(iso);
     const QDate date = QDate::fromString(written, Qt::ISODate);
     if (!date.isValid())
         return written;

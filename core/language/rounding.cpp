@@ -85,7 +85,8 @@ Decimal Decimal::roundedTo(int decimals) const {
 void Decimal::addUnit(int decimals) {
     if (m_digits.empty())
         m_point = -decimals;
-    m_digits.resize(static_cast<std::size_t>(m_point + decimals), '0');
+    const int kept = m_point + decimals;
+    m_digits.resize(static_cast<std::size_t>(kept), '0');
     while (!m_digits.empty() && m_digits.back() == '9')
         m_digits.pop_back();
     if (m_digits.empty()) {

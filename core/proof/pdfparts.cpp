@@ -23,6 +23,7 @@ constexpr std::size_t mostPages = 20'000;
 
 std::string bytesOf(Handle stream) {
     const auto buffer = stream.getStreamData(qpdf_dl_specialized);
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of libqpdf
     return {reinterpret_cast<const char *>(buffer->getBuffer()), buffer->getSize()};
 }
 
@@ -117,7 +118,7 @@ PdfField fieldOf(int page, Handle annotation, double height) {
     return field;
 }
 
-bool isSignature(Handle widget) {
+bool isSignature(const Handle &widget) {
     constexpr int deepest = 8;
     Handle field = widget;
     for (int i = 0; i < deepest && field.isDictionary(); ++i) {

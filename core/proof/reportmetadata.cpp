@@ -32,7 +32,7 @@ constexpr QLatin1StringView notRun("not run");
 
 struct OwnProperty {
     QLatin1StringView name;
-    const char *description;
+    const char *description = nullptr;
 };
 
 // PDF/A wants every property that is not of a known schema described in the packet.

@@ -190,7 +190,7 @@ QString accordanceOfAll(std::span<const Accordance> tests, const Language &langu
         return language.text(
             REPORT_TEXT("report", "All tests carried out in accordance with their editions."));
     struct CountedPart {
-        Accordance accordance;
+        Accordance accordance = Accordance::notChecked;
         Text words;
     };
     const std::array parts{

@@ -24,11 +24,11 @@ constexpr int angleDecimals = 1; ///< of the ruling points
 ///   [+] [-] [r]  largest and smallest distance, radius of the circle, each from the nominal radius
 ///   [C] the correction; what stands in {} is left out where nothing is corrected here
 struct Recipe {
-    std::optional<double> (*function)(const CircularCase &, const EvaluatedPath *);
-    const char *formula;
-    const char *step;
-    bool ofPair;
-    bool length; ///< F, D: about the least squares circle or the set-up
+    std::optional<double> (*function)(const CircularCase &, const EvaluatedPath *) = nullptr;
+    const char *formula = nullptr;
+    const char *step = nullptr;
+    bool ofPair = false;
+    bool length = false; ///< F, D: about the least squares circle or the set-up
 };
 
 // clang-format off

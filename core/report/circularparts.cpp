@@ -427,7 +427,7 @@ void addPaths(std::vector<Block> &blocks, const CircularPart &part) {
             write.language().number(static_cast<double>(path.source.size()), Quantity::count, 0));
         const auto step = arc.sampleInterval;
         row.emplace_back(step ? write.language().number(*step, Quantity::time, 4) : QString());
-        const double steps =
+        const auto steps =
             static_cast<double>(path.source.empty() ? 0 : path.source.back() - path.source.front());
         row.emplace_back(step ? write.language().number(std::abs(steps) * *step, Quantity::time, timeDecimals)
                               : QString());

@@ -104,41 +104,55 @@ DeviationMethod methodOf(const TestEvaluation &evaluation) {
     return results ? results->standardDeviation : DeviationMethod::calculation;
 }
 
-/// Why a parameter differs between the first column and another, as sentences; empty where it does not.
-QString reason(const std::vector<const TestEvaluation *> &columns, const std::string &id,
-               const Language &language) {
-    QStringList sentences;
+/// Which editions differ from the first one in a parameter, and by what.
+struct Differences {
+    bool same = false; ///< the first has a value, and none another
     QStringList absent;
     QStringList byMethod;
     QStringList otherwise;
     std::map<double, QStringList> byFactor;
+};
+
+void takeDifference(Differences &differences, const TestEvaluation &first, const TestEvaluation &other,
+                    const std::string &id) {
+    differences.same = false;
+    const Edition &edition = *other.edition;
+    const Row *row = rowOfEdition(edition, id);
+    const bool scatter = row && (row->needs & palmer::scatter) != 0;
+    const QString word = QString::fromUtf8(edition.word);
+    const bool otherMethod = scatter && methodOf(other) != methodOf(first);
+    const bool otherFactor = scatter && edition.c != first.edition->c;
+    if (otherMethod)
+        differences.byMethod << word;
+    if (otherFactor)
+        differences.byFactor[edition.c] << word;
+    if (!otherMethod && !otherFactor)
+        differences.otherwise << word;
+}
+
+Differences differencesOf(const std::vector<const TestEvaluation *> &columns, const std::string &id,
+                          const Language &language) {
+    Differences differences;
     const TestEvaluation &first = *columns.front();
     const Parameter *own = parameterOf(first, id);
-    bool same = own && own->value;
+    differences.same = own && own->value;
     for (const TestEvaluation *column : columns) {
-        const Edition &edition = *column->edition;
         const Parameter *other = parameterOf(*column, id);
-        if (!knows(edition, id)) {
-            absent << standardName(language, &edition);
-            continue;
-        }
-        if (!other || !other->value || !own || !own->value || column == &first)
-            continue;
-        if (*other->value == *own->value)
-            continue;
-        same = false;
-        const Row *row = rowOfEdition(edition, id);
-        const bool scatter = row && (row->needs & palmer::scatter) != 0;
-        const QString word = QString::fromUtf8(edition.word);
-        const bool otherMethod = scatter && methodOf(*column) != methodOf(first);
-        const bool otherFactor = scatter && edition.c != first.edition->c;
-        if (otherMethod)
-            byMethod << word;
-        if (otherFactor)
-            byFactor[edition.c] << word;
-        if (!otherMethod && !otherFactor)
-            otherwise << word;
+        if (!knows(*column->edition, id))
+            differences.absent << standardName(language, column->edition);
+        else if (column != &first && other && other->value && own && own->value &&
+                 *other->value != *own->value)
+            takeDifference(differences, first, *column, id);
     }
+    return differences;
+}
+
+/// Why a parameter differs between the first column and another, as sentences; empty where it does not.
+QString reason(const std::vector<const TestEvaluation *> &columns, const std::string &id,
+               const Language &language) {
+    const TestEvaluation &first = *columns.front();
+    const auto [same, absent, byMethod, otherwise, byFactor] = differencesOf(columns, id, language);
+    QStringList sentences;
     const auto list = [](const QStringList &words) { return words.join(QStringLiteral(", ")).toStdString(); };
     const std::string firstWord = first.edition->word;
     const bool firstByRange = methodOf(first) == DeviationMethod::range;
@@ -344,6 +358,27 @@ ComparisonCurve pathCurve(const Test &test, const TestEvaluation &evaluation, co
     return curve;
 }
 
+void setAxes(ComparisonFigure &figure, const Test &first, const CurveRanges &ranges,
+             const Language &language) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&first.measurement);
+    const bool angles = !measurement || measurement->axis.motion == Motion::rotary;
+    const bool rotary = measurement && angles;
+    const auto [x, y] = ranges;
+    const double width = x.to > x.from ? x.to - x.from : 1;
+    const double height = y.to > y.from ? y.to - y.from : 1;
+    setRange(figure.x, x.from - positionMargin * width, x.to + positionMargin * width, mostPositionTicks,
+             angles ? TickSteps::angles : TickSteps::lengths, language);
+    setRange(figure.y, y.from - valueMargin * height, y.to + valueMargin * height, mostValueTicks,
+             TickSteps::values, language);
+    figure.x.quantity = language.text(measurement ? REPORT_TEXT("report", "Target position")
+                                                  : REPORT_TEXT("report", "Angle"));
+    figure.x.unit = language.unit(angles ? Quantity::angle : Quantity::position);
+    figure.x.angle = angles;
+    figure.y.quantity = language.text(measurement ? REPORT_TEXT("report", "Mean deviation")
+                                                  : REPORT_TEXT("report", "Radial deviation"));
+    figure.y.unit = language.unit(rotary ? Quantity::angularDeviation : Quantity::deviation);
+}
+
 } // namespace
 
 ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests, const Language &language) {
@@ -374,25 +409,8 @@ ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests, const 
         }
         ++shown;
     }
-    if (!first || ranges.isEmpty())
-        return figure;
-    const auto *measurement = std::get_if<PositioningMeasurement>(&first->measurement);
-    const bool angles = !measurement || measurement->axis.motion == Motion::rotary;
-    const bool rotary = measurement && angles;
-    const auto [x, y] = ranges;
-    const double width = x.to > x.from ? x.to - x.from : 1;
-    const double height = y.to > y.from ? y.to - y.from : 1;
-    setRange(figure.x, x.from - positionMargin * width, x.to + positionMargin * width, mostPositionTicks,
-             angles ? TickSteps::angles : TickSteps::lengths, language);
-    setRange(figure.y, y.from - valueMargin * height, y.to + valueMargin * height, mostValueTicks,
-             TickSteps::values, language);
-    figure.x.quantity = language.text(measurement ? REPORT_TEXT("report", "Target position")
-                                                  : REPORT_TEXT("report", "Angle"));
-    figure.x.unit = language.unit(angles ? Quantity::angle : Quantity::position);
-    figure.x.angle = angles;
-    figure.y.quantity = language.text(measurement ? REPORT_TEXT("report", "Mean deviation")
-                                                  : REPORT_TEXT("report", "Radial deviation"));
-    figure.y.unit = language.unit(rotary ? Quantity::angularDeviation : Quantity::deviation);
+    if (first && !ranges.isEmpty())
+        setAxes(figure, *first, ranges, language);
     return figure;
 }
 

@@ -42,7 +42,7 @@ QString specifiedText(const Writer &write, SpecifiedBy by) {
 }
 
 QString warmUpText(const Writer &write, const WarmUp &warmUp) {
-    const QString text = QString::fromStdString(warmUp.text);
+    QString text = QString::fromStdString(warmUp.text);
     const QString by = specifiedText(write, warmUp.specifiedBy);
     switch (warmUp.kind) {
     case WarmUpKind::notStated:
@@ -730,10 +730,10 @@ void addCorrection(std::vector<Block> &blocks, const CircularPart &part) {
     if (!correction)
         return;
     struct Factor {
-        const char *symbol;
-        Quantity quantity;
+        const char *symbol = nullptr;
+        Quantity quantity = Quantity::number;
         std::optional<double> value;
-        int decimals;
+        int decimals = 0;
     };
     const std::array factors{
         Factor{"R", Quantity::position, part.measurement.nominalRadius, -1},

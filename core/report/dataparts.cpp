@@ -58,7 +58,7 @@ void addGroupRules(Table &table) {
 std::set<std::pair<std::string, int>> rulingCells(const TestEvaluation &evaluation) {
     struct Column {
         std::string_view parameter;
-        const char *term;
+        const char *term = nullptr;
     };
     constexpr std::array columns{Column{"R+", "R+"},      Column{"R-", "R-"},  Column{"R", "R"},
                                  Column{"B", "reversal"}, Column{"Umax", "U"}, Column{"Psmax", "Ps"}};
@@ -221,7 +221,7 @@ std::vector<int> numbersInDirection(const PositioningMeasurement &measurement) {
 
 /// "2006"; whole designations where there is more than the year to tell apart.
 QString shortEdition(const char *word) {
-    const QString designation = QString::fromUtf8(word);
+    QString designation = QString::fromUtf8(word);
     for (const QString &family : {QStringLiteral("ISO 230-2:"), QStringLiteral("ISO 230-4:")}) {
         if (designation.startsWith(family))
             return designation.mid(family.size());
@@ -230,7 +230,7 @@ QString shortEdition(const char *word) {
 }
 
 struct EditionColumn {
-    const Edition *edition;
+    const Edition *edition = nullptr;
     TestEvaluationPointer evaluation;
 };
 

@@ -27,9 +27,9 @@ using namespace iso230_2;
 ///   [^id] its largest value      [Σid]  its sum over all targets          [=]  the result with its unit
 /// A step that only chooses between numbers ("max([…") prints them with the decimals of the result.
 struct Recipe {
-    Outcome (*function)(Targets, double);
-    const char *formula;
-    std::array<const char *, 3> steps;
+    Outcome (*function)(Targets, double) = nullptr;
+    const char *formula = nullptr;
+    std::array<const char *, 3> steps{};
     const char *bars = ""; ///< quantity per target
     const char *barsTitle = "";
     std::array<const char *, 3> terms{}; ///< per target, whose clauses are named too
@@ -74,14 +74,13 @@ constexpr std::array recipes{
 std::optional<double> valueOf(std::string_view id, const TargetStatistics &target, double c) {
     const double scatter = c * (target.positive.s + target.negative.s);
     const double size = std::abs(target.reversal());
-    const struct {
+    struct More {
         std::string_view id;
-        double value;
-    } more[]{{"size", size},
-             {"scatter", scatter},
-             {"sum", scatter + size},
-             {"vdiUpper", target.mean() + (size + scatter) / 2},
-             {"vdiLower", target.mean() - (size + scatter) / 2}};
+        double value = 0;
+    };
+    const std::array more{More{"size", size}, More{"scatter", scatter}, More{"sum", scatter + size},
+                          More{"vdiUpper", target.mean() + (size + scatter) / 2},
+                          More{"vdiLower", target.mean() - (size + scatter) / 2}};
     for (const auto &entry : more) {
         if (entry.id == id)
             return std::isfinite(entry.value) ? std::optional(entry.value) : std::nullopt;

@@ -180,7 +180,7 @@ QString referenceLengthText(const CircularPart &part) {
         return {};
     if (!*length.calibrated)
         return write.text(REPORT_TEXT("report", "not calibrated"));
-    const QString calibrated = write.text(REPORT_TEXT_FOR("report", "calibrated", "length"));
+    QString calibrated = write.text(REPORT_TEXT_FOR("report", "calibrated", "length"));
     if (!length.expandedUncertainty)
         return calibrated;
     return joined({calibrated, write.say(REPORT_TEXT("report", "U = %1 (k = %2)"),

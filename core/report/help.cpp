@@ -13,7 +13,7 @@ namespace palmer {
 namespace {
 
 struct FieldHelp {
-    const char *key; ///< in the file
+    const char *key = nullptr; ///< in the file
     Text name;
     Text meaning;
 };
@@ -95,8 +95,8 @@ constexpr std::array fieldHelps{
 // clang-format on
 
 struct CircularFormula {
-    const char *id;
-    const char *formula;
+    const char *id = nullptr;
+    const char *formula = nullptr;
     Text words;
 };
 constexpr std::array circularFormulas{
@@ -125,7 +125,7 @@ constexpr std::array circularFormulas{
 
 struct TargetFormula {
     std::string_view id;
-    const char *formula;
+    const char *formula = nullptr;
 };
 constexpr std::array targetFormulas{
     TargetFormula{"mean+", "x̄_i↑ = Σ x_ij↑ / n"},
@@ -224,10 +224,11 @@ HelpPage circularPage(const Edition &edition, const Language &language) {
 
 HelpPage workflowPage(const Language &language) {
     HelpPage page{QStringLiteral("workflow"), language.text(REPORT_TEXT("report", "Workflow")), {}};
-    const struct {
+    struct Step {
         Text title;
         Text words;
-    } steps[]{
+    };
+    const auto steps = std::to_array<Step>({
         {REPORT_TEXT_FOR("report", "Start", "the first step of the work"),
          REPORT_TEXT("report",
                      "A new test, an import, a file, an example. A file holds one report: a machine, its "
@@ -261,7 +262,7 @@ HelpPage workflowPage(const Language &language) {
         {REPORT_TEXT("report", "Print"),
          REPORT_TEXT("report",
                      "“Report…” shows the pages as they are printed, in French, in English or both.")},
-    };
+    });
     auto &blocks = page.content.blocks;
     blocks.emplace_back(Heading{1, page.title});
     for (const auto &step : steps) {

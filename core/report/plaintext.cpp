@@ -43,7 +43,7 @@ int widthOf(char32_t character) {
 }
 
 QString spaces(int count) {
-    return QString(std::max(count, 0), u' ');
+    return {std::max(count, 0), u' '};
 }
 
 QString orDash(const QString &text) {

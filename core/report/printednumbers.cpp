@@ -29,8 +29,8 @@ struct Digits {
 
 /// A result that is compared with its limit, in the unit that is shown.
 struct Comparison {
-    double value; ///< less is better, as of the limit
-    double limit;
+    double value = 0; ///< less is better, as of the limit
+    double limit = 0;
     std::optional<double> uncertainty; ///< what the guard band is a multiple of
     double rounding = roundingOfSums;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace palmer {
 
@@ -59,10 +60,9 @@ std::vector<StatisticColumn> statisticColumns(const TestEvaluation &evaluation, 
     return columns;
 }
 
-ReadingTexts::ReadingTexts(const PositioningMeasurement &measurement, const Language &language,
-                           ReadingUnit unit)
+ReadingTexts::ReadingTexts(const PositioningMeasurement &measurement, Language language, ReadingUnit unit)
     : m_measurement(&measurement)
-    , m_language(language)
+    , m_language(std::move(language))
     , m_unit(unit)
     , m_aside(measurement)
     , m_positionDecimals(positionDecimals(measurement))

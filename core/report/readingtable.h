@@ -61,7 +61,7 @@ struct ShownReading {
 /// Texts of the cells of a table of readings. Borrows the measurement.
 class ReadingTexts {
 public:
-    ReadingTexts(const PositioningMeasurement &measurement, const Language &language, ReadingUnit unit);
+    ReadingTexts(const PositioningMeasurement &measurement, Language language, ReadingUnit unit);
 
     [[nodiscard]] QString position(std::size_t target) const;
     [[nodiscard]] ShownReading reading(std::size_t run, std::size_t target) const;

@@ -44,7 +44,7 @@ Number factor(const Test &test) {
 
 /// "U", "0.83 U"; of a simulated U "0.83 (U + 2s)", s that of U.
 QString bandName(const TestPart &part, bool simulated) {
-    const QString band = simulated ? QStringLiteral("U\u00A0+\u00A02s") : QStringLiteral("U");
+    QString band = simulated ? QStringLiteral("U\u00A0+\u00A02s") : QStringLiteral("U");
     if (factorIsOne(part.test))
         return band;
     return part.write.language().number(part.test.decisionRule.guardFactor, Quantity::number) +
@@ -78,7 +78,7 @@ QString nameInTable(const Writer &write, const Text &name) {
 
 /// One parameter with its numbers as the table prints them.
 struct PrintedResult : PrintedNumbers {
-    const Parameter *parameter;
+    const Parameter *parameter = nullptr;
 };
 
 std::vector<PrintedResult> printedResults(const TestPart &part) {

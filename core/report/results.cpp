@@ -124,7 +124,7 @@ private:
     }
 
     [[nodiscard]] QString ruleOf(const Test &test) const {
-        const QString rule = text(ruleText(test.decisionRule.rule));
+        QString rule = text(ruleText(test.decisionRule.rule));
         if (test.decisionRule.rule == Rule::simpleAcceptance)
             return rule;
         return rule + QStringLiteral(", ") +
@@ -299,7 +299,7 @@ private:
             std::vector<Cell> row{QString::number(i + 1), m_language.number(m.targets[i], along, places)};
             for (const char *id : ids) {
                 const auto value = targetValue(id, results.targets[i], edition.c);
-                row.push_back(value ? Phrase(m_language.number(*value, deviation, digits)) : Phrase());
+                row.emplace_back(value ? Phrase(m_language.number(*value, deviation, digits)) : Phrase());
             }
             table.rows.push_back(std::move(row));
         }

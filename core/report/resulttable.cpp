@@ -107,6 +107,26 @@ QString plainNumber(QString text) {
     return text.remove(QChar(u'\u202F')).remove(QChar(u'\u00A0')).replace(QChar(u'\u2212'), u'-');
 }
 
+/// But for what depends on the lines before it: its short name, and whether it is the first of its family.
+ResultLine lineOf(const Parameter &parameter, const PrintedNumbers &numbers, const Language &language) {
+    const auto orDash = [](const QString &text) { return text.isEmpty() ? QStringLiteral("–") : text; };
+    ResultLine line;
+    line.id = QString::fromStdString(parameterId(parameter));
+    line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
+    line.fullName = language.text(parameter.term.name);
+    if (const QString of = limitNote(parameter, language); !of.isEmpty())
+        line.fullName += QStringLiteral(" (") + of + u')';
+    line.ruling = rulingText(parameter);
+    line.value = orDash(numbers.value);
+    line.uncertainty = orDash(numbers.uncertainty);
+    line.limit = orDash(numbers.alignedLimit);
+    line.verdict = parameter.verdict;
+    if (parameter.verdict)
+        line.verdictWord = language.text(limitText(*parameter.verdict));
+    line.scale = decisionScale(parameter);
+    return line;
+}
+
 struct Head {
     QString symbol, name, value, uncertainty, limit, verdict;
 };
@@ -185,30 +205,14 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
 
     table.coverage = coverageNote(coverageOf(evaluation, document.report), language);
     const std::optional<double> resolution = finestResolution(document, source);
-    const QString none = QStringLiteral("–");
     std::string_view family;
     for (const Parameter &parameter : evaluation.parameters) {
         if (!isPrinted(parameter, document.report))
             continue;
-        const Quantity quantity = parameter.term.quantity;
-        const PrintedNumbers numbers = printedNumbers(parameter, source.decisionRule, resolution, language);
-        const auto orDash = [&](const QString &text) { return text.isEmpty() ? none : text; };
         if (table.unit.isEmpty())
-            table.unit = language.unit(quantity);
-        ResultLine line;
-        line.id = QString::fromStdString(parameterId(parameter));
-        line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
-        line.fullName = language.text(parameter.term.name);
-        if (const QString of = limitNote(parameter, language); !of.isEmpty())
-            line.fullName += QStringLiteral(" (") + of + u')';
-        line.ruling = rulingText(parameter);
-        line.value = orDash(numbers.value);
-        line.uncertainty = orDash(numbers.uncertainty);
-        line.limit = orDash(numbers.alignedLimit);
-        line.verdict = parameter.verdict;
-        if (parameter.verdict)
-            line.verdictWord = language.text(limitText(*parameter.verdict));
-        line.scale = decisionScale(parameter);
+            table.unit = language.unit(parameter.term.quantity);
+        ResultLine line =
+            lineOf(parameter, printedNumbers(parameter, source.decisionRule, resolution, language), language);
         const bool circular = !table.circle.isEmpty();
         const std::string_view id = parameter.term.id;
         const std::string_view own = circular ? id.substr(0, 1) : familyOf(id);

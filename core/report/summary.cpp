@@ -19,7 +19,7 @@ namespace {
 
 /// A column and how its cells stand below each other on a terminal.
 struct SummaryColumn {
-    const char *word;
+    const char *word = nullptr;
     Text title;
     bool atRight = false;
 };

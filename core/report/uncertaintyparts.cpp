@@ -25,7 +25,7 @@ Quantity deviationOf(const TestPart &part) {
 
 /// With a capital, and the index of E_VE set lower.
 Phrase nameOf(const Writer &write, const Contribution &contribution) {
-    const QString name = contributionName(contribution, write.language());
+    QString name = contributionName(contribution, write.language());
     const QString index = QStringLiteral("_VE");
     const qsizetype at = name.indexOf(index);
     if (at < 0)

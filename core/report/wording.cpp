@@ -116,7 +116,7 @@ QString clauseText(const std::string &clause, const Language &language) {
 }
 
 QString standardName(const Language &language, const Edition *edition) {
-    const QString word = edition ? QString::fromUtf8(edition->word) : QString();
+    QString word = edition ? QString::fromUtf8(edition->word) : QString();
     const QLatin1String iso("ISO ");
     if (!word.startsWith(iso))
         return word;

@@ -147,7 +147,7 @@ std::string fromGb18030(std::string_view bytes) {
             Error::Kind::content,
             {REPORT_TEXT("report", "this Qt does not know the encoding GB18030; save the text as UTF-8")});
     const QString text = decode(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
-    const std::string utf8 = text.toStdString();
+    std::string utf8 = text.toStdString();
     if (decode.hasError() || text.contains(QChar::ReplacementCharacter))
         refuse(REPORT_TEXT("report", "this is no character of GB18030; expected a text file"), utf8,
                std::min(utf8.find("\xEF\xBF\xBD"), utf8.size()));

@@ -182,8 +182,8 @@ namespace {
 constexpr std::ptrdiff_t blockSize = 8;
 
 struct DigitBlock {
-    std::uint64_t value;
-    std::ptrdiff_t count; // digits at the beginning of the eight bytes
+    std::uint64_t value = 0;
+    std::ptrdiff_t count = 0; // digits at the beginning of the eight bytes
 };
 
 // The digits that eight bytes begin with, all at once (little endian: the first byte is the lowest).
@@ -227,6 +227,26 @@ inline LeadingNumber plainNumber(const char *text, char point) {
     return {negative ? -value : value, static_cast<std::size_t>(at - text)};
 }
 
+inline void takeDigits(const char *&at, const char *end, std::uint64_t &number) {
+    for (; at != end && isDigit(*at); ++at)
+        number = number * 10 + static_cast<std::uint64_t>(*at - '0');
+}
+
+/// "e-3" at that place; 0, and nothing taken, where there is none.
+inline std::ptrdiff_t takeExponent(const char *&at, const char *end) {
+    if (at == end || (*at != 'e' && *at != 'E'))
+        return 0;
+    bool down = false;
+    const char *digit = at + 1;
+    digit += signLength({digit, static_cast<std::size_t>(end - digit)}, down);
+    if (digit == end || !isDigit(*digit))
+        return 0;
+    std::ptrdiff_t exponent = 0;
+    for (at = digit; at != end && isDigit(*at); ++at)
+        exponent = std::min<std::ptrdiff_t>(exponent * 10 + (*at - '0'), 100'000);
+    return down ? -exponent : exponent;
+}
+
 } // namespace
 
 LeadingNumber leadingNumber(std::string_view text, DecimalMark mark) {
@@ -247,31 +267,19 @@ LeadingNumber leadingNumber(std::string_view text, DecimalMark mark) {
         at += signLength(text, negative);
     const char *const first = at;
     std::uint64_t whole = 0; // may overflow, then it is not used
-    for (; at != end && isDigit(*at); ++at)
-        whole = whole * 10 + static_cast<std::uint64_t>(*at - '0');
+    takeDigits(at, end, whole);
     std::ptrdiff_t digits = at - first;
     const std::ptrdiff_t wholes = digits;
     std::ptrdiff_t decimals = 0;
     if (at != end && *at == point) {
         const char *const firstDecimal = ++at;
-        for (; at != end && isDigit(*at); ++at)
-            whole = whole * 10 + static_cast<std::uint64_t>(*at - '0');
+        takeDigits(at, end, whole);
         decimals = at - firstDecimal;
         digits += decimals;
     }
     if (digits == 0)
         return {};
-    std::ptrdiff_t exponent = 0;
-    if (at != end && (*at == 'e' || *at == 'E')) {
-        bool down = false;
-        const char *digit = at + 1;
-        digit += signLength(text.substr(static_cast<std::size_t>(digit - begin)), down);
-        if (digit != end && isDigit(*digit)) {
-            for (at = digit; at != end && isDigit(*at); ++at)
-                exponent = std::min<std::ptrdiff_t>(exponent * 10 + (*at - '0'), 100'000);
-            exponent = down ? -exponent : exponent;
-        }
-    }
+    const std::ptrdiff_t exponent = takeExponent(at, end);
     const std::ptrdiff_t scale = exponent - decimals;
     double value = 0;
     if (digits <= mostDigits && whole <= exactWhole && scale <= mostScale && scale >= -mostScale) {

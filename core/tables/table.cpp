@@ -253,56 +253,80 @@ bool isUncut(std::string_view text) {
            text.find_first_not_of("0123456789.,;|\t+-eE ") == std::string_view::npos;
 }
 
-Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mark, bool comments) {
-    Scanner scanner(sample, delimiter, mark, comments);
-    scanner.scan(sampleRows);
-    Reading result{delimiter, mark, 0, 0, false, 0, {}};
-    struct Row {
-        std::size_t count;
-        std::vector<double> numbers;
-    };
-    std::vector<Row> rows;
-    std::map<std::size_t, std::size_t> numbersUnder; // a number of columns
-    double broken = 0;
+/// A row of a sample with a number in it.
+struct SampleRow {
+    std::size_t count = 0; ///< of its cells
+    std::vector<double> numbers;
+};
+
+/// What the cells of a sample say about its form.
+struct SampleSigns {
+    double broken = 0; ///< cells that are no whole number and no word
     double torn = 0;
-    bool words = false;
+    bool words = false; ///< a row of several cells without a number
     bool spaced = false;
-    for (const TableRow &row : scanner.rows) {
-        if (row.comment)
-            continue;
-        Row read{row.count, {}};
-        for (std::size_t i = 0; i < row.count; ++i) {
-            const TableCell &cell = scanner.cells[row.first + i];
-            const std::string_view text = sample.substr(cell.begin, cell.size);
-            if (cell.isNumber()) {
-                read.numbers.push_back(cell.value);
-                result.hasMark |= text.find(mark == DecimalMark::point ? '.' : ',') != std::string_view::npos;
-                torn += isTorn(text) ? 1 : 0;
-                spaced |= i > 0 && cell.begin > 0 && sample[cell.begin - 1] == ' ';
-            } else if ((cell.kind == CellKind::grouped || cell.kind == CellKind::broken || isUncut(text)) &&
-                       !isDate(text)) {
-                ++broken;
-            }
+    bool hasMark = false; ///< a number with decimals
+};
+
+SampleRow readSampleRow(std::string_view sample, std::span<const TableCell> cells, char mark,
+                        SampleSigns &signs) {
+    SampleRow row{cells.size(), {}};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const TableCell &cell = cells[i];
+        const std::string_view text = sample.substr(cell.begin, cell.size);
+        if (cell.isNumber()) {
+            row.numbers.push_back(cell.value);
+            signs.hasMark |= text.find(mark) != std::string_view::npos;
+            signs.torn += isTorn(text) ? 1 : 0;
+            signs.spaced |= i > 0 && cell.begin > 0 && sample[cell.begin - 1] == ' ';
+        } else if ((cell.kind == CellKind::grouped || cell.kind == CellKind::broken || isUncut(text)) &&
+                   !isDate(text)) {
+            ++signs.broken;
         }
-        numbersUnder[row.count] += read.numbers.size();
-        words |= read.numbers.empty() && row.count > 1;
-        if (!read.numbers.empty())
-            rows.push_back(std::move(read));
     }
-    if (rows.empty()) {
-        result.score = -std::numeric_limits<double>::infinity();
-        return result;
-    }
+    signs.words |= row.numbers.empty() && row.count > 1;
+    return row;
+}
+
+/// The number of cells of rows under which most numbers stand.
+std::size_t columnsOf(const std::vector<SampleRow> &rows) {
+    std::map<std::size_t, std::size_t> numbersUnder;
+    for (const SampleRow &row : rows)
+        numbersUnder[row.count] += row.numbers.size();
+    std::size_t columns = 0;
     std::size_t most = 0;
     for (const auto &[count, numbers] : numbersUnder) {
         if (numbers > most) {
             most = numbers;
-            result.columns = count;
+            columns = count;
         }
     }
+    return columns;
+}
+
+Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mark, bool comments) {
+    Scanner scanner(sample, delimiter, mark, comments);
+    scanner.scan(sampleRows);
+    Reading result{delimiter, mark, 0, 0, false, 0, {}};
+    std::vector<SampleRow> rows;
+    SampleSigns signs;
+    for (const TableRow &row : scanner.rows) {
+        if (row.comment)
+            continue;
+        const auto cells = std::span(scanner.cells).subspan(row.first, row.count);
+        SampleRow read = readSampleRow(sample, cells, mark == DecimalMark::point ? '.' : ',', signs);
+        if (!read.numbers.empty())
+            rows.push_back(std::move(read));
+    }
+    result.hasMark = signs.hasMark;
+    if (rows.empty()) {
+        result.score = -std::numeric_limits<double>::infinity();
+        return result;
+    }
+    result.columns = columnsOf(rows);
     std::size_t alike = 0;
     std::size_t all = 0;
-    for (const Row &row : rows) {
+    for (const SampleRow &row : rows) {
         all += row.numbers.size();
         if (row.count != result.columns)
             continue;
@@ -310,11 +334,11 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
         result.numbers.insert(result.numbers.end(), row.numbers.begin(), row.numbers.end());
     }
     result.score = static_cast<double>(alike) / static_cast<double>(rows.size()) *
-                   (static_cast<double>(all) - 2 * broken);
-    result.rival = torn > 0 ? 0 : result.score;
+                   (static_cast<double>(all) - 2 * signs.broken);
+    result.rival = signs.torn > 0 ? 0 : result.score;
     // A comma between whole numbers, and nothing that says it is no decimal mark.
-    const bool decimals = result.columns < 3 && !words && !spaced;
-    if (delimiter == Delimiter::comma && !result.hasMark && (decimals || torn > 0))
+    const bool decimals = result.columns < 3 && !signs.words && !signs.spaced;
+    if (delimiter == Delimiter::comma && !result.hasMark && (decimals || signs.torn > 0))
         result.score = std::min(result.score, 0.0);
     return result;
 }
@@ -379,11 +403,13 @@ template <class Element>
 void inLargePages([[maybe_unused]] std::vector<Element> &reserved) {
 #ifdef MADV_HUGEPAGE
     constexpr std::uintptr_t page = std::uintptr_t(2) << 20U;
+    // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast,performance-no-int-to-ptr): addresses of pages
     const auto begin = reinterpret_cast<std::uintptr_t>(reserved.data());
     const std::uintptr_t from = (begin + page - 1) / page * page;
     const std::uintptr_t to = (begin + reserved.capacity() * sizeof(Element)) / page * page;
     if (from < to)
         madvise(reinterpret_cast<void *>(from), to - from, MADV_HUGEPAGE);
+        // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast,performance-no-int-to-ptr)
 #endif
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 struct Spelling {
     std::string_view text;
-    const char *word;
+    const char *word = nullptr;
     bool bracketsOnly = false;
 };
 

@@ -32,6 +32,7 @@ class ArcCurvesView;
 /// here, each as one step to undo.
 class CirclesPage : public QWidget {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(CirclesPage)
 
 public:
     CirclesPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
@@ -59,9 +60,9 @@ protected:
 
 private:
     struct Labelled {
-        QLabel *label;
-        const char *source;
-        QWidget *field;
+        QLabel *label = nullptr;
+        const char *source = nullptr;
+        QWidget *field = nullptr;
     };
 
     void makeParameters(QGridLayout &grid);

@@ -21,9 +21,9 @@ constexpr double lightLine = 0.9;
 constexpr qsizetype markersOfPath = 8;
 
 struct LineStyle {
-    Token colour;
-    Qt::PenStyle dashes;
-    int corners; ///< of the marker; 0: a disc
+    Token colour = Token::up;
+    Qt::PenStyle dashes = Qt::SolidLine;
+    int corners = 0; ///< of the marker; 0: a disc
 };
 constexpr std::array styles{
     LineStyle{Token::up, Qt::SolidLine, 0},       LineStyle{Token::down, Qt::DashLine, 4},
@@ -43,6 +43,17 @@ void drawMarker(QPainter &painter, const QPointF &at, int corners) {
         shape << at + QPointF(std::cos(angle), std::sin(angle)) * radius;
     }
     painter.drawPolygon(shape);
+}
+
+/// With a marker at every point, or in the middle of every so many.
+void drawLine(QPainter &painter, const QPolygonF &points, const QPen &pen, int corners, qsizetype step) {
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(points);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(pen.color());
+    for (qsizetype at = step / 2; at < points.size(); at += step)
+        drawMarker(painter, points[at], corners);
 }
 
 } // namespace
@@ -91,29 +102,23 @@ void ComparisonView::paintEvent(QPaintEvent *) {
     }
     painter.drawText(QRectF(plot.left(), height() - 20, plot.width(), 16), Qt::AlignHCenter,
                      QStringLiteral("%1 (%2)").arg(m_figure.x.quantity, m_figure.x.unit));
-    painter.drawText(QRectF(8, 4, width() / 3, 16), Qt::AlignLeft | Qt::AlignVCenter,
+    const int third = width() / 3;
+    painter.drawText(QRectF(8, 4, third, 16), Qt::AlignLeft | Qt::AlignVCenter,
                      QStringLiteral("%1 (%2)").arg(m_figure.y.quantity, m_figure.y.unit));
     double legend = width() / 3.0;
-    for (std::size_t i = 0; i < m_figure.curves.size(); ++i) {
-        const ComparisonCurve &curve = m_figure.curves[i];
+    for (const ComparisonCurve &curve : m_figure.curves) {
         const LineStyle &style = styles.at(curve.test % styles.size());
         const QColor colour = token(style.colour, palette());
         // Of circles both senses of a test have its colour, the clockwise path a light line.
         const QPen pen(colour, curve.sense == Sense::clockwise ? lightLine : heavyLine,
                        curve.sense ? Qt::SolidLine : style.dashes);
-        for (const auto &line : m_figure.curves[i].lines) {
+        for (const auto &line : curve.lines) {
             QPolygonF points;
             for (const FigurePoint &point : line)
                 points << place(point.x, point.y);
-            painter.setPen(pen);
-            painter.setBrush(Qt::NoBrush);
-            painter.drawPolyline(points);
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(colour);
-            // Of a path a few tell whose it is.
+            // Of a path a few markers tell whose it is.
             const qsizetype step = curve.sense ? std::max<qsizetype>(1, points.size() / markersOfPath) : 1;
-            for (qsizetype at = curve.sense ? step / 2 : 0; at < points.size(); at += step)
-                drawMarker(painter, points[at], style.corners);
+            drawLine(painter, points, pen, style.corners, step);
         }
         painter.setPen(pen);
         painter.drawLine(QPointF(legend, 12), QPointF(legend + 24, 12));
@@ -121,7 +126,7 @@ void ComparisonView::paintEvent(QPaintEvent *) {
         painter.setBrush(colour);
         drawMarker(painter, QPointF(legend + 12, 12), style.corners);
         painter.setPen(palette().color(QPalette::WindowText));
-        const QString name = painter.fontMetrics().elidedText(m_figure.curves[i].name, Qt::ElideRight, 140);
+        const QString name = painter.fontMetrics().elidedText(curve.name, Qt::ElideRight, 140);
         painter.drawText(QPointF(legend + 30, 16), name);
         legend += 44 + painter.fontMetrics().horizontalAdvance(name);
     }

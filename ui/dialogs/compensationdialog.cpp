@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -50,9 +51,9 @@ const Parameter *parameter(const TestEvaluation &evaluation, std::string_view id
 
 } // namespace
 
-CompensationDialog::CompensationDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent)
+CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t test, QWidget *parent)
     : QDialog(parent)
-    , m_evaluated(evaluated)
+    , m_evaluated(std::move(evaluated))
     , m_test(test)
     , m_format(addChoice("format"))
     , m_perDirection(addSwitch("perDirection", &CompensationOptions::perDirection))
@@ -81,9 +82,10 @@ CompensationDialog::CompensationDialog(const EvaluatedDocument &evaluated, std::
     fields->addWidget(addNumber("to", QT_TR_NOOP("To (empty: last target)"), &CompensationOptions::to));
     fields->addWidget(
         addNumber("interval", QT_TR_NOOP("Interval (empty: the targets)"), &CompensationOptions::interval));
-    m_reference =
+    Field *reference =
         addNumber("reference", QT_TR_NOOP("Reference point of the axis"), &CompensationOptions::reference);
-    fields->addWidget(m_reference);
+    fields->addWidget(reference);
+    m_reference = reference;
     fields->addWidget(m_encoder);
     fields->addWidget(m_sign);
     fields->addWidget(m_mark);

@@ -25,10 +25,11 @@ class LineView;
 /// measured, and A, E, M, B. A table found in a control can be set beside it. Changes no document.
 class CompensationDialog : public QDialog {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(CompensationDialog)
 
 public:
     /// `test` is the index of a positioning test.
-    CompensationDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent = nullptr);
+    CompensationDialog(EvaluatedDocument evaluated, std::size_t test, QWidget *parent = nullptr);
     /// What is being typed is taken when the focus goes: here, not when half of the dialog is gone.
     ~CompensationDialog() override { hide(); }
 
@@ -44,9 +45,9 @@ protected:
 
 private:
     struct NumberField {
-        Field *field;
-        const char *label;
-        std::optional<double> CompensationOptions::*value;
+        Field *field = nullptr;
+        const char *label = nullptr;
+        std::optional<double> CompensationOptions::*value = nullptr;
     };
 
     Field *addChoice(const char *name);

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <algorithm>
+#include <vector>
 
 namespace palmer::ui {
 
@@ -16,6 +17,31 @@ constexpr double head = 34;
 constexpr double foot = 12;
 constexpr double radius = 2.6;
 constexpr std::size_t mostDots = 4000; ///< beyond, they run into one another
+
+/// In the standard cycle a pass a row, in the step cycle a stop a row.
+std::vector<double> rowsOf(const std::vector<Move> &path) {
+    std::vector<double> rows;
+    rows.reserve(path.size());
+    double row = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const bool turns = !path[i].stop;
+        if (i > 0 && turns)
+            row += 1;
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+QColor colourOf(Direction direction, const QPalette &palette) {
+    return token(direction == Direction::positive ? Token::up : Token::down, palette);
+}
+
+/// Of the way to where a move leads; dotted where the axis turns there without rest.
+QPen penOf(const Move &move, const QPalette &palette) {
+    if (!move.stop)
+        return {token(Token::secondaryText, palette), 1, Qt::DotLine};
+    return {colourOf(move.stop->approach, palette), 1.6};
+}
 
 } // namespace
 
@@ -36,21 +62,12 @@ void CycleView::paintEvent(QPaintEvent *) {
     const std::vector<Move> path = cyclePath(m_program);
     if (path.empty())
         return;
-    const auto [low, high] = std::ranges::minmax(path, {}, &Move::position);
-    const double span = std::max(high.position - low.position, 1e-9);
-    const auto x = [&](double position) {
-        return side + (position - low.position) / span * (width() - 2 * side);
-    };
-    // Rows: in the standard cycle a pass a row, in the step cycle a stop a row.
-    std::vector<double> rows;
-    double row = 0;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        const bool turns = !path[i].stop;
-        if (i > 0 && turns)
-            row += 1;
-        rows.push_back(row);
-    }
-    const double last = std::max(row, 1.0);
+    const auto ends = std::ranges::minmax(path, {}, &Move::position);
+    const double lowest = ends.min.position;
+    const double span = std::max(ends.max.position - lowest, 1e-9);
+    const auto x = [&](double position) { return side + (position - lowest) / span * (width() - 2 * side); };
+    const std::vector<double> rows = rowsOf(path);
+    const double last = std::max(rows.back(), 1.0);
     const auto y = [&](double atRow) { return head + atRow / last * (height() - head - foot); };
 
     painter.setFont(themeFont(TextSize::tiny));
@@ -67,21 +84,10 @@ void CycleView::paintEvent(QPaintEvent *) {
         painter.drawText(top.adjusted(0, 0, -(side - 16), 0), Qt::AlignRight | Qt::AlignVCenter,
                          language.quantity(m_program.targets.back(), quantity, m_program.decimals));
     }
-    const auto colour = [&](Direction direction) {
-        return token(direction == Direction::positive ? Token::up : Token::down, palette());
-    };
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        // A move without rest leads to the stop after it, from where the axis was.
-        const Stop &stop = path[i].stop ? *path[i].stop : *path[i + 1].stop;
-        if (i > 0) {
-            const bool turn = !path[i].stop;
-            QPen pen(turn ? token(Token::secondaryText, palette()) : colour(stop.approach), turn ? 1 : 1.6);
-            if (turn)
-                pen.setStyle(Qt::DotLine);
-            painter.setPen(pen);
-            painter.drawLine(QPointF(x(path[i - 1].position), y(rows[i - 1])),
-                             QPointF(x(path[i].position), y(rows[i])));
-        }
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        painter.setPen(penOf(path[i], palette()));
+        painter.drawLine(QPointF(x(path[i - 1].position), y(rows[i - 1])),
+                         QPointF(x(path[i].position), y(rows[i])));
     }
     if (path.size() > mostDots)
         return;
@@ -90,7 +96,7 @@ void CycleView::paintEvent(QPaintEvent *) {
         if (!path[i].stop)
             continue;
         const QPointF at(x(path[i].position), y(rows[i]));
-        painter.setBrush(colour(path[i].stop->approach));
+        painter.setBrush(colourOf(path[i].stop->approach, palette()));
         // A triangle that points where the axis goes: no meaning by colour alone.
         const double tip = path[i].stop->approach == Direction::positive ? radius * 1.5 : -radius * 1.5;
         painter.drawPolygon(QPolygonF({at + QPointF(tip, 0), at + QPointF(-tip / 2, -radius * 1.2),

@@ -18,6 +18,7 @@ class Field;
 /// types. Begins with the example of the annex. Changes no document.
 class FeedDialog : public QDialog {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(FeedDialog)
 
 public:
     explicit FeedDialog(QWidget *parent = nullptr);
@@ -32,9 +33,9 @@ protected:
 
 private:
     struct NumberField {
-        Field *field;
+        Field *field = nullptr;
         Quantity quantity;
-        double iso230_4::ContouringFeed::*member;
+        double iso230_4::ContouringFeed::*member = nullptr;
     };
 
     Field *addNumber(const char *name, Quantity quantity, double iso230_4::ContouringFeed::*member);

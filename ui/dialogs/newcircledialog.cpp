@@ -14,6 +14,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <array>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -24,9 +25,9 @@ constexpr int leastWidth = 420;
 
 } // namespace
 
-NewCircleDialog::NewCircleDialog(const Language &language, const Test *like, QWidget *parent)
+NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *parent)
     : QDialog(parent)
-    , m_language(language)
+    , m_language(std::move(language))
     , m_plane(new QComboBox(this))
     , m_radius(new QLineEdit(this))
     , m_feed(new QLineEdit(this))

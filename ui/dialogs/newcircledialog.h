@@ -20,7 +20,7 @@ class NewCircleDialog : public QDialog {
 
 public:
     /// `like`: the test the values of which are proposed, if it is a circular one; null: none.
-    explicit NewCircleDialog(const Language &language, const Test *like = nullptr, QWidget *parent = nullptr);
+    explicit NewCircleDialog(Language language, const Test *like = nullptr, QWidget *parent = nullptr);
 
     /// What was asked for; complete once the dialog is accepted.
     [[nodiscard]] NewCircularTest wanted() const;

@@ -23,6 +23,7 @@
 #include <QStyle>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 namespace palmer::ui {
@@ -42,9 +43,9 @@ constexpr quint32 mostSeed = 1'000'000;         ///< short enough to be read out
 
 } // namespace
 
-NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget *parent)
+NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *parent)
     : QDialog(parent)
-    , m_language(language)
+    , m_language(std::move(language))
     , m_seed(QRandomGenerator::global()->bounded(1U, mostSeed))
     , m_name(new QLineEdit(this))
     , m_motion(new QComboBox(this))
@@ -74,6 +75,25 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
     m_list->setObjectName(QStringLiteral("newTargets"));
     m_problem->setObjectName(QStringLiteral("newProblem"));
 
+    fillFields(like);
+    makeForm();
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
+    m_create->setObjectName(QStringLiteral("createTest"));
+    makePrimary(*m_create);
+    auto *column = new QVBoxLayout(this);
+    column->addLayout(m_form);
+    column->addWidget(m_statements);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connectFields();
+    propose();
+    resize(dialogWidth, sizeHint().height());
+}
+
+/// With what can be chosen, and what is proposed.
+void NewTestDialog::fillFields(const Test *like) {
     m_motion->addItem(tr("linear"), static_cast<int>(Motion::linear));
     m_motion->addItem(tr("rotary"), static_cast<int>(Motion::rotary));
     for (const Edition *edition : editions()) {
@@ -103,8 +123,10 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
         m_name->setText(QChar(char16_t(tested->axis.name[0] + 1)));
     m_name->selectAll();
     m_travel->setText(m_language.number(proposedTravel, Quantity::position));
+}
 
-    auto *form = m_form = new QFormLayout;
+void NewTestDialog::makeForm() {
+    m_form = new QFormLayout;
     // What stands beside a field is no field of its own: the label belongs to the field.
     const auto addRow = [&](const QString &text, QWidget *field, QWidget *beside) {
         auto *label = new QLabel(text, this);
@@ -113,32 +135,27 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
         row->setSpacing(8);
         row->addWidget(field, beside == m_both ? 0 : 1);
         row->addWidget(beside, beside == m_both ? 1 : 0);
-        form->addRow(label, row);
+        m_form->addRow(label, row);
     };
     for (QLabel *&unit : m_units) {
         unit = new QLabel(this);
         unit->setProperty("secondary", true);
         unit->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("mm")));
     }
-    form->addRow(tr("&Axis"), m_name);
-    form->addRow(tr("&Motion"), m_motion);
+    m_form->addRow(tr("&Axis"), m_name);
+    m_form->addRow(tr("&Motion"), m_motion);
     addRow(tr("&Travel"), m_travel, m_units[0]);
-    form->addRow(tr("&Edition"), m_edition);
-    form->addRow(tr("C&ycle"), m_cycle);
+    m_form->addRow(tr("&Edition"), m_edition);
+    m_form->addRow(tr("C&ycle"), m_cycle);
     addRow(tr("&Runs"), m_runs, m_both);
     addRow(tr("&First target"), m_first, m_units[1]);
     addRow(tr("&Last target"), m_last, m_units[2]);
-    form->addRow(tr("&Number of targets"), m_count);
+    m_form->addRow(tr("&Number of targets"), m_count);
     addRow(tr("Target &positions"), m_list, m_units[3]);
-    alignLabels(*form);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
-    m_create->setObjectName(QStringLiteral("createTest"));
-    makePrimary(*m_create);
-    auto *column = new QVBoxLayout(this);
-    column->addLayout(form);
-    column->addWidget(m_statements);
-    column->addWidget(buttons);
+    alignLabels(*m_form);
+}
+
+void NewTestDialog::connectFields() {
     connect(m_motion, &QComboBox::currentIndexChanged, this, [this] {
         const bool linear = axis().motion == Motion::linear;
         if (!m_name->isModified())
@@ -163,10 +180,6 @@ NewTestDialog::NewTestDialog(const Language &language, const Test *like, QWidget
         m_listed = true;
         check();
     });
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    propose();
-    resize(dialogWidth, sizeHint().height());
 }
 
 Axis NewTestDialog::axis() const {

@@ -28,7 +28,7 @@ class NewTestDialog : public QDialog {
 
 public:
     /// `like`: the test the edition of which is proposed, and the axis after its own; null: none.
-    explicit NewTestDialog(const Language &language, const Test *like = nullptr, QWidget *parent = nullptr);
+    explicit NewTestDialog(Language language, const Test *like = nullptr, QWidget *parent = nullptr);
 
     /// What was asked for; complete once the dialog is accepted.
     [[nodiscard]] NewPositioningTest wanted() const;
@@ -43,6 +43,9 @@ private:
         QString sentence;
     };
 
+    void fillFields(const Test *like);
+    void makeForm();
+    void connectFields();
     void propose();
     void check();
     [[nodiscard]] Problem problem() const;

@@ -54,6 +54,41 @@ bool hasReadings(const PositioningMeasurement &measurement) {
            !measurement.excluded.empty();
 }
 
+using Setter = std::function<QString(const std::optional<double> &)>;
+
+Setter needed(double &number, bool positive) {
+    return [&number, positive](const std::optional<double> &value) {
+        if (!value)
+            return PlanDialog::tr("a number is needed");
+        if (positive && !(*value > 0))
+            return PlanDialog::tr("not greater than 0");
+        number = *value;
+        return QString();
+    };
+}
+
+Setter positiveOrNone(std::optional<double> &number) {
+    return [&number](const std::optional<double> &value) {
+        if (value && !(*value > 0))
+            return PlanDialog::tr("not greater than 0");
+        number = value;
+        return QString();
+    };
+}
+
+Setter wholeNumber(double least, double most, const std::function<void(double)> &take) {
+    return [least, most, take](const std::optional<double> &value) {
+        if (!value)
+            return PlanDialog::tr("a number is needed");
+        if (*value < least || *value > most)
+            return PlanDialog::tr("not from %1 to %2")
+                .arg(windowLanguage().number(least, Quantity::count),
+                     windowLanguage().number(most, Quantity::count));
+        take(*value);
+        return QString();
+    };
+}
+
 } // namespace
 
 PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
@@ -78,6 +113,39 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     m_request.travel = 1000;
     begin(test);
 
+    auto *fields = makeFields();
+    m_summary->setObjectName(QStringLiteral("planSummary"));
+    m_summary->setWordWrap(true);
+    m_targets->setObjectName(QStringLiteral("planTargets"));
+    m_targets->setWordWrap(true);
+    m_targets->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto *right = new QVBoxLayout;
+    right->addWidget(m_view, 1);
+    right->addWidget(m_summary);
+    right->addWidget(m_targets);
+    auto *body = new QHBoxLayout;
+    body->setSpacing(16);
+    body->addWidget(fields);
+    body->addLayout(right, 1);
+
+    auto *program = makeButtons();
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(16);
+    layout->addLayout(body, 1);
+    layout->addWidget(m_programReason);
+    layout->addLayout(program);
+    connect(m_dialect, &QComboBox::currentIndexChanged, this, &PlanDialog::showWhyNoProgram);
+    connect(m_saveProgram, &QPushButton::clicked, this, &PlanDialog::chooseProgramFile);
+    connect(m_print, &QPushButton::clicked, this, &PlanDialog::choosePrinter);
+    connect(m_savePlan, &QPushButton::clicked, this, &PlanDialog::choosePlanFile);
+    connect(m_fill, &QPushButton::clicked, this, &PlanDialog::fillTest);
+    connect(m_make, &QPushButton::clicked, this, &PlanDialog::makeTest);
+    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+    retranslate();
+}
+
+QWidget *PlanDialog::makeFields() {
     auto *fields = new QWidget(this);
     fields->setFixedWidth(fieldsWidth);
     auto *grid = new QGridLayout(fields);
@@ -107,57 +175,30 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     const auto position = [this] {
         return m_request.motion == Motion::linear ? Quantity::position : Quantity::angle;
     };
-    const auto amount = [this](double TargetRequest::*member, bool positive) {
-        return [this, member, positive](const std::optional<double> &value) {
-            if (!value)
-                return tr("a number is needed");
-            if (positive && !(*value > 0))
-                return tr("not greater than 0");
-            m_request.*member = *value;
-            return QString();
-        };
-    };
-    const auto whole = [](const std::optional<double> &value, double least, double most) {
-        if (!value)
-            return tr("a number is needed");
-        return *value < least || *value > most ? tr("not from %1 to %2")
-                                                     .arg(windowLanguage().number(least, Quantity::count),
-                                                          windowLanguage().number(most, Quantity::count))
-                                               : QString();
-    };
     place(addNumber(
               "from", QT_TR_NOOP("Travel begins at"), false, position, [this] { return m_request.from; },
-              amount(&TargetRequest::from, false)),
+              needed(m_request.from, false)),
           addNumber(
               "travel", QT_TR_NOOP("Measurement travel"), false, position,
-              [this] { return m_request.travel; }, amount(&TargetRequest::travel, true)));
+              [this] { return m_request.travel; }, needed(m_request.travel, true)));
     place(addNumber(
               "perMetre", QT_TR_NOOP("Targets per metre"), false, [] { return Quantity::number; },
-              [this] { return m_request.perMetre; }, amount(&TargetRequest::perMetre, true)),
+              [this] { return m_request.perMetre; }, needed(m_request.perMetre, true)),
           addNumber(
               "period", QT_TR_NOOP("Period of the error"), false, position,
-              [this] { return m_request.period; },
-              [this](const std::optional<double> &value) {
-                  if (value && !(*value > 0))
-                      return tr("not greater than 0");
-                  m_request.period = value;
-                  return QString();
-              }));
+              [this] { return m_request.period; }, positiveOrNone(m_request.period)));
     m_rule = new Field(Field::Kind::choice, fields);
     m_rule->edit()->setObjectName(QStringLiteral("plan.rule"));
     connect(m_rule, &Field::entered, this, [this] {
         m_request.rule = m_rule->choice() == 0 ? TargetRule::nominalInterval : TargetRule::pitches1988;
         replan();
     });
-    place(m_rule, addNumber(
-                      "decimals", QT_TR_NOOP("Decimals"), true, [] { return Quantity::count; },
-                      [this] { return m_request.decimals; },
-                      [this, whole](const std::optional<double> &value) {
-                          const QString refusal = whole(value, 0, mostDecimals);
-                          if (refusal.isEmpty())
-                              m_request.decimals = static_cast<int>(*value);
-                          return refusal;
-                      }));
+    place(m_rule,
+          addNumber(
+              "decimals", QT_TR_NOOP("Decimals"), true, [] { return Quantity::count; },
+              [this] { return m_request.decimals; }, wholeNumber(0, mostDecimals, [this](double decimals) {
+                  m_request.decimals = static_cast<int>(decimals);
+              })));
     m_reseed->setObjectName(QStringLiteral("reseed"));
     m_reseed->setAutoDefault(false);
     connect(m_reseed, &QPushButton::clicked, this, [this] {
@@ -172,12 +213,8 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     place(addNumber(
               "seed", QT_TR_NOOP("Seed"), true, [] { return Quantity::count; },
               [this] { return static_cast<double>(m_request.seed); },
-              [this, whole](const std::optional<double> &value) {
-                  const QString refusal = whole(value, 0, mostSeed);
-                  if (refusal.isEmpty())
-                      m_request.seed = static_cast<std::uint64_t>(*value);
-                  return refusal;
-              }),
+              wholeNumber(0, mostSeed,
+                          [this](double seed) { m_request.seed = static_cast<std::uint64_t>(seed); })),
           seedRow);
     m_cycle = new Field(Field::Kind::choice, fields);
     m_cycle->edit()->setObjectName(QStringLiteral("plan.cycle"));
@@ -185,58 +222,33 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
         m_program.cycle = m_cycle->choice() == 0 ? Cycle::standard : Cycle::step;
         replan();
     });
+    const Setter take = wholeNumber(1, mostRuns, [this](double runs) { m_runs = static_cast<int>(runs); });
     place(m_cycle, addNumber(
                        "runs", QT_TR_NOOP("Runs each way"), true, [] { return Quantity::count; },
                        [this] { return m_program.runs; },
-                       [this, whole](const std::optional<double> &value) {
-                           const QString refusal = value ? whole(value, 1, mostRuns) : QString();
-                           if (refusal.isEmpty())
-                               m_runs = value ? std::optional(static_cast<int>(*value)) : std::nullopt;
-                           return refusal;
+                       [this, take](const std::optional<double> &value) {
+                           if (value)
+                               return take(value);
+                           m_runs.reset();
+                           return QString();
                        }));
-    const auto programmed = [this](double CycleProgram::*member) {
-        return [this, member](const std::optional<double> &value) {
-            if (!value)
-                return tr("a number is needed");
-            if (!(*value > 0))
-                return tr("not greater than 0");
-            m_program.*member = *value;
-            return QString();
-        };
-    };
     place(addNumber(
               "feed", QT_TR_NOOP("Feed rate (empty: rapid)"), false,
               [this] { return m_request.motion == Motion::linear ? Quantity::feed : Quantity::angularFeed; },
-              [this] { return m_program.feed; },
-              [this](const std::optional<double> &value) {
-                  if (value && !(*value > 0))
-                      return tr("not greater than 0");
-                  m_program.feed = value;
-                  return QString();
-              }),
+              [this] { return m_program.feed; }, positiveOrNone(m_program.feed)),
           addNumber(
               "dwell", QT_TR_NOOP("Dwell at the target"), false, [] { return Quantity::time; },
-              [this] { return m_program.dwell; }, programmed(&CycleProgram::dwell)));
+              [this] { return m_program.dwell; }, needed(m_program.dwell, true)));
     place(addNumber(
               "approach", QT_TR_NOOP("Approach distance"), false, position,
-              [this] { return m_program.approach; }, programmed(&CycleProgram::approach)),
+              [this] { return m_program.approach; }, needed(m_program.approach, true)),
           nullptr);
     grid->setRowStretch(row, 1);
+    return fields;
+}
 
-    m_summary->setObjectName(QStringLiteral("planSummary"));
-    m_summary->setWordWrap(true);
-    m_targets->setObjectName(QStringLiteral("planTargets"));
-    m_targets->setWordWrap(true);
-    m_targets->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto *right = new QVBoxLayout;
-    right->addWidget(m_view, 1);
-    right->addWidget(m_summary);
-    right->addWidget(m_targets);
-    auto *body = new QHBoxLayout;
-    body->setSpacing(16);
-    body->addWidget(fields);
-    body->addLayout(right, 1);
-
+/// Program, print and test.
+QHBoxLayout *PlanDialog::makeButtons() {
     auto *program = new QHBoxLayout;
     m_dialect->setObjectName(QStringLiteral("dialect"));
     for (const DialectName &each : dialects())
@@ -266,25 +278,12 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     program->addWidget(m_close);
     for (QPushButton *button : {m_saveProgram, m_print, m_savePlan, m_fill, m_make, m_close})
         button->setAutoDefault(false);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 16, 16, 16);
-    layout->setSpacing(16);
-    layout->addLayout(body, 1);
-    layout->addWidget(m_programReason);
-    layout->addLayout(program);
-    connect(m_dialect, &QComboBox::currentIndexChanged, this, &PlanDialog::showWhyNoProgram);
-    connect(m_saveProgram, &QPushButton::clicked, this, &PlanDialog::chooseProgramFile);
-    connect(m_print, &QPushButton::clicked, this, &PlanDialog::choosePrinter);
-    connect(m_savePlan, &QPushButton::clicked, this, &PlanDialog::choosePlanFile);
-    connect(m_fill, &QPushButton::clicked, this, &PlanDialog::fillTest);
-    connect(m_make, &QPushButton::clicked, this, &PlanDialog::makeTest);
-    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
-    retranslate();
+    return program;
 }
 
 Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
                              std::function<Quantity()> quantity, std::function<std::optional<double>()> get,
-                             std::function<QString(const std::optional<double> &)> set) {
+                             const std::function<QString(const std::optional<double> &)> &set) {
     auto *field = new Field(Field::Kind::number, this);
     field->edit()->setObjectName(QStringLiteral("plan.") + QLatin1StringView(name));
     const auto shown = [whole, quantity](const std::optional<double> &value) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QPrinter;
@@ -24,6 +25,7 @@ class DocumentModel;
 /// part program.
 class PlanDialog : public QDialog {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(PlanDialog)
 
 public:
     /// Begins with what the test at that index states, if it is a positioning test.
@@ -48,10 +50,12 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    [[nodiscard]] QWidget *makeFields();
+    [[nodiscard]] QHBoxLayout *makeButtons();
     /// `set` takes the number, or says why not.
     Field *addNumber(const char *name, const char *label, bool whole, std::function<Quantity()> quantity,
                      std::function<std::optional<double>()> get,
-                     std::function<QString(const std::optional<double> &)> set);
+                     const std::function<QString(const std::optional<double> &)> &set);
     void begin(std::size_t test);
     void replan();
     void showFields();
@@ -69,9 +73,9 @@ private:
     void retranslate();
 
     struct Entry {
-        Field *field;
-        const char *label;
-        bool whole;
+        Field *field = nullptr;
+        const char *label = nullptr;
+        bool whole = false;
         std::function<Quantity()> quantity;
         std::function<std::optional<double>()> get;
     };

@@ -84,16 +84,16 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
     : QDialog(parent)
     , m_model(model)
     , m_evaluator(evaluator)
-    , m_simulator(evaluator) {
+    , m_simulator(evaluator)
+    , m_small(new PageColumn(this))
+    , m_column(new PageColumn(this))
+    , m_smallArea(new QScrollArea(this))
+    , m_area(new QScrollArea(this)) {
     setObjectName(QStringLiteral("reportDialog"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
     resize(sizeOnScreen(*this, {1280, 800}));
-    m_small = new PageColumn(this);
     m_small->setNumbered(true);
     m_small->setScale(96 / 595.0);
-    m_column = new PageColumn(this);
-    m_smallArea = new QScrollArea(this);
-    m_area = new QScrollArea(this);
     m_smallArea->setObjectName(QStringLiteral("smallPages"));
     m_area->setObjectName(QStringLiteral("pages"));
     m_smallArea->setWidget(m_small);
@@ -527,7 +527,7 @@ void ReportDialog::refuse(const QString &file, const QString &why) {
 }
 
 QStringList ReportDialog::saveTo(const QString &path) {
-    const QStringList files = filesOf(path);
+    QStringList files = filesOf(path);
     std::vector<FileToSave> reports;
     QString file; // at hand
     try {
@@ -582,7 +582,8 @@ bool ReportDialog::printOn(QPrinter &printer) {
     QPainter painter;
     if (m_pages.empty() || !painter.begin(&printer))
         return false;
-    int first = 1, last = pageCount();
+    int first = 1;
+    int last = pageCount();
     if (printer.printRange() == QPrinter::PageRange && printer.fromPage() > 0) {
         first = printer.fromPage();
         last = std::min(last, printer.toPage());

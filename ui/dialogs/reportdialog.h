@@ -53,8 +53,8 @@ protected:
 private:
     /// A box that stands for a word in a list of the report head.
     struct Choice {
-        QCheckBox *box;
-        const char *text;
+        QCheckBox *box = nullptr;
+        const char *text = nullptr;
         std::function<bool(const ReportHead &)> isOn;
         std::function<void(ReportHead &, bool)> set;
     };
@@ -88,40 +88,40 @@ private:
     Pages m_pages;
     bool m_fit = true;
 
-    QLabel *m_title;
-    QLabel *m_summary;
-    QPushButton *m_open; ///< what was saved last
-    QPushButton *m_openFolder;
+    QLabel *m_title = nullptr;
+    QLabel *m_summary = nullptr;
+    QPushButton *m_open = nullptr; ///< what was saved last
+    QPushButton *m_openFolder = nullptr;
     QStringList m_saved;
-    QToolButton *m_previous;
-    QLabel *m_place;
-    QToolButton *m_next;
-    QToolButton *m_smaller;
-    QLabel *m_zoom;
-    QToolButton *m_larger;
-    QPushButton *m_width;
-    PageColumn *m_small;
-    PageColumn *m_column;
-    QScrollArea *m_smallArea;
-    QScrollArea *m_area;
-    QLabel *m_languageTitle;
-    QButtonGroup *m_languages;
-    QToolButton *m_both;
-    QLabel *m_paperTitle;
-    QComboBox *m_paper;
-    QLabel *m_sectionsTitle;
-    QLabel *m_signaturesTitle;
+    QToolButton *m_previous = nullptr;
+    QLabel *m_place = nullptr;
+    QToolButton *m_next = nullptr;
+    QToolButton *m_smaller = nullptr;
+    QLabel *m_zoom = nullptr;
+    QToolButton *m_larger = nullptr;
+    QPushButton *m_width = nullptr;
+    PageColumn *m_small = nullptr;
+    PageColumn *m_column = nullptr;
+    QScrollArea *m_smallArea = nullptr;
+    QScrollArea *m_area = nullptr;
+    QLabel *m_languageTitle = nullptr;
+    QButtonGroup *m_languages = nullptr;
+    QToolButton *m_both = nullptr;
+    QLabel *m_paperTitle = nullptr;
+    QComboBox *m_paper = nullptr;
+    QLabel *m_sectionsTitle = nullptr;
+    QLabel *m_signaturesTitle = nullptr;
     std::vector<Choice> m_choices;
-    QWidget *m_simulation;
-    QLabel *m_simulationText;
-    QProgressBar *m_simulationBar;
-    QPushButton *m_simulationCancel;
-    QCheckBox *m_originals;
-    QLabel *m_attached;
-    QLabel *m_missing;
-    QPushButton *m_save;
-    QPushButton *m_print;
-    QPushButton *m_close;
+    QWidget *m_simulation = nullptr;
+    QLabel *m_simulationText = nullptr;
+    QProgressBar *m_simulationBar = nullptr;
+    QPushButton *m_simulationCancel = nullptr;
+    QCheckBox *m_originals = nullptr;
+    QLabel *m_attached = nullptr;
+    QLabel *m_missing = nullptr;
+    QPushButton *m_save = nullptr;
+    QPushButton *m_print = nullptr;
+    QPushButton *m_close = nullptr;
 };
 
 } // namespace palmer::ui

@@ -16,6 +16,7 @@ namespace palmer::ui {
 /// figure beside it.
 class DriftPage : public QWidget {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(DriftPage)
 
 public:
     DriftPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);

@@ -26,6 +26,32 @@ constexpr int angleDecimals = 2;
 constexpr int deviationDecimals = 2;
 constexpr int timeDecimals = 2;
 
+/// The points of a path, of which there are some, whose angle is no further than `window` from the direction;
+/// degrees.
+template <class Visit>
+void visitNear(const PathProfile &profile, double direction, double window, const Visit &visit) {
+    const auto &angles = profile.angles;
+    if (!profile.ordered) {
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            if (std::abs(std::remainder(angles[i] - direction, 360.0)) <= window)
+                visit(i);
+        }
+        return;
+    }
+    const bool ascending = angles.back() >= angles.front();
+    const double lowest = std::min(angles.front(), angles.back());
+    const double highest = std::max(angles.front(), angles.back());
+    double middle = direction + std::ceil((lowest - window - direction) / 360) * 360;
+    for (; middle - window <= highest; middle += 360) {
+        const auto before = [&](double angle) {
+            return ascending ? angle < middle - window : angle > middle + window;
+        };
+        auto i = static_cast<std::size_t>(std::ranges::partition_point(angles, before) - angles.begin());
+        for (; i < angles.size() && std::abs(angles[i] - middle) <= window; ++i)
+            visit(i);
+    }
+}
+
 } // namespace
 
 CircleCanvas::CircleCanvas(Selection &selection, QWidget *parent)
@@ -138,7 +164,7 @@ std::optional<CircleFigure> CircleCanvas::paperFigure() const {
     return withoutHidden(std::move(figure));
 }
 
-CircleView CircleCanvas::within(CircleView view, const CircleFigure &figure) const {
+CircleView CircleCanvas::within(CircleView view, const CircleFigure &figure) {
     view.zoom = std::clamp(view.zoom, 1.0, deepestZoom);
     const double free = 1 - 1 / view.zoom;
     const double x = figure.size.width() / 2 * free;
@@ -184,29 +210,8 @@ std::optional<CircleCanvas::ProfilePoint> CircleCanvas::nearest(QPointF at) cons
         }
     };
     for (std::size_t k = 0; k < m_profiles.size(); ++k) {
-        const PathProfile &profile = m_profiles[k];
-        const auto &angles = profile.angles;
-        if (!shows(profile.sense) || angles.empty())
-            continue;
-        if (!profile.ordered) {
-            for (std::size_t i = 0; i < angles.size(); ++i) {
-                if (std::abs(std::remainder(angles[i] - direction, 360.0)) <= window)
-                    look(k, i);
-            }
-            continue;
-        }
-        const bool ascending = angles.back() >= angles.front();
-        const double lowest = std::min(angles.front(), angles.back());
-        const double highest = std::max(angles.front(), angles.back());
-        double middle = direction + std::ceil((lowest - window - direction) / 360) * 360;
-        for (; middle - window <= highest; middle += 360) {
-            const auto before = [&](double angle) {
-                return ascending ? angle < middle - window : angle > middle + window;
-            };
-            auto i = static_cast<std::size_t>(std::ranges::partition_point(angles, before) - angles.begin());
-            for (; i < angles.size() && std::abs(angles[i] - middle) <= window; ++i)
-                look(k, i);
-        }
+        if (shows(m_profiles[k].sense) && !m_profiles[k].angles.empty())
+            visitNear(m_profiles[k], direction, window, [&](std::size_t i) { look(k, i); });
     }
     return found;
 }

@@ -75,7 +75,7 @@ private:
     void drawAnew();
     void zoom(double factor, QPointF about);
     void pan(QPointF by);
-    [[nodiscard]] CircleView within(CircleView view, const CircleFigure &figure) const;
+    [[nodiscard]] static CircleView within(CircleView view, const CircleFigure &figure);
     [[nodiscard]] CircleFigure withoutHidden(CircleFigure figure) const;
     [[nodiscard]] bool shows(Sense sense) const;
     [[nodiscard]] QPointF shown(const TracePoint &point) const;

@@ -103,9 +103,10 @@ CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
     for (CircleCanvas *&canvas : m_canvases) {
         canvas = new CircleCanvas(selection, this);
         surfaces->addWidget(canvas, 1);
+        if (!m_current)
+            m_current = canvas;
         connect(canvas, &CircleCanvas::pressed, this, [this, canvas] { m_current = canvas; });
     }
-    m_current = m_canvases.front();
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);

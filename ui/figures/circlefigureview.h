@@ -65,7 +65,7 @@ private:
     QToolButton *m_clockwise;
     QToolButton *m_repetitions;
     std::array<CircleCanvas *, 3> m_canvases{};
-    CircleCanvas *m_current;
+    CircleCanvas *m_current = nullptr;
 };
 
 } // namespace palmer::ui

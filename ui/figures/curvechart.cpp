@@ -41,10 +41,10 @@ QList<QPointF> edge(const std::vector<BandPoint> &band, double BandPoint::*limit
 class BareChart {
 public:
     BareChart(const QRectF &area, const QRectF &plot, const CurveFigure &figure)
-        : m_plot(plot) {
+        : m_plot(plot)
+        , m_chart(new QChart) {
         m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
         m_scene.setSceneRect(area);
-        m_chart = new QChart;
         m_scene.addItem(m_chart);
         m_chart->legend()->hide();
         m_chart->setBackgroundVisible(false);

@@ -28,7 +28,7 @@ constexpr double halo = 0.35;
 constexpr double contactWidth = 1.7;
 constexpr double senseRadius = 14;
 constexpr double senseRoom = 3;    ///< between the arrows of the sense and what is drawn around them
-constexpr double spokes = 30;      ///< degrees
+constexpr int spokes = 30;         ///< degrees
 constexpr double freeOfMarks = 9;  ///< degrees
 constexpr double roomForLabel = 9; ///< between the circles of a dimension
 constexpr double limitTick = 1;
@@ -267,8 +267,8 @@ private:
         const double outer =
             whole() ? m_figure.radius(m_figure.rings.back().deviation) : m_figure.figureRadius;
         p.setPen(pen(FigureRole::ring));
-        for (double angle = 0; angle < 360; angle += spokes) {
-            if (std::fmod(angle, 90) != 0)
+        for (int angle = 0; angle < 360; angle += spokes) {
+            if (angle % 90 != 0)
                 drawChain({polar(angle, inner), polar(angle, outer)});
         }
     }
@@ -636,9 +636,11 @@ private:
         if (!hasRoom(along.mapRect(boxOf(above, width))))
             return false;
         const double step = textHeight;
-        for (double x = -width / 2; x <= width / 2; x += step) {
+        double x = -width / 2;
+        while (x <= width / 2) {
             if (isCrossed(boxOf(along.map(above + QPointF(x, 0)), step / 2)))
                 return false;
+            x += step;
         }
         return true;
     }

@@ -47,16 +47,16 @@ constexpr double titleCentre = 2.3 * mm; ///< of the rotated title, from the lef
 
 /// What differs between page and screen, in points.
 struct Margins {
-    double left;
-    double right;
-    double top;
-    double bottom;
-    double tickLabels; ///< centres below the plot
-    double title;      ///< 0: beside the numbers of the axis
-    double legend;
-    double sampleWidth;
-    double sampleGap;
-    double legendGap; ///< largest
+    double left = 0;
+    double right = 0;
+    double top = 0;
+    double bottom = 0;
+    double tickLabels = 0; ///< centres below the plot
+    double title = 0;      ///< 0: beside the numbers of the axis
+    double legend = 0;
+    double sampleWidth = 0;
+    double sampleGap = 0;
+    double legendGap = 0; ///< largest
 };
 
 constexpr Margins paperMargins{13.5 * mm, gutterWidth, 1.2 * mm, 16.5 * mm, 3.5 * mm,
@@ -167,8 +167,8 @@ private:
 
     /// The ticks whose labels have room beside each other: all, or every second, fifth, tenth … counted from
     /// zero.
-    [[nodiscard]] std::vector<const Tick *> thinned(const FigureAxis &axis, double length,
-                                                    bool horizontal) const {
+    [[nodiscard]] static std::vector<const Tick *> thinned(const FigureAxis &axis, double length,
+                                                           bool horizontal) {
         double need = 1.5 * figureTextSize;
         if (horizontal) {
             need = 0;
@@ -190,7 +190,7 @@ private:
 
     void drawBand(const std::vector<BandPoint> &band, const QColor &fill) {
         QPolygonF outline;
-        outline.reserve(static_cast<qsizetype>(2 * band.size()));
+        outline.reserve(2 * static_cast<qsizetype>(band.size()));
         for (const BandPoint &point : band)
             outline.append({x(point.x), y(point.upper)});
         for (auto point = band.rbegin(); point != band.rend(); ++point)

@@ -124,7 +124,7 @@ private:
     /// At the ends of the lines; those at the edge apart from each other.
     void drawLabels() {
         struct Label {
-            double at;
+            double at = 0;
             QString text;
         };
         std::vector<Label> labels;

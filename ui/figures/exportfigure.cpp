@@ -11,6 +11,7 @@
 #include <QSvgGenerator>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -84,8 +85,7 @@ QByteArray withShortPaths(QByteArray svg) {
     result.reserve(svg.size());
     QByteArray number;
     bool inPath = false;
-    for (qsizetype i = 0; i < svg.size(); ++i) {
-        const char c = svg[i];
+    for (const char c : std::as_const(svg)) {
         if (!inPath) {
             result += c;
             inPath = c == '"' && (result.endsWith(" d=\"") || result.endsWith(" points=\""));

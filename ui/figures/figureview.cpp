@@ -75,7 +75,7 @@ std::vector<FigureReading> readingsOf(const CurveFigure &figure, const Positioni
         });
         return found == columns.end() ? std::size_t{0} : found->run;
     };
-    std::vector<std::size_t> runs[2]; // run by number, of ↑ and ↓
+    std::array<std::vector<std::size_t>, 2> runs; // run by number, of ↑ and ↓
     for (const ReadingColumn &column : columns) {
         auto &list = runs[column.approach == Direction::positive ? 0 : 1];
         list.resize(std::max(list.size(), static_cast<std::size_t>(column.number)));

@@ -13,12 +13,12 @@ struct Dashes {
 };
 
 struct Row {
-    FigureRole role;
-    double width; ///< mm; 0: not a line
+    FigureRole role = FigureRole::background;
+    double width = 0; ///< mm; 0: not a line
     Dashes dashes;
-    QRgb paper;
-    QRgb light;
-    QRgb dark;
+    QRgb paper = 0;
+    QRgb light = 0;
+    QRgb dark = 0;
 };
 
 constexpr Dashes solid{};
@@ -119,8 +119,8 @@ QColor blend(const QColor &colour, const QColor &ground, double strength) {
     const auto mix = [strength](int above, int below) {
         return qRound(strength * above + (1 - strength) * below);
     };
-    return QColor(mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
-                  mix(colour.blue(), ground.blue()));
+    return {mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
+            mix(colour.blue(), ground.blue())};
 }
 
 QColor bandColor(bool up, bool down, Medium medium) {

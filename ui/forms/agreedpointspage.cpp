@@ -23,6 +23,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace palmer::ui {
@@ -34,7 +35,7 @@ constexpr int fieldHeight = 28;
 constexpr int letterWidth = 26;
 constexpr int valueWidth = 132;
 
-constexpr char context[] = "palmer::ui::AgreedPointsPage";
+constexpr const char *context = "palmer::ui::AgreedPointsPage";
 
 } // namespace
 
@@ -154,11 +155,11 @@ void AgreedPointsPage::build(const Edition &edition, const Test &test) {
         connect(row.take, &QPushButton::clicked, this, [this, &point] { takeFromConditions(point); });
         row.text->setFixedHeight(fieldHeight);
         row.text->setObjectName(QStringLiteral("field.agreedPoints.") + QString::fromLatin1(point.point));
-        const QString places[]{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("middle"),
-                               QStringLiteral("last")};
-        QToolButton *buttons[]{row.agreed, row.notAgreed, row.notApplicable, row.notDeclared};
-        constexpr std::optional<AgreementState> states[]{AgreementState::agreed, AgreementState::notAgreed,
-                                                         AgreementState::notApplicable, std::nullopt};
+        const std::array places{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("middle"),
+                                QStringLiteral("last")};
+        const std::array buttons{row.agreed, row.notAgreed, row.notApplicable, row.notDeclared};
+        constexpr auto states = std::to_array<std::optional<AgreementState>>(
+            {AgreementState::agreed, AgreementState::notAgreed, AgreementState::notApplicable, std::nullopt});
         auto *head = new QHBoxLayout;
         head->setSpacing(8);
         head->addWidget(row.letter);

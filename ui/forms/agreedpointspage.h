@@ -40,18 +40,18 @@ protected:
 
 private:
     struct Row {
-        const AgreementPoint *point;
-        QWidget *area;
-        Chip *letter;
-        QLabel *name;
-        QToolButton *agreed;
-        QToolButton *notAgreed;
-        QToolButton *notApplicable;
-        QToolButton *notDeclared;
-        AgreementEdit *text;
-        QPushButton *take; ///< what the conditions say
-        QLabel *refusal;   ///< of a text that is too long
-        Field *value;      ///< the number that was agreed; null where words alone agree
+        const AgreementPoint *point = nullptr;
+        QWidget *area = nullptr;
+        Chip *letter = nullptr;
+        QLabel *name = nullptr;
+        QToolButton *agreed = nullptr;
+        QToolButton *notAgreed = nullptr;
+        QToolButton *notApplicable = nullptr;
+        QToolButton *notDeclared = nullptr;
+        AgreementEdit *text = nullptr;
+        QPushButton *take = nullptr; ///< what the conditions say
+        QLabel *refusal = nullptr;   ///< of a text that is too long
+        Field *value = nullptr;      ///< the number that was agreed; null where words alone agree
     };
 
     void build(const Edition &edition, const Test &test);

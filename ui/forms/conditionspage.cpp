@@ -18,7 +18,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr char context[] = "palmer::ui::ConditionsPage";
+constexpr const char *context = "palmer::ui::ConditionsPage";
 constexpr std::array kinds{SensorMeasures::air, SensorMeasures::machine, SensorMeasures::instrument};
 
 /// What positioning and circular tests state alike.
@@ -102,8 +102,8 @@ Member<std::optional<double>> endOf(SensorMeasures what, std::size_t ordinal) {
 }
 
 struct SensorLabels {
-    const char *start;
-    const char *end;
+    const char *start = nullptr;
+    const char *end = nullptr;
 };
 SensorLabels labelsOf(SensorMeasures what, bool another) {
     switch (what) {
@@ -142,10 +142,10 @@ Member<std::optional<double>> faces() {
 
 /// A requirement that only a declaration can meet.
 struct Declaration {
-    const char *id;  ///< of its row
-    const char *key; ///< of its field
-    const char *label;
-    std::optional<bool> Conditions::*member;
+    const char *id = nullptr;  ///< of its row
+    const char *key = nullptr; ///< of its field
+    const char *label = nullptr;
+    std::optional<bool> Conditions::*member = nullptr;
 };
 constexpr std::array declarations{
     Declaration{"soak", "stabilised",

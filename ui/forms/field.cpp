@@ -329,6 +329,27 @@ void Field::placeParts() {
     m_unit->setVisible(unitWidth > 0);
 }
 
+/// Why the text in the field is no value, and what stays in its place.
+QString Field::refusalText() const {
+    QString reason = m_refusal;
+    reason[0] = reason[0].toUpper();
+    if (m_shown.isEmpty())
+        return tr("%1.").arg(reason);
+    const QString kept = m_unit->text().isEmpty() ? m_shown : m_shown + QChar(u'\u00A0') + m_unit->text();
+    return tr("%1; %2 kept.").arg(reason, beginningOf(kept));
+}
+
+/// For who hears the field.
+QString Field::description() const {
+    if (isRefused())
+        return m_reason->text();
+    if (m_required)
+        return tr("required, not stated");
+    if (!text().isEmpty())
+        return m_unit->text();
+    return m_placeholder.isEmpty() ? tr("not stated") : m_placeholder;
+}
+
 void Field::retranslate() {
     m_label->setFont(themeFont(TextSize::small));
     m_unit->setFont(themeFont(TextSize::small));
@@ -346,24 +367,13 @@ void Field::retranslate() {
         m_line->setPlaceholderText(placeholder);
     if (m_lines)
         m_lines->setPlaceholderText(placeholder);
-    const QString kept = m_shown.isEmpty()          ? QString()
-                         : m_unit->text().isEmpty() ? m_shown
-                                                    : m_shown + QChar(u'\u00A0') + m_unit->text();
-    if (isRefused()) {
-        QString reason = m_refusal;
-        reason[0] = reason[0].toUpper();
-        m_reason->setText(kept.isEmpty() ? tr("%1.").arg(reason)
-                                         : tr("%1; %2 kept.").arg(reason, beginningOf(kept)));
-    }
+    if (isRefused())
+        m_reason->setText(refusalText());
     m_reasonRow->setVisible(isRefused() && !m_bare);
     QWidget *shown = edit();
     setStyled(shown, "refused", isRefused());
     shown->setAccessibleName(label);
-    shown->setAccessibleDescription(isRefused()  ? m_reason->text()
-                                    : m_required ? tr("required, not stated")
-                                    : text().isEmpty()
-                                        ? (m_placeholder.isEmpty() ? tr("not stated") : m_placeholder)
-                                        : m_unit->text());
+    shown->setAccessibleDescription(description());
     colour(m_mark, QPalette::WindowText, token(Token::unsure, palette()));
     colour(m_reason, QPalette::WindowText, token(Token::bad, palette()));
     placeParts();

@@ -92,6 +92,8 @@ private:
     void finish();
     void restore();
     void retranslate();
+    [[nodiscard]] QString refusalText() const;
+    [[nodiscard]] QString description() const;
     void placeParts();
 
     Kind m_kind;

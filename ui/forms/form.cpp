@@ -43,6 +43,7 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     , m_model(model)
     , m_chip(new Chip(this))
     , m_next(new QPushButton(this))
+    , m_bar(new QHBoxLayout)
     , m_scroll(new QScrollArea(this)) {
     m_chip->setObjectName(QStringLiteral("missingChip"));
     m_next->setObjectName(QStringLiteral("nextMissingButton"));
@@ -63,7 +64,6 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    m_bar = new QHBoxLayout;
     m_bar->setContentsMargins(pageMargin, 8, pageMargin, 4);
     m_bar->setSpacing(8);
     m_bar->addStrut(barHeight); // the fields stay where they are when nothing is missing any more

@@ -131,24 +131,24 @@ private:
     using Change = std::function<void(Document &)>;
 
     struct Entry {
-        Field *field;
-        const char *key;
-        const char *label;
+        Field *field = nullptr;
+        const char *key = nullptr;
+        const char *label = nullptr;
         std::optional<Quantity> quantity;                 ///< of a number: its unit may change
         std::vector<const char *> words;                  ///< of a choice
-        bool none;                                        ///< the first of them states nothing
+        bool none = false;                                ///< the first of them states nothing
         std::function<QString(const FormSource &)> value; ///< of all but choices
         std::function<int(const FormSource &)> choice;
         std::function<Change()> change; ///< made of what is in the field now
     };
     struct Title {
-        QLabel *shown;
-        const char *source;
+        QLabel *shown = nullptr;
+        const char *source = nullptr;
         QString argument;
     };
     struct Button {
-        QPushButton *shown;
-        const char *source;
+        QPushButton *shown = nullptr;
+        const char *source = nullptr;
     };
 
     Field *add(Field::Kind kind, const char *key, const char *label, const QString &unit, int weight);

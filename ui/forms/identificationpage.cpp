@@ -13,14 +13,16 @@
 #include <QPainter>
 #include <QPushButton>
 #include <algorithm>
+#include <array>
 
 namespace palmer::ui {
 
 namespace {
 
-constexpr char context[] = "palmer::ui::IdentificationPage";
+constexpr const char *context = "palmer::ui::IdentificationPage";
 constexpr QSize pictureRoom(180, 48);
-constexpr qint64 largestPicture = 4 * 1024 * 1024; ///< bytes; it stands in every file and every report
+constexpr qint64 largestPicture =
+    qint64{4} * 1024 * 1024; ///< bytes; it stands in every file and every report
 
 template <auto member>
 auto ofReport() {
@@ -33,14 +35,14 @@ auto within() {
 }
 
 struct SignerWord {
-    Signer signer;
-    const char *word;
+    Signer signer = Signer::operatorSigns;
+    const char *word = nullptr;
 };
-constexpr SignerWord signerWords[] = {
-    {Signer::operatorSigns, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator")},
-    {Signer::laboratory, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Laboratory")},
-    {Signer::supplier, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Supplier")},
-    {Signer::customer, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer")},
+constexpr std::array signerWords{
+    SignerWord{Signer::operatorSigns, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator")},
+    SignerWord{Signer::laboratory, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Laboratory")},
+    SignerWord{Signer::supplier, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Supplier")},
+    SignerWord{Signer::customer, QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer")},
 };
 
 } // namespace

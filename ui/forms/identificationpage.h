@@ -20,9 +20,9 @@ protected:
 private:
     using Picture = std::optional<std::string> Laboratory::*;
     struct PictureRow {
-        Picture picture;
-        QLabel *shown;
-        QPushButton *remove;
+        Picture picture = nullptr;
+        QLabel *shown = nullptr;
+        QPushButton *remove = nullptr;
         std::optional<std::string> drawn; ///< base64 of what is shown
         bool isDrawn = false;
     };

@@ -10,7 +10,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr char context[] = "palmer::ui::InstrumentsPage";
+constexpr const char *context = "palmer::ui::InstrumentsPage";
 
 /// A member of the instrument of that index. Where there is none, the first thing said makes it.
 template <auto member>

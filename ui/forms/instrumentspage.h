@@ -15,7 +15,7 @@ protected:
     void prepare() override;
 
 private:
-    void addFields(std::size_t index);
+    void addFields(std::size_t k);
 
     DocumentModel &m_documents;
     Selection &m_selection;

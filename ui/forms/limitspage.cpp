@@ -20,7 +20,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr char context[] = "palmer::ui::LimitsPage";
+constexpr const char *context = "palmer::ui::LimitsPage";
 constexpr int fieldHeight = 28;
 
 /// A member of the limit of a parameter; one that says nothing more goes.

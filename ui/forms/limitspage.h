@@ -26,7 +26,7 @@ private:
 
     /// A limit as a row of the table: what it is of, its value, edition and origin.
     struct Name {
-        ElidedLabel *label;
+        ElidedLabel *label = nullptr;
         QString symbol;
         Text name;
     };

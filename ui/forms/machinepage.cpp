@@ -9,7 +9,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr char context[] = "palmer::ui::MachinePage";
+constexpr const char *context = "palmer::ui::MachinePage";
 
 template <auto member>
 auto ofMachine() {

@@ -12,7 +12,7 @@ namespace palmer::ui {
 /// What a field may look at to say its value.
 struct FormSource {
     const Document &document;
-    const Test *test; ///< null outside of tests
+    const Test *test = nullptr; ///< null outside of tests
     const Language &language;
 };
 

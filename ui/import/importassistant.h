@@ -68,11 +68,11 @@ protected:
 private:
     struct Box {
         std::string key;
-        QWidget *cell;
-        QLabel *name;
-        QLabel *badge;
-        QComboBox *words; ///< null: typed
-        QLineEdit *edit;
+        QWidget *cell = nullptr;
+        QLabel *name = nullptr;
+        QLabel *badge = nullptr;
+        QComboBox *words = nullptr; ///< null: typed
+        QLineEdit *edit = nullptr;
     };
 
     void makeLayout();

@@ -21,6 +21,34 @@ Token colourOf(CellRole role) {
     return role == CellRole::positive ? Token::up : Token::downText;
 }
 
+/// In bytes, with what stands between the cells.
+int longestRow(const CellTable &table) {
+    int longest = 0;
+    for (const TableRow &row : table.rows()) {
+        std::size_t size = 0;
+        for (const TableCell &cell : table.cells(row))
+            size += cell.size + 3U;
+        longest = std::max(longest, static_cast<int>(std::min(size, longestShown)));
+    }
+    return longest;
+}
+
+/// The lines that were not read as they stand.
+std::set<std::size_t> problemsOf(const Imported &imported) {
+    std::set<std::size_t> lines;
+    for (const Remark &remark : imported.remarks) {
+        if (remark.grade == RemarkGrade::problem && remark.line > 0)
+            lines.insert(remark.line);
+    }
+    for (const Question &question : imported.questions) {
+        if (question.grade == QuestionGrade::red && question.line > 0) {
+            lines.insert(question.line);
+            lines.insert(question.further.begin(), question.further.end());
+        }
+    }
+    return lines;
+}
+
 } // namespace
 
 void RawTextModel::show(const Imported *imported) {
@@ -30,36 +58,23 @@ void RawTextModel::show(const Imported *imported) {
     m_problems.clear();
     m_longest = 0;
     m_sheet = imported && imported->format == "workbook";
-    if (imported && !m_sheet) {
-        const std::string &text = imported->text.empty() ? imported->table.text() : imported->text;
-        std::size_t begin = 0;
-        while (begin < text.size()) {
-            const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
-            m_lines.push_back({begin, end - begin});
-            m_longest = std::max(m_longest, static_cast<int>(std::min(end - begin, longestShown)));
-            begin = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
-        }
-    } else if (m_sheet) {
-        for (const TableRow &row : imported->table.rows()) {
-            std::size_t size = 0;
-            for (const TableCell &cell : imported->table.cells(row))
-                size += cell.size + 3U;
-            m_longest = std::max(m_longest, static_cast<int>(std::min(size, longestShown)));
-        }
-    }
-    if (imported) {
-        for (const Remark &remark : imported->remarks) {
-            if (remark.grade == RemarkGrade::problem && remark.line > 0)
-                m_problems.insert(remark.line);
-        }
-        for (const Question &question : imported->questions) {
-            if (question.grade == QuestionGrade::red && question.line > 0) {
-                m_problems.insert(question.line);
-                m_problems.insert(question.further.begin(), question.further.end());
-            }
-        }
-    }
+    if (m_sheet)
+        m_longest = longestRow(imported->table);
+    else if (imported)
+        findLines(imported->text.empty() ? imported->table.text() : imported->text);
+    if (imported)
+        m_problems = problemsOf(*imported);
     endResetModel();
+}
+
+void RawTextModel::findLines(const std::string &text) {
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+        m_lines.push_back({begin, end - begin});
+        m_longest = std::max(m_longest, static_cast<int>(std::min(end - begin, longestShown)));
+        begin = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+    }
 }
 
 int RawTextModel::rowCount(const QModelIndex &parent) const {

@@ -42,6 +42,7 @@ private:
         std::size_t size = 0;
     };
 
+    void findLines(const std::string &text);
     [[nodiscard]] const TableRow *tableRow(int row) const;
 
     const Imported *m_imported = nullptr;

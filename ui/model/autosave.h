@@ -19,6 +19,7 @@ namespace palmer::ui {
 /// what the file says, or closed. After a crash the copy is found by abandonedRecoveries.
 class Autosave : public QObject {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(Autosave)
 
 public:
     /// Folder of all copies of this user; made when needed.

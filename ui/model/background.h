@@ -51,6 +51,8 @@ public:
     void wait() { m_thread.waitForDone(); }
 
 private:
+    Q_DISABLE_COPY_MOVE(Background)
+
     QObject m_place; ///< where jobs are heard
     QThreadPool m_thread;
     std::stop_source m_stop;

@@ -17,6 +17,7 @@ using DocumentPointer = std::shared_ptr<const Document>;
 /// else changes a document that is shown.
 class DocumentModel : public QObject {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(DocumentModel)
 
 public:
     explicit DocumentModel(QObject *parent = nullptr);

@@ -47,7 +47,7 @@ signals:
 
 private:
     struct EndedSimulation {
-        std::size_t test;
+        std::size_t test = 0;
         TestSimulation simulation;
     };
 

@@ -12,11 +12,10 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr qint64 largestTemplate = 16 * 1024 * 1024; ///< bytes: two large pictures
+constexpr qint64 largestTemplate = qint64{16} * 1024 * 1024; ///< bytes: two large pictures
 
 QDir folder() {
-    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-                QStringLiteral("/templates"));
+    return {QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/templates")};
 }
 
 bool isSame(const Template &a, const Template &b) {

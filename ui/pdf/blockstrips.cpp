@@ -336,8 +336,8 @@ Strips legendStrips(const ResultsLegend &legend, double width) {
     struct Item {
         LegendSign sign;
         TextBlock text;
-        double x;
-        double y;
+        double x = 0;
+        double y = 0;
     };
     std::vector<Item> items;
     double x = 0;

@@ -13,7 +13,7 @@ namespace palmer::ui {
 struct PdfAttachment {
     QString name;
     QByteArray mimeType;
-    const char *relationship; ///< "/Source", "/Data"
+    const char *relationship = nullptr; ///< "/Source", "/Data"
     QString description;
     QByteArray bytes;
 };

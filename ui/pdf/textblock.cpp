@@ -48,7 +48,7 @@ const Face &face(const TextRun &run, const TextStyle &style) {
     return face(sizeOf(run, style), run.bold || style.bold, run.italic);
 }
 
-thread_local std::size_t measured = 0;
+thread_local std::size_t measured = 0; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): a count
 
 bool needsOtherFont(const QString &text) {
     constexpr char16_t endOfLatin = 0x370;
@@ -298,57 +298,68 @@ TextBlock::TextBlock(const QString &text, const TextStyle &style, double width)
 TextBlock::TextBlock(const RichText &text, const TextStyle &style, double width)
     : m_style(style)
     , m_lines(1) {
-    const bool wraps = width < unlimited;
-    // A line that cannot be full is measured when it is whole.
-    const auto append = [&](const TextRun &run) {
-        Line &line = m_lines.back();
-        if (!line.fragments.empty() && sameLook(line.fragments.back().run, run))
-            line.fragments.back().run.text += run.text;
-        else
-            line.fragments.push_back({run, 0});
-        if (wraps)
-            measureEnd(line);
-    };
     for (const Word &word : words(text)) {
         if (word.newLine)
             m_lines.emplace_back();
         if (word.runs.empty())
             continue;
-        double needed = 0;
-        if (wraps && !m_lines.back().fragments.empty()) {
-            for (const TextRun &run : word.runs)
-                needed += widthOf(run, style);
-        }
-        TextRun space = word.runs.front();
-        space.text = QStringLiteral(" ");
-        const bool begins = m_lines.back().fragments.empty();
-        const double gap = word.spaceBefore && !begins ? widthOf(space, style) : 0;
-        if (wraps && !begins && m_lines.back().width + gap + needed > width + 0.01)
-            m_lines.emplace_back();
-        else if (gap > 0)
-            append(space);
-        for (const TextRun &run : word.runs) {
-            Rest rest(run, style);
-            while (wraps && rest.exceeds(width + 0.01 - m_lines.back().width)) {
-                const qsizetype count = rest.fitting(width - m_lines.back().width);
-                const bool alone = m_lines.back().fragments.empty();
-                if (!alone && rest.width(count) > width - m_lines.back().width) {
-                    m_lines.emplace_back();
-                    continue;
-                }
-                append(rest.take(count));
-                if (rest.empty())
-                    break;
-                m_lines.emplace_back();
-            }
-            if (!rest.empty())
-                append(rest.takeAll());
-        }
+        beginWord(word.runs, word.spaceBefore, width);
+        for (const TextRun &run : word.runs)
+            append(run, width);
     }
-    if (!wraps) {
+    // A line that cannot be full is measured when it is whole.
+    if (width >= unlimited) {
         for (Line &line : m_lines)
             measure(line);
     }
+}
+
+void TextBlock::beginWord(const std::vector<TextRun> &runs, bool spaceBefore, double width) {
+    const Line &line = m_lines.back();
+    if (line.fragments.empty())
+        return;
+    TextRun space = runs.front();
+    space.text = QStringLiteral(" ");
+    const double gap = spaceBefore ? widthOf(space, m_style) : 0;
+    if (width < unlimited) {
+        double needed = 0;
+        for (const TextRun &run : runs)
+            needed += widthOf(run, m_style);
+        if (line.width + gap + needed > width + 0.01) {
+            m_lines.emplace_back();
+            return;
+        }
+    }
+    if (gap > 0)
+        appendToLine(space, width);
+}
+
+void TextBlock::append(const TextRun &run, double width) {
+    Rest rest(run, m_style);
+    while (width < unlimited && rest.exceeds(width + 0.01 - m_lines.back().width)) {
+        const qsizetype count = rest.fitting(width - m_lines.back().width);
+        const bool alone = m_lines.back().fragments.empty();
+        if (!alone && rest.width(count) > width - m_lines.back().width) {
+            m_lines.emplace_back();
+            continue;
+        }
+        appendToLine(rest.take(count), width);
+        if (rest.empty())
+            break;
+        m_lines.emplace_back();
+    }
+    if (!rest.empty())
+        appendToLine(rest.takeAll(), width);
+}
+
+void TextBlock::appendToLine(const TextRun &run, double width) {
+    Line &line = m_lines.back();
+    if (!line.fragments.empty() && sameLook(line.fragments.back().run, run))
+        line.fragments.back().run.text += run.text;
+    else
+        line.fragments.push_back({run, 0});
+    if (width < unlimited)
+        measureEnd(line);
 }
 
 void TextBlock::measureEnd(Line &line) const {

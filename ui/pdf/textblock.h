@@ -74,6 +74,11 @@ private:
         double width = 0;
     };
 
+    /// A space before a word, or a new line where the word has no room; nothing at the beginning of a line.
+    void beginWord(const std::vector<TextRun> &runs, bool spaceBefore, double width);
+    /// Broken where it is wider than a line.
+    void append(const TextRun &run, double width);
+    void appendToLine(const TextRun &run, double width);
     void measure(Line &line) const;
     void measureEnd(Line &line) const; ///< after its last fragment has grown
 

@@ -27,11 +27,11 @@ public:
     PdfPages &operator=(const PdfPages &) = delete;
 
     [[nodiscard]] int count() const;
-    [[nodiscard]] QSizeF size(int page) const; ///< points
+    [[nodiscard]] QSizeF size(int index) const; ///< points
     /// The words of a page in the order of reading.
-    [[nodiscard]] PrintedWords words(int page) const;
+    [[nodiscard]] PrintedWords words(int index) const;
     /// A page without annotations, a pixel a point.
-    [[nodiscard]] QImage picture(int page) const;
+    [[nodiscard]] QImage picture(int index) const;
     [[nodiscard]] std::vector<SignatureStatement> signatures() const;
 
 private:

@@ -83,6 +83,7 @@ QImage without(QImage picture, const std::vector<QRectF> &areas) {
         const double above = area.height() / 2; // other fonts are higher
         const QRect wiped = area.adjusted(-2, -above, 2, above).toAlignedRect() & picture.rect();
         for (int y = wiped.top(); y <= wiped.bottom(); ++y) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): pixels, as QImage has it
             auto *line = reinterpret_cast<QRgb *>(picture.scanLine(y));
             std::fill(line + wiped.left(), line + wiped.right() + 1, qRgb(255, 255, 255));
         }
@@ -96,8 +97,10 @@ QRectF differingArea(const QImage &a, const QImage &b) {
         return {0, 0, static_cast<double>(a.width()), static_cast<double>(a.height())};
     QRectF area;
     for (int y = 0; y < a.height(); ++y) {
+        // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast): pixels, as QImage has it
         const auto *left = reinterpret_cast<const QRgb *>(a.constScanLine(y));
         const auto *right = reinterpret_cast<const QRgb *>(b.constScanLine(y));
+        // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
         for (int x = 0; x < a.width(); ++x) {
             if (left[x] != right[x])
                 area |= QRectF(x, y, 1, 1);

@@ -31,8 +31,8 @@ private:
     void fit();
 
     struct Hint {
-        QLabel *key;
-        QLabel *text;
+        QLabel *key = nullptr;
+        QLabel *text = nullptr;
     };
 
     EvaluatedDocument m_evaluated;

@@ -19,8 +19,8 @@ constexpr int cornerSize = 7;
 /// A thin colour over a ground, opaque.
 QColor tint(const QColor &colour, const QColor &ground, double strength) {
     const auto mix = [strength](int a, int b) { return qRound(a * strength + b * (1 - strength)); };
-    return QColor(mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
-                  mix(colour.blue(), ground.blue()));
+    return {mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
+            mix(colour.blue(), ground.blue())};
 }
 
 /// The mark of a reading worth a second look: shape and place tell it, not the colour alone.
@@ -31,6 +31,18 @@ void paintCorner(QPainter &painter, const QRect &cell, const QColor &colour) {
     painter.setBrush(colour);
     const QPoint corner = cell.topRight() + QPoint(0, 1);
     painter.drawPolygon(QPolygon({corner, corner - QPoint(cornerSize, 0), corner + QPoint(0, cornerSize)}));
+    painter.restore();
+}
+
+/// The current cell has a heavy frame.
+void paintFrame(QPainter &painter, const QRect &cell, const QColor &colour, bool current, Qt::PenStyle line) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double width = current ? 2 : 1;
+    painter.setPen(QPen(colour, width, line));
+    painter.setBrush(Qt::NoBrush);
+    const double inset = current ? 1 : 1.5;
+    painter.drawRoundedRect(QRectF(cell).adjusted(inset, inset, -inset - 1, -inset - 1), 3, 3);
     painter.restore();
 }
 
@@ -93,16 +105,8 @@ void ReadingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
 
     const bool hovered = m_hovered == index;
     const bool next = m_next == index && !current;
-    if (!current && !hovered && !next)
-        return;
-    painter->save();
-    painter->setRenderHint(QPainter::Antialiasing);
-    const double width = current ? 2 : 1;
-    painter->setPen(QPen(accent, width, next && !hovered ? Qt::DashLine : Qt::SolidLine));
-    painter->setBrush(Qt::NoBrush);
-    const double inset = current ? 1 : 1.5;
-    painter->drawRoundedRect(QRectF(cell).adjusted(inset, inset, -inset - 1, -inset - 1), 3, 3);
-    painter->restore();
+    if (current || hovered || next)
+        paintFrame(*painter, cell, accent, current, next && !hovered ? Qt::DashLine : Qt::SolidLine);
 }
 
 QWidget *ReadingsDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &,

@@ -271,6 +271,35 @@ QString ReadingsModel::refusal(const QModelIndex &index) const {
     return problem ? m_language.text(*problem) : tr("other decimal mark");
 }
 
+QString ReadingsModel::toolTip(const QModelIndex &index) const {
+    if (const QString reason = refusal(index); !reason.isEmpty())
+        return index.column() == positionColumn
+                   ? tr("%1: not taken, the target stays where it was").arg(reason)
+                   : tr("%1: not taken, the reading is missing").arg(reason);
+    const auto place = placeAt(index);
+    if (!place)
+        return {};
+    if (m_outliers.contains(*place))
+        return tr("Far from the other readings here: a typing error?");
+    const ShownReading reading = m_texts->reading(place->run, place->target);
+    if (!reading.excluded)
+        return {};
+    return reading.reason.isEmpty() ? tr("Set aside, without a reason")
+                                    : tr("Set aside: %1").arg(reading.reason);
+}
+
+QString ReadingsModel::accessibleText(const QModelIndex &index) const {
+    const QString where =
+        tr("target %1, %2").arg(QString::number(index.row() + 1), head(index.column()).name) +
+        QStringLiteral(": ");
+    if (const QString reason = refusal(index); !reason.isEmpty())
+        return where + text(index) + QStringLiteral(", ") + reason;
+    const auto place = placeAt(index);
+    if (place && m_texts->reading(place->run, place->target).missing)
+        return where + tr("no reading");
+    return where + text(index);
+}
+
 QVariant ReadingsModel::data(const QModelIndex &index, int role) const {
     if (!index.isValid() || !m_texts)
         return {};
@@ -287,28 +316,9 @@ QVariant ReadingsModel::data(const QModelIndex &index, int role) const {
     case outlierRole:
         return place && m_outliers.contains(*place);
     case Qt::ToolTipRole:
-        if (const QString reason = refusal(index); !reason.isEmpty())
-            return index.column() == positionColumn
-                       ? tr("%1: not taken, the target stays where it was").arg(reason)
-                       : tr("%1: not taken, the reading is missing").arg(reason);
-        if (place && m_outliers.contains(*place))
-            return tr("Far from the other readings here: a typing error?");
-        if (place) {
-            const ShownReading reading = m_texts->reading(place->run, place->target);
-            if (reading.excluded)
-                return reading.reason.isEmpty() ? tr("Set aside, without a reason")
-                                                : tr("Set aside: %1").arg(reading.reason);
-        }
-        return {};
-    case Qt::AccessibleTextRole: {
-        const QString where =
-            tr("target %1, %2").arg(QString::number(index.row() + 1), head(index.column()).name);
-        if (const QString reason = refusal(index); !reason.isEmpty())
-            return where + QStringLiteral(": ") + text(index) + QStringLiteral(", ") + reason;
-        if (place && m_texts->reading(place->run, place->target).missing)
-            return where + QStringLiteral(": ") + tr("no reading");
-        return where + QStringLiteral(": ") + text(index);
-    }
+        return toolTip(index);
+    case Qt::AccessibleTextRole:
+        return accessibleText(index);
     case excludedRole:
         return place && m_texts->reading(place->run, place->target).excluded;
     case missingRole:

@@ -86,6 +86,8 @@ private:
     [[nodiscard]] bool holds(const ReadingPlace &place) const;
     [[nodiscard]] QString text(const QModelIndex &index) const;
     [[nodiscard]] QString refusal(const QModelIndex &index) const;
+    [[nodiscard]] QString toolTip(const QModelIndex &index) const;
+    [[nodiscard]] QString accessibleText(const QModelIndex &index) const;
 
     std::shared_ptr<const Document> m_document; ///< owns the measurement
     TestEvaluationPointer m_evaluation;

@@ -22,6 +22,7 @@ class ReadingsView;
 /// readings are typed, pasted, set aside; targets and runs come and go.
 class ReadingsPage : public QWidget {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(ReadingsPage)
 
 public:
     ReadingsPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
@@ -67,35 +68,35 @@ private:
     Selection &m_selection;
     ReadingsEditor m_editor;
     ReadingsModel m_model;
-    ReadingsView *m_view;
-    PasteBar *m_pasteBar;
+    ReadingsView *m_view = nullptr;
+    PasteBar *m_pasteBar = nullptr;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     QString m_block; ///< what was pasted last
     BlockPlace m_blockPlace;
     BlockChoices m_blockChoices;
-    QToolButton *m_deviations;
-    QToolButton *m_positions;
-    QToolButton *m_byRun;
-    QToolButton *m_byDirection;
-    QToolButton *m_pasteButton;
-    QToolButton *m_addRunButton;
+    QToolButton *m_deviations = nullptr;
+    QToolButton *m_positions = nullptr;
+    QToolButton *m_byRun = nullptr;
+    QToolButton *m_byDirection = nullptr;
+    QToolButton *m_pasteButton = nullptr;
+    QToolButton *m_addRunButton = nullptr;
     QList<QAction *> m_editActions;
     QList<QAction *> m_testActions;
-    QAction *m_cut;
-    QAction *m_copy;
-    QAction *m_paste;
-    QAction *m_clear;
-    QAction *m_fillDown;
-    QAction *m_fillRight;
-    QAction *m_setAside;
-    QAction *m_bringBack;
-    QAction *m_insertAbove;
-    QAction *m_insertBelow;
-    QAction *m_removeTargets;
-    QAction *m_addRuns;
-    QAction *m_insertRun;
-    QAction *m_removeRuns;
+    QAction *m_cut = nullptr;
+    QAction *m_copy = nullptr;
+    QAction *m_paste = nullptr;
+    QAction *m_clear = nullptr;
+    QAction *m_fillDown = nullptr;
+    QAction *m_fillRight = nullptr;
+    QAction *m_setAside = nullptr;
+    QAction *m_bringBack = nullptr;
+    QAction *m_insertAbove = nullptr;
+    QAction *m_insertBelow = nullptr;
+    QAction *m_removeTargets = nullptr;
+    QAction *m_addRuns = nullptr;
+    QAction *m_insertRun = nullptr;
+    QAction *m_removeRuns = nullptr;
 };
 
 } // namespace palmer::ui

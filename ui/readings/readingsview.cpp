@@ -227,6 +227,7 @@ void ReadingsView::scrollTo(const QModelIndex &index, ScrollHint hint) {
 
 void ReadingsView::setRuling(const std::vector<std::size_t> &targets) {
     std::vector<int> rows;
+    rows.reserve(targets.size());
     for (const std::size_t target : targets)
         rows.push_back(static_cast<int>(target));
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen}) {
@@ -293,9 +294,8 @@ void ReadingsView::selectionChanged(const QItemSelection &selected, const QItemS
 }
 
 std::vector<ReadingPlace> ReadingsView::selectedPlaces() const {
-    std::vector<QModelIndex> cells;
-    for (const QModelIndex &index : selectionModel()->selectedIndexes())
-        cells.push_back(index);
+    const QModelIndexList selected = selectionModel()->selectedIndexes();
+    std::vector<QModelIndex> cells(selected.begin(), selected.end());
     std::sort(cells.begin(), cells.end()); // an index has no order of ranges
     std::vector<ReadingPlace> places;
     for (const QModelIndex &index : cells) {
@@ -460,10 +460,11 @@ void ReadingsView::scrollContentsBy(int dx, int dy) {
 }
 
 bool ReadingsView::viewportEvent(QEvent *event) {
-    if (event->type() == QEvent::Leave)
-        m_selection.setHovered({});
-    else if (event->type() == QEvent::MouseMove &&
-             !indexAt(static_cast<QMouseEvent *>(event)->position().toPoint()).isValid())
+    const auto isOutside = [&] {
+        return event->type() == QEvent::MouseMove &&
+               !indexAt(static_cast<QMouseEvent *>(event)->position().toPoint()).isValid();
+    };
+    if (event->type() == QEvent::Leave || isOutside())
         m_selection.setHovered({});
     return QTableView::viewportEvent(event);
 }

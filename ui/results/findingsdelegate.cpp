@@ -14,7 +14,7 @@ constexpr int markWidth = 22;
 constexpr int arrowWidth = 18;
 
 struct Look {
-    const char *icon;
+    const char *icon = nullptr;
     Token colour;
 };
 

@@ -58,60 +58,74 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
     m_lines.clear();
     m_summary.clear();
     if (test < evaluated.tests.size()) {
-        const TestEvaluation *evaluation = evaluated.tests[test].get();
-        const Document &document = *evaluated.document;
-        std::array<int, 3> counts{};
-        std::vector<const Finding *> here;
-        for (const Finding &finding : evaluation->findings) {
-            ++counts.at(static_cast<std::size_t>(finding.grade));
-            if (pageOf(finding, document) == page)
-                here.push_back(&finding);
-        }
-        std::ranges::stable_sort(here, {},
-                                 [](const Finding *f) { return std::tuple(f->source, f->grade, f->state); });
-        for (const Finding *finding : here) {
-            const QString sentence = findingText(*finding, language);
-            m_lines.push_back({finding->grade, page, fieldOf(*finding),
-                               page == Page::agreedPoints && !finding->name.empty()
-                                   ? tr("Not agreed: %1").arg(findingName(*finding, language))
-                                   : sentence,
-                               sentence, clauseText(finding->clause, language)});
-        }
+        const std::vector<Finding> &findings = evaluated.tests[test]->findings;
+        addFindings(findings, *evaluated.document, page, language);
         for (const Page other : pages) {
-            if (other == page)
-                continue;
-            int all = 0;
-            int missing = 0;
-            Grade worst = Grade::note;
-            for (const Finding &finding : evaluation->findings) {
-                if (pageOf(finding, document) != other)
-                    continue;
-                ++all;
-                missing += finding.missing ? 1 : 0;
-                worst = std::min(worst, finding.grade);
-            }
-            if (all == 0)
-                continue;
-            QString text = other == Page::agreedPoints && missing == all
-                               ? tr("%n point(s) not agreed", nullptr, all)
-                           : missing == all ? tr("%n required statement(s) missing", nullptr, all)
-                                            : tr("%n finding(s)", nullptr, all);
-            const QString line = tr("%1: %2", "page: what is found there").arg(pageName(other), text);
-            m_lines.push_back({worst, other, {}, line, line, {}});
+            if (other != page)
+                addPage(findings, *evaluated.document, other);
         }
-        QStringList parts;
-        const RequirementCounts asked = countRequirements(evaluation->findings); // as the verdict counts them
-        if (asked.unmet > 0)
-            parts << tr("%n requirement(s) not met", nullptr, asked.unmet);
-        if (asked.undeclared > 0)
-            parts << tr("%n not declared", nullptr, asked.undeclared);
-        if (counts[1] > 0)
-            parts << tr("%n recommendation(s)", nullptr, counts[1]);
-        if (counts[2] > 0)
-            parts << tr("%n note(s)", nullptr, counts[2]);
-        m_summary = parts.isEmpty() ? tr("none") : parts.join(QStringLiteral(" · "));
+        m_summary = summaryOf(findings);
     }
     endResetModel();
+}
+
+/// Those that are mended on the page, a line each.
+void FindingsModel::addFindings(const std::vector<Finding> &findings, const Document &document, Page page,
+                                const Language &language) {
+    std::vector<const Finding *> here;
+    for (const Finding &finding : findings) {
+        if (pageOf(finding, document) == page)
+            here.push_back(&finding);
+    }
+    std::ranges::stable_sort(here, {},
+                             [](const Finding *f) { return std::tuple(f->source, f->grade, f->state); });
+    for (const Finding *finding : here) {
+        const QString sentence = findingText(*finding, language);
+        m_lines.push_back({finding->grade, page, fieldOf(*finding),
+                           page == Page::agreedPoints && !finding->name.empty()
+                               ? tr("Not agreed: %1").arg(findingName(*finding, language))
+                               : sentence,
+                           sentence, clauseText(finding->clause, language)});
+    }
+}
+
+/// One line for what is found on another page, if anything is.
+void FindingsModel::addPage(const std::vector<Finding> &findings, const Document &document, Page page) {
+    int all = 0;
+    int missing = 0;
+    Grade worst = Grade::note;
+    for (const Finding &finding : findings) {
+        if (pageOf(finding, document) != page)
+            continue;
+        ++all;
+        missing += finding.missing ? 1 : 0;
+        worst = std::min(worst, finding.grade);
+    }
+    if (all == 0)
+        return;
+    const QString text = page == Page::agreedPoints && missing == all
+                             ? tr("%n point(s) not agreed", nullptr, all)
+                         : missing == all ? tr("%n required statement(s) missing", nullptr, all)
+                                          : tr("%n finding(s)", nullptr, all);
+    const QString line = tr("%1: %2", "page: what is found there").arg(pageName(page), text);
+    m_lines.push_back({worst, page, {}, line, line, {}});
+}
+
+QString FindingsModel::summaryOf(const std::vector<Finding> &findings) {
+    std::array<int, 3> counts{};
+    for (const Finding &finding : findings)
+        ++counts.at(static_cast<std::size_t>(finding.grade));
+    QStringList parts;
+    const RequirementCounts asked = countRequirements(findings); // as the verdict counts them
+    if (asked.unmet > 0)
+        parts << tr("%n requirement(s) not met", nullptr, asked.unmet);
+    if (asked.undeclared > 0)
+        parts << tr("%n not declared", nullptr, asked.undeclared);
+    if (counts[1] > 0)
+        parts << tr("%n recommendation(s)", nullptr, counts[1]);
+    if (counts[2] > 0)
+        parts << tr("%n note(s)", nullptr, counts[2]);
+    return parts.isEmpty() ? tr("none") : parts.join(QStringLiteral(" · "));
 }
 
 int FindingsModel::rowCount(const QModelIndex &parent) const {

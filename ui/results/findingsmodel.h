@@ -39,6 +39,10 @@ public:
 
 private:
     [[nodiscard]] static QString pageName(Page page);
+    [[nodiscard]] static QString summaryOf(const std::vector<Finding> &findings);
+    void addFindings(const std::vector<Finding> &findings, const Document &document, Page page,
+                     const Language &language);
+    void addPage(const std::vector<Finding> &findings, const Document &document, Page page);
 
     std::vector<Line> m_lines;
     QString m_summary;

@@ -32,8 +32,11 @@ void paintScale(QPainter &painter, const QRect &area, const DecisionScale &scale
         painter.setClipRect(band);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(QPen(token(Token::secondaryText, palette), 0.8));
-        for (double x = band.left() - band.height(); x < band.right(); x += hatchStep)
+        double x = band.left() - band.height();
+        while (x < band.right()) {
             painter.drawLine(QPointF(x, band.bottom()), QPointF(x + band.height(), band.top()));
+            x += hatchStep;
+        }
         painter.restore();
     }
     painter.setPen(QPen(palette.color(QPalette::Text), 2));
@@ -53,6 +56,27 @@ void paintScale(QPainter &painter, const QRect &area, const DecisionScale &scale
             QPolygonF{{x, y - diamond}, {x + diamond, y}, {x, y + diamond}, {x - diamond, y}});
     }
     painter.restore();
+}
+
+/// Of its verdict; that of a test which is not finished yet is dimmed.
+QColor colourOf(const ResultLine &line, bool provisional, const QPalette &palette) {
+    const QColor colour =
+        line.verdict ? token(verdictMark(line.verdict).colour, palette) : palette.color(QPalette::Text);
+    return provisional ? blend(colour, palette.color(QPalette::Base), dimmed) : colour;
+}
+
+void paintVerdict(QPainter &painter, const QRect &cell, const ResultLine &line, bool provisional,
+                  const QStyleOptionViewItem &option) {
+    const QColor colour = colourOf(line, provisional, option.palette);
+    drawLineIcon(painter, QRect(cell.left(), cell.top(), markWidth - 4, cell.height()),
+                 verdictMark(line.verdict).icon, colour);
+    QFont font = option.font;
+    font.setWeight(provisional ? QFont::Normal : QFont::DemiBold);
+    painter.setFont(font);
+    painter.setPen(colour);
+    const QRect room = cell.adjusted(markWidth, 0, 0, 0);
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                     QFontMetrics(font).elidedText(line.verdictWord, Qt::ElideRight, room.width()));
 }
 
 } // namespace
@@ -90,30 +114,14 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
                     line.main ? text : secondary, line.main);
         return;
     case ResultsModel::scale:
-        if (line.scale) {
-            QColor colour = line.verdict ? token(verdictMark(line.verdict).colour, palette) : text;
-            if (model->table().provisional)
-                colour = blend(colour, base, dimmed);
-            paintScale(*painter, cell, *line.scale, colour, palette);
-        }
+        if (line.scale)
+            paintScale(*painter, cell, *line.scale, colourOf(line, model->table().provisional, palette),
+                       palette);
         return;
-    case ResultsModel::verdict: {
-        if (!line.verdict)
-            return;
-        const VerdictMark look = verdictMark(line.verdict);
-        QColor colour = token(look.colour, palette);
-        if (model->table().provisional)
-            colour = blend(colour, base, dimmed);
-        drawLineIcon(*painter, QRect(cell.left(), cell.top(), markWidth - 4, cell.height()), look.icon,
-                     colour);
-        font.setWeight(model->table().provisional ? QFont::Normal : QFont::DemiBold);
-        painter->setFont(font);
-        painter->setPen(colour);
-        const QRect room = cell.adjusted(markWidth, 0, 0, 0);
-        painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                          QFontMetrics(font).elidedText(line.verdictWord, Qt::ElideRight, room.width()));
+    case ResultsModel::verdict:
+        if (line.verdict)
+            paintVerdict(*painter, cell, line, model->table().provisional, option);
         return;
-    }
     default:
         break;
     }

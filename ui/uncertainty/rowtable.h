@@ -37,7 +37,7 @@ public:
     /// Key of a row, empty where there is none.
     [[nodiscard]] QString key(int row) const;
     /// The row of a key; −1 for none.
-    [[nodiscard]] int rowOf(const QString &key) const;
+    [[nodiscard]] int rowOf(const QString &wanted) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override;
 

@@ -35,7 +35,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr char context[] = "palmer::ui::UncertaintyPage";
+constexpr const char *context = "palmer::ui::UncertaintyPage";
 constexpr int figureHeight = 210;
 constexpr std::array methods{UncertaintyMethod::budget, UncertaintyMethod::budgetActual,
                              UncertaintyMethod::monteCarlo, UncertaintyMethod::direct,
@@ -66,6 +66,11 @@ auto circular() {
 
 using Amount = std::optional<double>;
 
+QString withSign(double value, Quantity quantity, int decimals, const Language &language) {
+    const QString text = language.number(value, quantity, decimals);
+    return value > 0 ? QStringLiteral("+") + text : text;
+}
+
 /// A factor that is always there: an emptied field is the k = 2 of certificates.
 Member<Amount> coverageOf(Member<double> member) {
     return converted<Amount, double>(
@@ -91,7 +96,7 @@ Member<Amount> seedOf(Member<long long> member) {
 }
 
 /// The U stated for a parameter; an emptied field takes it out.
-Member<Amount> statedFor(Member<ExpandedUncertainties> member, const std::string &id) {
+Member<Amount> statedFor(const Member<ExpandedUncertainties> &member, const std::string &id) {
     return {[read = member.read, id](const FormSource &source) {
                 const ExpandedUncertainties all = read(source);
                 const auto found = all.find(id);
@@ -206,8 +211,8 @@ QFrame *makeRule(QWidget *parent) {
 /// What a contribution is called where there is little room: "Expansion, machine".
 QString UncertaintyPage::shortName(const Contribution &contribution) const {
     struct Name {
-        const char *id;
-        const char *source;
+        const char *id = nullptr;
+        const char *source = nullptr;
     };
     static constexpr std::array names{
         Name{deviceId, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument")},
@@ -790,32 +795,7 @@ void UncertaintyPage::showContributions(const TestEvaluation &evaluation) {
 
 void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
     namespace column = resultColumn;
-    const Quantity quantity = deviation();
-    const auto resolution = finestResolution(*evaluated().document, *shownTest());
-    const QString none = QStringLiteral("–");
-    const auto expanded = [&](const std::optional<double> &value) {
-        return value ? QStringLiteral("± ") +
-                           language().uncertainty(*value, quantity,
-                                                  decimalsWithUncertainty(*value, quantity, resolution))
-                     : none;
-    };
-    const auto withSign = [&](double value, Quantity of, int decimals) {
-        const QString text = language().number(value, of, decimals);
-        return value > 0 ? QStringLiteral("+") + text : text;
-    };
-    m_results->setAccessibleName(tr("Expanded uncertainty of the results by both methods"));
-    const bool linear = std::holds_alternative<PositioningMeasurement>(shownTest()->measurement);
-    m_results->setHead(column::symbol, {}, false);
-    m_results->setHead(column::budget, (linear ? tr("Annex A") : tr("Budget")) + tr(", k = 2"), true);
-    m_results->setHead(column::actual, tr("actual targets"), true);
-    m_results->setHead(column::simulation, tr("Monte Carlo, 95.45 %"), true);
-    // There is little room: the report has this line in any case.
-    m_results->setColumnHidden(column::actual,
-                               evaluation.uncertainty.method != UncertaintyMethod::budgetActual);
-    m_results->setHead(column::interval, tr("95.45 % interval"), true);
-    m_results->setHead(column::distribution, tr("distribution"), false);
-    m_results->setHead(column::shift, tr("shift"), true);
-    m_results->setHead(column::difference, tr("difference"), false);
+    nameResultColumns(evaluation.uncertainty.method);
     std::vector<HistogramFigure> histograms;
     const QSignalBlocker quiet(m_results);
     m_results->setRowCount(0);
@@ -824,68 +804,10 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
             continue;
         const int row = m_results->rowCount();
         m_results->insertRow(row);
-        const bool byBudget = parameter.decidedBy == UncertaintyMethod::budget;
-        const bool byActual = parameter.decidedBy == UncertaintyMethod::budgetActual;
-        const bool bySimulation = parameter.decidedBy == UncertaintyMethod::monteCarlo;
-        const auto &simulated = parameter.simulated;
-        auto *symbol = m_results->setCell(row, column::symbol, QString::fromStdString(plainSymbol(parameter)),
-                                          false, true);
-        symbol->setData(RowTable::keyRole, QString::fromStdString(parameterId(parameter)));
-        // The U that decides reads as in the results.
-        const auto ofMethod = [&](const std::optional<double> &value, bool decides) {
-            if (!value || !decides)
-                return expanded(value);
-            const auto &rule = shownTest()->decisionRule;
-            return QStringLiteral("± ") + printedNumbers(parameter, rule, resolution, language()).uncertainty;
-        };
-        auto *budget = m_results->setCell(row, column::budget,
-                                          ofMethod(parameter.budgetUncertainty, byBudget), true, byBudget);
-        auto *actual = m_results->setCell(row, column::actual,
-                                          ofMethod(parameter.actualUncertainty, byActual), true, byActual);
-        if (parameter.effectiveSystematic && evaluation.uncertainty.systematic)
-            actual->setToolTip(tr("k = 2; %1 of the systematic part S = %2 is carried by the actual targets")
-                                   .arg(expanded(parameter.effectiveSystematic),
-                                        expanded(evaluation.uncertainty.systematic)));
-        auto *simulation = m_results->setCell(
-            row, column::simulation,
-            ofMethod(simulated ? std::optional(simulated->expanded()) : std::nullopt, bySimulation), true,
-            bySimulation);
-        if (byActual)
-            actual->setData(Qt::AccessibleTextRole, tr("%1, used for the verdict").arg(actual->text()));
-        if (byBudget)
-            budget->setData(Qt::AccessibleTextRole, tr("%1, used for the verdict").arg(budget->text()));
-        if (bySimulation)
-            simulation->setData(Qt::AccessibleTextRole,
-                                tr("%1, used for the verdict").arg(simulation->text()));
-        for (int empty = column::interval; empty < column::count; ++empty)
-            m_results->setCell(row, empty, empty == column::distribution ? QString() : none,
-                               empty != column::difference);
-        if (!simulated)
+        showResult(row, parameter, evaluation);
+        if (!parameter.simulated)
             continue;
-        const auto small = [&](double value, int digits) {
-            constexpr int most = 6;
-            return significant(value * unitScale(quantity, language().units()), digits, most, language());
-        };
-        if (simulated->expandedError)
-            simulation->setToolTip(
-                tr("2s of U: %1; tolerance of u: %2")
-                    .arg(small(2 * *simulated->expandedError, 2), small(simulated->tolerance(), 1)));
-        const int decimals = decimalsWithUncertainty(simulated->expanded(), quantity, resolution);
-        auto *interval =
-            m_results->setCell(row, column::interval,
-                               language().number(simulated->low, quantity, decimals) + QStringLiteral(" … ") +
-                                   language().number(simulated->high, quantity, decimals),
-                               true);
-        interval->setFont(themeFont(TextSize::small));
-        interval->setForeground(token(Token::secondaryText, palette()));
-        auto *shift =
-            m_results->setCell(row, column::shift, withSign(simulated->shift(), quantity, decimals), true);
-        shift->setFont(themeFont(TextSize::small));
-        if (simulated->largeShift()) {
-            shift->setForeground(token(Token::unsure, palette()));
-            shift->setToolTip(
-                tr("More than a third of the U of the simulation: the budget U is used for the verdict"));
-        }
+        showSimulated(row, parameter);
         if (auto figure = histogramFigure(*shownTest(), evaluation, parameter, language())) {
             auto *distribution = m_results->setCell(row, column::distribution, {}, false);
             distribution->setData(RowTable::histogramRole, static_cast<int>(histograms.size()));
@@ -893,19 +815,8 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
             distribution->setToolTip(figure->title);
             histograms.push_back(std::move(*figure));
         }
-        if (!parameter.budgetUncertainty || !(*parameter.budgetUncertainty > 0))
-            continue;
-        const double ratio = simulated->expanded() / *parameter.budgetUncertainty - 1;
-        constexpr double percent = 100;
-        auto *difference = m_results->setCell(row, column::difference,
-                                              tr("%1 %").arg(withSign(ratio * percent, Quantity::number, 0)),
-                                              false, methodsDiffer(parameter));
-        if (methodsDiffer(parameter)) {
-            difference->setData(RowTable::warningRole, tr("> 20 %"));
-            difference->setForeground(token(Token::unsure, palette()));
-            difference->setData(Qt::AccessibleTextRole, tr("%1, more than 20 %").arg(difference->text()));
-            difference->setToolTip(tr("The methods differ by more than 20 %: the findings give the reason"));
-        }
+        if (parameter.budgetUncertainty && *parameter.budgetUncertainty > 0)
+            showDifference(row, parameter);
     }
     m_results->setHistograms(std::move(histograms));
     constexpr int leastHistogram = 70;
@@ -919,6 +830,112 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
     const TestPart part{write, evaluated(), *shownTest(), evaluation, test(), 1, 1};
     m_decides->setFont(themeFont(TextSize::small));
     m_decides->setText(tr("Bold: the U used for the verdict.") + u' ' + methodText(part));
+}
+
+void UncertaintyPage::nameResultColumns(UncertaintyMethod method) {
+    namespace column = resultColumn;
+    m_results->setAccessibleName(tr("Expanded uncertainty of the results by both methods"));
+    const bool linear = std::holds_alternative<PositioningMeasurement>(shownTest()->measurement);
+    m_results->setHead(column::symbol, {}, false);
+    m_results->setHead(column::budget, (linear ? tr("Annex A") : tr("Budget")) + tr(", k = 2"), true);
+    m_results->setHead(column::actual, tr("actual targets"), true);
+    m_results->setHead(column::simulation, tr("Monte Carlo, 95.45 %"), true);
+    // There is little room: the report has this line in any case.
+    m_results->setColumnHidden(column::actual, method != UncertaintyMethod::budgetActual);
+    m_results->setHead(column::interval, tr("95.45 % interval"), true);
+    m_results->setHead(column::distribution, tr("distribution"), false);
+    m_results->setHead(column::shift, tr("shift"), true);
+    m_results->setHead(column::difference, tr("difference"), false);
+}
+
+/// The U of all methods; nothing yet in the columns of the simulation alone.
+void UncertaintyPage::showResult(int row, const Parameter &parameter, const TestEvaluation &evaluation) {
+    namespace column = resultColumn;
+    const Quantity quantity = deviation();
+    const auto resolution = finestResolution(*evaluated().document, *shownTest());
+    const QString none = QStringLiteral("–");
+    const auto expanded = [&](const std::optional<double> &value) {
+        return value ? QStringLiteral("± ") +
+                           language().uncertainty(*value, quantity,
+                                                  decimalsWithUncertainty(*value, quantity, resolution))
+                     : none;
+    };
+    auto *symbol =
+        m_results->setCell(row, column::symbol, QString::fromStdString(plainSymbol(parameter)), false, true);
+    symbol->setData(RowTable::keyRole, QString::fromStdString(parameterId(parameter)));
+    const auto showMethod = [&](int at, const std::optional<double> &value, UncertaintyMethod method) {
+        const bool decides = parameter.decidedBy == method;
+        // The U that decides reads as in the results.
+        const QString text =
+            value && decides
+                ? QStringLiteral("± ") +
+                      printedNumbers(parameter, shownTest()->decisionRule, resolution, language()).uncertainty
+                : expanded(value);
+        auto *cell = m_results->setCell(row, at, text, true, decides);
+        if (decides)
+            cell->setData(Qt::AccessibleTextRole, tr("%1, used for the verdict").arg(cell->text()));
+        return cell;
+    };
+    showMethod(column::budget, parameter.budgetUncertainty, UncertaintyMethod::budget);
+    auto *actual = showMethod(column::actual, parameter.actualUncertainty, UncertaintyMethod::budgetActual);
+    if (parameter.effectiveSystematic && evaluation.uncertainty.systematic)
+        actual->setToolTip(
+            tr("k = 2; %1 of the systematic part S = %2 is carried by the actual targets")
+                .arg(expanded(parameter.effectiveSystematic), expanded(evaluation.uncertainty.systematic)));
+    showMethod(column::simulation,
+               parameter.simulated ? std::optional(parameter.simulated->expanded()) : std::nullopt,
+               UncertaintyMethod::monteCarlo);
+    for (int empty = column::interval; empty < column::count; ++empty)
+        m_results->setCell(row, empty, empty == column::distribution ? QString() : none,
+                           empty != column::difference);
+}
+
+/// Interval and shift of a parameter that was simulated, and how sure its U is.
+void UncertaintyPage::showSimulated(int row, const Parameter &parameter) {
+    namespace column = resultColumn;
+    const SimulatedParameter &simulated = *parameter.simulated;
+    const Quantity quantity = deviation();
+    const auto small = [&](double value, int digits) {
+        constexpr int most = 6;
+        return significant(value * unitScale(quantity, language().units()), digits, most, language());
+    };
+    if (simulated.expandedError)
+        m_results->item(row, column::simulation)
+            ->setToolTip(tr("2s of U: %1; tolerance of u: %2")
+                             .arg(small(2 * *simulated.expandedError, 2), small(simulated.tolerance(), 1)));
+    const auto resolution = finestResolution(*evaluated().document, *shownTest());
+    const int decimals = decimalsWithUncertainty(simulated.expanded(), quantity, resolution);
+    auto *interval =
+        m_results->setCell(row, column::interval,
+                           language().number(simulated.low, quantity, decimals) + QStringLiteral(" … ") +
+                               language().number(simulated.high, quantity, decimals),
+                           true);
+    interval->setFont(themeFont(TextSize::small));
+    interval->setForeground(token(Token::secondaryText, palette()));
+    auto *shift = m_results->setCell(row, column::shift,
+                                     withSign(simulated.shift(), quantity, decimals, language()), true);
+    shift->setFont(themeFont(TextSize::small));
+    if (simulated.largeShift()) {
+        shift->setForeground(token(Token::unsure, palette()));
+        shift->setToolTip(
+            tr("More than a third of the U of the simulation: the budget U is used for the verdict"));
+    }
+}
+
+/// Of the U of the simulation from that of the budget.
+void UncertaintyPage::showDifference(int row, const Parameter &parameter) {
+    const double ratio = parameter.simulated->expanded() / *parameter.budgetUncertainty - 1;
+    constexpr double percent = 100;
+    auto *difference =
+        m_results->setCell(row, resultColumn::difference,
+                           tr("%1 %").arg(withSign(ratio * percent, Quantity::number, 0, language())), false,
+                           methodsDiffer(parameter));
+    if (methodsDiffer(parameter)) {
+        difference->setData(RowTable::warningRole, tr("> 20 %"));
+        difference->setForeground(token(Token::unsure, palette()));
+        difference->setData(Qt::AccessibleTextRole, tr("%1, more than 20 %").arg(difference->text()));
+        difference->setToolTip(tr("The methods differ by more than 20 %: the findings give the reason"));
+    }
 }
 
 /// The histogram of the result that is chosen in the table.

@@ -53,6 +53,10 @@ private:
     void showPlaceholders(const TestEvaluation &evaluation);
     void showContributions(const TestEvaluation &evaluation);
     void showResults(const TestEvaluation &evaluation);
+    void nameResultColumns(UncertaintyMethod method);
+    void showResult(int row, const Parameter &parameter, const TestEvaluation &evaluation);
+    void showSimulated(int row, const Parameter &parameter);
+    void showDifference(int row, const Parameter &parameter);
     void showDistribution();
     [[nodiscard]] QString shortName(const Contribution &contribution) const;
     [[nodiscard]] QString driftPlaceholder() const;

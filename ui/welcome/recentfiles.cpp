@@ -39,8 +39,8 @@ std::optional<Verdict> verdictOf(const QString &text) {
 
 /// From the worst to the best; the words are those of the settings.
 struct AccordanceWord {
-    Accordance accordance;
-    const char *word;
+    Accordance accordance = Accordance::notChecked;
+    const char *word = nullptr;
 };
 constexpr std::array accordanceWords{
     AccordanceWord{Accordance::no, "no"}, AccordanceWord{Accordance::notShown, "notShown"},

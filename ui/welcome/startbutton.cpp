@@ -6,6 +6,7 @@
 #include <QPainterPath>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -22,7 +23,9 @@ constexpr std::array downward{0.38, 0.16, 0.58, 0.26, 0.98, 0.76, 0.76, 0.74, 0.
 
 void drawBand(QPainter &painter, const QRectF &area, const std::array<double, points> &heights,
               const QColor &colour, Qt::PenStyle style) {
-    QPolygonF mean, upper, lower;
+    QPolygonF mean;
+    QPolygonF upper;
+    QPolygonF lower;
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const double x = area.left() + area.width() * static_cast<double>(i) / (points - 1);
         const double y = area.top() + area.height() * heights.at(i) * 0.9;
@@ -56,14 +59,14 @@ void drawTrace(QPainter &painter, const QPointF &centre, double radius, double s
 
 } // namespace
 
-StartButton::StartButton(const QString &icon, QWidget *parent, Picture picture)
+StartButton::StartButton(QString icon, QWidget *parent, Picture picture)
     : QAbstractButton(parent)
-    , m_icon(icon)
+    , m_icon(std::move(icon))
     , m_picture(picture) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setCursor(Qt::PointingHandCursor);
-    setMinimumSize(sizeHint());
+    setMinimumSize(StartButton::sizeHint());
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

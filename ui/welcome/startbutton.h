@@ -14,7 +14,7 @@ class StartButton : public QAbstractButton {
 public:
     enum class Picture { none, deviation, circle };
 
-    explicit StartButton(const QString &icon, QWidget *parent = nullptr, Picture picture = Picture::none);
+    explicit StartButton(QString icon, QWidget *parent = nullptr, Picture picture = Picture::none);
 
     /// The text of the button is its title; `&` marks the mnemonic.
     void setTexts(const QString &title, const QString &detail, const QString &shortcut);

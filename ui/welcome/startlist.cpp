@@ -44,7 +44,8 @@ public:
         const QRect lower(area.left(), area.top() + 28, area.width(), 18);
         drawLineIcon(*painter, QRect(area.left() + 12, upper.top(), 20, upper.height()),
                      index.data(StartModel::iconRole).toString(), text);
-        const int left = 44, rightWidth = 96;
+        constexpr int left = 44;
+        constexpr int rightWidth = 96;
         painter->setFont(themeFont(TextSize::base));
         painter->setPen(text);
         draw(*painter, upper.adjusted(left, 0, -rightWidth, 0), Qt::AlignLeft, index.data().toString());

@@ -19,6 +19,7 @@ std::array<int, 2> &signalPipe() {
     return pipe;
 }
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all that the handler of a signal has
 int pipeToWrite = -1;
 
 void tell(int number) {

@@ -33,6 +33,7 @@ struct OpenedReport;
 /// One window, one file. Builds the parts and connects them; computes nothing.
 class MainWindow : public QMainWindow {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(MainWindow)
 
 public:
     explicit MainWindow(QWidget *parent = nullptr);

@@ -27,9 +27,9 @@ constexpr std::size_t mostPoints = 10'000'000;
 
 /// The units of the attribute DT.
 struct TypeUnit {
-    const char *type;
-    const char *unit;      ///< as shown
-    double multiplier = 1; ///< lengths: to mm
+    const char *type = nullptr;
+    const char *unit = nullptr; ///< as shown
+    double multiplier = 1;      ///< lengths: to mm
     double divisor = 1;
 };
 constexpr std::array typeUnits{
@@ -304,7 +304,7 @@ private:
     [[nodiscard]] std::string planeWord() const {
         if (m_axisA.size() == 1 && m_axisB.size() == 1)
             return m_axisA + m_axisB;
-        const std::string plane = m_plane.toUpper().toStdString();
+        std::string plane = m_plane.toUpper().toStdString();
         if (plane.size() == 2 && plane.find_first_not_of("XYZ") == std::string::npos)
             return plane;
         return {};
@@ -343,6 +343,41 @@ private:
                    "unit");
     }
 
+    /// The way of a run, in degrees.
+    struct Way {
+        double start = 0;
+        double arc = 0;
+        double overshoot = 0; ///< at either end
+    };
+
+    Arc arcOf(const BallbarRun &run, const Way &way, double nominalRadius) {
+        Arc path;
+        path.angleReference = AngleReference::commanded;
+        path.sense = run.sense.value_or(Sense::counterclockwise);
+        if (!run.sense)
+            remark(RemarkGrade::problem,
+                   {REPORT_TEXT("report", "A run states no direction; taken as counterclockwise.")});
+        const bool clockwise = path.sense == Sense::clockwise;
+        // The way back of a part of a circle begins where the way forth ended.
+        const double begin = clockwise && way.arc < 360 ? way.start + way.arc : way.start;
+        const double sign = clockwise ? -1 : 1;
+        const double span = way.arc + 2 * way.overshoot;
+        const std::size_t n = run.readings.size();
+        if (n < 2)
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "a run of one reading is no circle")});
+        for (std::size_t i = 0; i < n; ++i) {
+            const double part = static_cast<double>(i) / static_cast<double>(n - 1);
+            path.angles.push_back(begin + sign * (span * part - way.overshoot));
+            const double value = m_unit->toBase(run.readings[i]) - (m_absolute ? nominalRadius : 0);
+            path.radialDeviations.push_back(m_inverted ? 0 - value : value);
+        }
+        if (way.overshoot > 0) {
+            const double last = begin + sign * way.arc;
+            path.evaluated = Interval{std::min(begin, last), std::max(begin, last)};
+        }
+        return path;
+    }
+
     void composeArcs(CircularMeasurement &measurement) {
         static const QRegularExpression degrees(QStringLiteral("(\\d{2,3}(?:\\.\\d+)?)\\s*(?:°|deg)"),
                                                 QRegularExpression::CaseInsensitiveOption);
@@ -369,35 +404,10 @@ private:
                  {Number{start.value, Quantity::angle}}},
                 "startAngle");
         std::size_t points = 0;
-        for (BallbarRun &run : m_runs) {
-            Arc path;
-            path.angleReference = AngleReference::commanded;
-            path.sense = run.sense.value_or(Sense::counterclockwise);
-            if (!run.sense)
-                remark(RemarkGrade::problem,
-                       {REPORT_TEXT("report", "A run states no direction; taken as counterclockwise.")});
-            const bool clockwise = path.sense == Sense::clockwise;
-            // The way back of a part of a circle begins where the way forth ended.
-            const double begin = clockwise && arc.value < 360 ? start.value + arc.value : start.value;
-            const double sign = clockwise ? -1 : 1;
-            const double span = arc.value + 2 * overshoot.value;
-            const std::size_t n = run.readings.size();
-            if (n < 2)
-                throw Error(Error::Kind::content,
-                            {REPORT_TEXT("report", "a run of one reading is no circle")});
-            for (std::size_t i = 0; i < n; ++i) {
-                const double part = static_cast<double>(i) / static_cast<double>(n - 1);
-                path.angles.push_back(begin + sign * (span * part - overshoot.value));
-                const double value =
-                    m_unit->toBase(run.readings[i]) - (m_absolute ? measurement.nominalRadius : 0);
-                path.radialDeviations.push_back(m_inverted ? 0 - value : value);
-            }
-            if (overshoot.value > 0) {
-                const double last = begin + sign * arc.value;
-                path.evaluated = Interval{std::min(begin, last), std::max(begin, last)};
-            }
-            points += n;
-            measurement.arcs.push_back(std::move(path));
+        for (const BallbarRun &run : m_runs) {
+            measurement.arcs.push_back(
+                arcOf(run, {start.value, arc.value, overshoot.value}, measurement.nominalRadius));
+            points += run.readings.size();
         }
         remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
                                    {Number{static_cast<double>(m_runs.size()), Quantity::count},

@@ -95,8 +95,8 @@ constexpr const char *aerotech = "Aerotech";
 constexpr const char *linuxcnc = "LinuxCNC";
 
 struct Control {
-    const char *name;
-    bool (*recognises)(std::string_view text);
+    const char *name = nullptr;
+    bool (*recognises)(std::string_view text) = nullptr;
 };
 
 constexpr std::array controls{

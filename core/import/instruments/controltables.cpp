@@ -26,7 +26,7 @@ double rounded(double value, double parts) {
 
 struct Line {
     std::string_view text;
-    std::size_t number;
+    std::size_t number = 0;
 };
 
 std::vector<Line> linesOf(std::string_view text) {
@@ -294,7 +294,7 @@ FoundTable sagTable(const std::vector<Assignment> &assignments) {
 
 struct Column {
     std::string name;
-    std::size_t begin;
+    std::size_t begin = 0;
 };
 
 std::vector<Column> columnsOf(std::string_view line) {
@@ -465,10 +465,10 @@ FoundTable readHeidenhainTable(std::string_view text) {
         if (forward.empty() && back.empty())
             continue; // no entry: interpolated
         const double up = forward.empty() ? 0 : numberOf(forward, line) * unit;
-        const double down = back.empty() ? up : numberOf(back, line) * unit;
+        const double reverse = back.empty() ? up : numberOf(back, line) * unit;
         table.positions.push_back(numberOf(cell(columns->position), line) * unit);
         table.forward.push_back(rounded(up, valueFineness));
-        table.reverse.push_back(rounded(down, valueFineness));
+        table.reverse.push_back(rounded(reverse, valueFineness));
     }
     table.perDirection = table.forward != table.reverse;
     demandAscent(table);

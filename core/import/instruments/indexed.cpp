@@ -183,8 +183,8 @@ private:
         return true;
     }
 
-    /// The first index is the target, the second the cycle; exchanged where only this fits.
-    std::vector<Pass> passesOf() {
+    /// Whether the first index is the target, the second the cycle; exchanged where only this fits.
+    [[nodiscard]] bool targetIsFirst() const {
         bool straight = true;
         bool swapped = true;
         for (const auto *readings : {&m_forward, &m_backward}) {
@@ -196,6 +196,12 @@ private:
         if (!straight && !swapped)
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "there are readings of targets that are not in the list")});
+        return straight;
+    }
+
+    /// By cycle, forward and backward.
+    [[nodiscard]] std::map<long, std::array<Pass, 2>> cyclesOf() const {
+        const bool straight = targetIsFirst();
         std::map<long, std::array<Pass, 2>> cycles;
         for (const int side : {0, 1}) {
             for (const auto &[index, value] : side == 0 ? m_forward : m_backward) {
@@ -206,6 +212,11 @@ private:
                 pass.readings.push_back({m_targets.at(target), value.first, value.second});
             }
         }
+        return cycles;
+    }
+
+    std::vector<Pass> passesOf() {
+        std::map<long, std::array<Pass, 2>> cycles = cyclesOf();
         std::vector<Pass> passes;
         for (auto &[cycle, both] : cycles) {
             for (Pass &pass : both) {

@@ -41,7 +41,34 @@ struct Header {
     std::optional<double> start;
     std::optional<double> end;
     const Unit *unit = nullptr;
+    bool ended = false; ///< the table begins
 };
+
+void readHead(std::string_view line, Header &header) {
+    if (contains(line, "Compensation spacing"))
+        header.spacing = lastNumber(line);
+    else if (contains(line, "Compensation start"))
+        header.start = lastNumber(line);
+    else if (contains(line, "Compensation end"))
+        header.end = lastNumber(line);
+    else if (contains(line, "Axis position"))
+        header.ended = true;
+    if (const Unit *unit = header.ended ? nullptr : unitIn(line);
+        unit && contains(line, "unit") && unit->kind == UnitKind::length)
+        header.unit = unit;
+}
+
+bool isUnknown(std::string_view line) {
+    return !contains(line, "Compensation") && !contains(line, "unit") && !contains(line, "Axis position");
+}
+
+/// Start and end are those of the table, in either order.
+bool agrees(const Header &header, double low, double high) {
+    const bool startAgrees = !header.start ||
+                             std::min(*header.start, header.end.value_or(*header.start)) == low ||
+                             *header.start == low || *header.start == high;
+    return startAgrees && (!header.end || *header.end == high || *header.end == low);
+}
 
 } // namespace
 
@@ -56,7 +83,6 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
     const std::string_view text = imported.text;
     Header header;
     Pass pass;
-    bool table = false;
     std::size_t number = 0;
     std::size_t ignored = 0;
     for (std::size_t at = 0; at < text.size();) {
@@ -66,21 +92,10 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
         at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
         if (line.empty())
             continue;
-        if (contains(line, "Compensation spacing"))
-            header.spacing = lastNumber(line);
-        else if (contains(line, "Compensation start"))
-            header.start = lastNumber(line);
-        else if (contains(line, "Compensation end"))
-            header.end = lastNumber(line);
-        else if (contains(line, "Axis position"))
-            table = true;
-        if (const Unit *unit = table ? nullptr : unitIn(line);
-            unit && contains(line, "unit") && unit->kind == UnitKind::length)
-            header.unit = unit;
+        readHead(line, header);
         const auto numbers = numbersIn(line);
-        if (!table || !numbers) {
-            ignored += !contains(line, "Compensation") && !contains(line, "unit") &&
-                       !contains(line, "Axis position");
+        if (!header.ended || !numbers) {
+            ignored += isUnknown(line) ? 1 : 0;
             continue;
         }
         if (numbers->size() < 3) {
@@ -99,11 +114,7 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
             Error::Kind::content,
             {REPORT_TEXT("report", "there is no table of axis positions and compensation values in it")});
     const auto [low, high] = std::ranges::minmax(pass.readings, {}, &PassReading::position);
-    const bool agrees =
-        (!header.start || std::min(*header.start, header.end.value_or(*header.start)) == low.position ||
-         *header.start == low.position || *header.start == high.position) &&
-        (!header.end || *header.end == high.position || *header.end == low.position);
-    if (!agrees)
+    if (!agrees(header, low.position, high.position))
         imported.remarks.push_back(
             {RemarkGrade::problem,
              {REPORT_TEXT("report",

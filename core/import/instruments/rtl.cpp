@@ -71,7 +71,7 @@ private:
                         {REPORT_TEXT("report", "the file ends before “%1”: it was cut off"), {"EOF::"}});
     }
 
-    const Section &demand(std::string_view name) const {
+    [[nodiscard]] const Section &demand(std::string_view name) const {
         const Section *section = findSection(m_sections, name);
         if (!section)
             throw Error(Error::Kind::content,
@@ -327,10 +327,10 @@ private:
     }
 
     struct Row {
-        double run;
-        double target;
-        double value;
-        std::size_t line;
+        double run = 0;
+        double target = 0;
+        double value = 0;
+        std::size_t line = 0;
     };
     struct RunRows {
         std::vector<PassReading> readings;

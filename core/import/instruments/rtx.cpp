@@ -28,6 +28,59 @@ std::optional<double> numberOf(std::optional<std::string_view> text) {
     return number.size > 0 ? std::optional(number.value) : std::nullopt;
 }
 
+/// How many samples, and how many a second.
+struct Sampling {
+    std::size_t count = 0;
+    double rate = 0;
+};
+
+Sampling samplingOf(const Section *header) {
+    const auto samples = header ? numberOf(header->value("Sample no")) : std::nullopt;
+    auto rate = header ? numberOf(header->value("Actual sample rate")) : std::nullopt;
+    if (!rate || !(*rate > 0))
+        rate = header ? numberOf(header->value("Sample rate")) : std::nullopt;
+    if (!samples || !(*samples >= 2) || *samples != std::floor(*samples))
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the number of samples is missing in the head")});
+    if (*samples > mostSamples)
+        throw Error(Error::Kind::tooLarge,
+                    {REPORT_TEXT("report", "more than 10 000 000 readings or points")});
+    if (!rate || !(*rate > 0) || !std::isfinite(*rate))
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "the sample rate is missing in the head")});
+    return {static_cast<std::size_t>(*samples), *rate};
+}
+
+/// What stands behind the mark and its line break: as many samples as are announced, or more.
+std::string_view samplesBehind(std::string_view all, std::size_t mark, std::size_t count) {
+    std::size_t at = mark + 1 + dataMark.size();
+    if (all.substr(at, 2) == "\r\n")
+        at += 2;
+    else
+        at += all.substr(at, 1) == "\n" ? 1 : 0;
+    const std::size_t there = (all.size() - at) / sizeof(double);
+    if (there < count)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the file was cut off: %1 samples are announced, %2 are there"),
+                     {Number{static_cast<double>(count), Quantity::count},
+                      Number{static_cast<double>(there), Quantity::count}}});
+    return all.substr(at);
+}
+
+void readSamples(std::string_view samples, const Sampling &sampling, const Unit &unit,
+                 DriftMeasurement &drift) {
+    drift.times.reserve(sampling.count);
+    drift.deviations.reserve(sampling.count);
+    for (std::size_t i = 0; i < sampling.count; ++i) {
+        const auto value = qFromLittleEndian<double>(samples.data() + i * sizeof(double));
+        if (!std::isfinite(value) || std::abs(value) > 1e9)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "sample %1 is no number: the data are damaged"),
+                         {Number{static_cast<double>(i + 1), Quantity::count}}});
+        drift.times.push_back(static_cast<double>(i) / sampling.rate);
+        drift.deviations.push_back(unit.toBase(value));
+    }
+}
+
 } // namespace
 
 bool isRtx(QByteArrayView bytes) {
@@ -51,29 +104,8 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     const auto text = [&](std::string_view key) {
         return header ? std::string(header->value(key).value_or("")) : std::string();
     };
-    const auto samples = header ? numberOf(header->value("Sample no")) : std::nullopt;
-    auto rate = header ? numberOf(header->value("Actual sample rate")) : std::nullopt;
-    if (!rate || !(*rate > 0))
-        rate = header ? numberOf(header->value("Sample rate")) : std::nullopt;
-    if (!samples || !(*samples >= 2) || *samples != std::floor(*samples))
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the number of samples is missing in the head")});
-    if (*samples > mostSamples)
-        throw Error(Error::Kind::tooLarge,
-                    {REPORT_TEXT("report", "more than 10 000 000 readings or points")});
-    if (!rate || !(*rate > 0) || !std::isfinite(*rate))
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "the sample rate is missing in the head")});
-    std::size_t at = mark + 1 + dataMark.size();
-    if (all.substr(at, 2) == "\r\n")
-        at += 2;
-    else
-        at += all.substr(at, 1) == "\n" ? 1 : 0;
-    const auto n = static_cast<std::size_t>(*samples);
-    if ((all.size() - at) / sizeof(double) < n)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the file was cut off: %1 samples are announced, %2 are there"),
-                     {Number{*samples, Quantity::count},
-                      Number{static_cast<double>((all.size() - at) / sizeof(double)), Quantity::count}}});
+    const Sampling sampling = samplingOf(header);
+    const std::string_view samples = samplesBehind(all, mark, sampling.count);
     const std::string type = text("File Type");
     const bool angular = choices.isChosen("unit") ? unitOf(choices.chosen("unit"))->kind == UnitKind::angle
                                                   : sameWord(std::string_view(type).substr(0, 3), "ang");
@@ -81,25 +113,15 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     DriftMeasurement drift;
     drift.axis.name = choices.settle("axis", text("Axis"), Origin::recognised).value;
     drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
-    drift.times.reserve(n);
-    drift.deviations.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto value = qFromLittleEndian<double>(all.data() + at + i * sizeof(double));
-        if (!std::isfinite(value) || std::abs(value) > 1e9)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "sample %1 is no number: the data are damaged"),
-                         {Number{static_cast<double>(i + 1), Quantity::count}}});
-        drift.times.push_back(static_cast<double>(i) / *rate);
-        drift.deviations.push_back(unit->toBase(value));
-    }
+    readSamples(samples, sampling, *unit, drift);
     const auto remark = [&](RemarkGrade grade, Message message) {
         imported.remarks.push_back({grade, std::move(message)});
     };
-    if (all.find("EOF::", at + n * sizeof(double)) == std::string_view::npos)
+    if (samples.find("EOF::", sampling.count * sizeof(double)) == std::string_view::npos)
         remark(RemarkGrade::problem, {REPORT_TEXT("report", "The file has no end mark behind its samples.")});
-    remark(RemarkGrade::note,
-           {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
-            {Number{static_cast<double>(n), Quantity::count}, Number{drift.times.back(), Quantity::time}}});
+    remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
+                               {Number{static_cast<double>(sampling.count), Quantity::count},
+                                Number{drift.times.back(), Quantity::time}}});
     std::size_t ignored = 0;
     for (const SectionLine &line : header->lines)
         ignored +=

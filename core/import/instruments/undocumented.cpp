@@ -11,8 +11,8 @@ namespace {
 
 /// A format nobody documents, by the ending of its name or the beginning of its content, and what to do.
 struct Undocumented {
-    std::array<const char *, 3> endings;
-    const char *name;
+    std::array<const char *, 3> endings{};
+    const char *name = nullptr;
     Text advice;
 };
 

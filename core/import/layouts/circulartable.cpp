@@ -50,7 +50,7 @@ public:
     void read() {
         chooseColumns();
         const std::string layout = settleLayout();
-        collectPaths(layout == "xy");
+        collectPaths();
         CircularMeasurement measurement;
         Test test;
         std::string plane = m.notes.plane;
@@ -267,38 +267,41 @@ private:
         return choice.value;
     }
 
-    void collectPaths(bool xy) {
-        const auto senses = m.body.columnOf(ColumnKind::senses);
+    void collectPaths() {
         for (const std::size_t second : m_seconds) {
             const std::optional<Sense> ofColumn = senseIn(m.body.columns[second].heading);
-            for (const TableBlock &block : m.body.blocks) {
-                RawPath path;
-                path.stated = ofColumn ? ofColumn : senseIn(m.titleOf(block));
-                for (const std::uint32_t row : block.rows) {
-                    if (senses) {
-                        const auto sense = senseIn(m.cellText(row, *senses));
-                        if (path.stated && sense != path.stated && !path.first.empty())
-                            finish(path, xy);
-                        path.stated = sense;
-                    }
-                    const auto a = m.number(row, m_first);
-                    const auto b = m.number(row, second);
-                    if (!a || !b) {
-                        ++m_missing;
-                        continue;
-                    }
-                    path.first.push_back(*a);
-                    path.second.push_back(*b);
-                    m.setRole(row, m_first, CellRole::position);
-                    m.setRole(row, second,
-                              path.stated == Sense::clockwise ? CellRole::negative : CellRole::positive);
-                }
-                finish(path, xy);
-            }
+            for (const TableBlock &block : m.body.blocks)
+                collectPaths(block, second, ofColumn ? ofColumn : senseIn(m.titleOf(block)));
         }
     }
 
-    void finish(RawPath &path, bool) {
+    /// Of a block and its column: another where a column of senses says another.
+    void collectPaths(const TableBlock &block, std::size_t second, std::optional<Sense> stated) {
+        const auto senses = m.body.columnOf(ColumnKind::senses);
+        RawPath path;
+        path.stated = stated;
+        for (const std::uint32_t row : block.rows) {
+            if (senses) {
+                const auto sense = senseIn(m.cellText(row, *senses));
+                if (path.stated && sense != path.stated && !path.first.empty())
+                    finish(path);
+                path.stated = sense;
+            }
+            const auto a = m.number(row, m_first);
+            const auto b = m.number(row, second);
+            if (!a || !b) {
+                ++m_missing;
+                continue;
+            }
+            path.first.push_back(*a);
+            path.second.push_back(*b);
+            m.setRole(row, m_first, CellRole::position);
+            m.setRole(row, second, path.stated == Sense::clockwise ? CellRole::negative : CellRole::positive);
+        }
+        finish(path);
+    }
+
+    void finish(RawPath &path) {
         if (!path.first.empty())
             m_paths.push_back(path);
         path.first.clear();

@@ -114,7 +114,7 @@ std::string axisName(const TableReading &reading) {
         return reading.notes.axis;
     // "X (mm)": the targets are called by the axis.
     for (const TableColumn &column : reading.body.columns) {
-        const std::string bare = withoutUnit(column.heading);
+        std::string bare = withoutUnit(column.heading);
         if (bare.size() == 1 && std::string_view("XYZABCUVW").find(bare[0]) != std::string_view::npos &&
             column.meaning != Meaning::statistic)
             return bare;

@@ -50,11 +50,11 @@ private:
         }
         if (!m_found.positionUnit)
             m_found.positionUnit = unitIn(words);
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            if (cells[c].kind == CellKind::grouped || cells[c].kind == CellKind::broken)
+        for (const TableCell &cell : cells) {
+            if (cell.kind == CellKind::grouped || cell.kind == CellKind::broken)
                 m.remark(RemarkGrade::problem,
                          {REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
-                          {excerpt(m.table().text(cells[c]))}},
+                          {excerpt(m.table().text(cell))}},
                          m.row(head).line, "unread");
         }
     }
@@ -131,9 +131,9 @@ private:
 
     struct Label {
         HeadingWords words;
-        const Unit *unit;
+        const Unit *unit = nullptr;
         std::string text;
-        std::uint32_t line;
+        std::uint32_t line = 0;
     };
 
     void takeLabel(const Label &label) {

@@ -197,22 +197,35 @@ private:
         return time;
     }
 
+    /// Seconds of one unit of the times.
+    double settleTimeUnit() {
+        const Unit *stated = m.body.columns[m_time].unit;
+        const bool isTime = stated && stated->kind == UnitKind::time;
+        // Milliseconds are a unit of the file, none of the choices.
+        const auto choice = m.choices.settle("timeUnit", isTime ? stated->word : "s",
+                                             isTime ? Origin::recognised : Origin::guessed);
+        if (choice.origin == Origin::guessed)
+            m.remark(RemarkGrade::assumption,
+                     {REPORT_TEXT("report", "Unit of the times: nothing in the file says it; read as %1."),
+                      {choice.value}},
+                     0, "timeUnit");
+        return unitOf(choice.value)->toBase(1);
+    }
+
     void readTimes() {
-        double multiplier = 1;
-        if (!m_clock) {
-            const Unit *stated = m.body.columns[m_time].unit;
-            const bool isTime = stated && stated->kind == UnitKind::time;
-            // Milliseconds are a unit of the file, none of the choices.
-            const auto choice = m.choices.settle("timeUnit", isTime ? stated->word : "s",
-                                                 isTime ? Origin::recognised : Origin::guessed);
-            multiplier = unitOf(choice.value)->toBase(1);
-            if (choice.origin == Origin::guessed)
-                m.remark(
-                    RemarkGrade::assumption,
-                    {REPORT_TEXT("report", "Unit of the times: nothing in the file says it; read as %1."),
-                     {choice.value}},
-                    0, "timeUnit");
-        }
+        collectTimes(m_clock ? 1 : settleTimeUnit());
+        if (m_times.size() < 2)
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
+        const double first = m_times.front();
+        if (m_isDated)
+            m.result.seriesStart = first;
+        for (double &time : m_times)
+            time = m_clock ? time - first : time;
+    }
+
+    void collectTimes(double multiplier) {
         double turn = 0;
         std::optional<double> last;
         for (const TableBlock &block : m.body.blocks) {
@@ -235,15 +248,6 @@ private:
                 m.setRole(row, m_time, CellRole::position);
             }
         }
-        if (m_times.size() < 2)
-            throw Error(
-                Error::Kind::content,
-                {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
-        const double first = m_times.front();
-        if (m_isDated)
-            m.result.seriesStart = first;
-        for (double &time : m_times)
-            time = m_clock ? time - first : time;
     }
 
     void readTemperatures() {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace palmer {
 
@@ -52,60 +53,59 @@ std::size_t widthOf(const CellTable &table) {
     return width;
 }
 
+/// How many cells of a column say what.
+struct CellCount {
+    std::size_t numbers = 0;
+    std::size_t directions = 0;
+    std::size_t senses = 0;
+    std::size_t clocks = 0;
+    std::size_t dates = 0;
+    std::size_t words = 0;
+};
+
+std::size_t CellCount::*countOf(const CellTable &table, const TableCell &cell) {
+    if (cell.isNumber() || cell.kind == CellKind::grouped)
+        return &CellCount::numbers;
+    if (isDirectionCell(table, cell))
+        return &CellCount::directions;
+    if (isDate(table.text(cell)))
+        return &CellCount::dates;
+    if (isNumeric(cell) && !(cell.kind == CellKind::missing && isAxisLetter(table, cell)))
+        return &CellCount::numbers;
+    if (senseIn(table.text(cell)))
+        return &CellCount::senses;
+    return clockTime(table.text(cell)) ? &CellCount::clocks : &CellCount::words;
+}
+
+ColumnKind kindOf(const CellCount &count) {
+    const std::size_t others = count.directions + count.senses + count.clocks + count.dates + count.words;
+    if (count.numbers > 0 && count.numbers >= others)
+        return ColumnKind::numbers;
+    if (others == 0)
+        return ColumnKind::empty;
+    if (2 * count.directions >= others)
+        return ColumnKind::directions;
+    if (2 * count.senses >= others)
+        return ColumnKind::senses;
+    if (2 * count.clocks >= others)
+        return ColumnKind::clock;
+    return 2 * count.dates >= others ? ColumnKind::dates : ColumnKind::words;
+}
+
 std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
-    struct Count {
-        std::size_t numbers = 0;
-        std::size_t directions = 0;
-        std::size_t senses = 0;
-        std::size_t clocks = 0;
-        std::size_t dates = 0;
-        std::size_t words = 0;
-    };
-    std::vector<Count> counts(width);
+    std::vector<CellCount> counts(width);
     for (const TableRow &row : table.rows()) {
         const auto cells = table.cells(row);
         if (row.comment || cells.size() != width || numberCount(cells) == 0)
             continue;
         for (std::size_t c = 0; c < width; ++c) {
-            Count &count = counts[c];
-            if (cells[c].kind == CellKind::empty)
-                continue;
-            if (cells[c].isNumber() || cells[c].kind == CellKind::grouped)
-                ++count.numbers;
-            else if (isDirectionCell(table, cells[c]))
-                ++count.directions;
-            else if (isDate(table.text(cells[c])))
-                ++count.dates;
-            else if (isNumeric(cells[c]) &&
-                     !(cells[c].kind == CellKind::missing && isAxisLetter(table, cells[c])))
-                ++count.numbers;
-            else if (senseIn(table.text(cells[c])))
-                ++count.senses;
-            else if (clockTime(table.text(cells[c])))
-                ++count.clocks;
-            else
-                ++count.words;
+            if (cells[c].kind != CellKind::empty)
+                ++(counts[c].*countOf(table, cells[c]));
         }
     }
     std::vector<TableColumn> columns(width);
-    for (std::size_t c = 0; c < width; ++c) {
-        const Count &count = counts[c];
-        const std::size_t others = count.directions + count.senses + count.clocks + count.dates + count.words;
-        if (count.numbers > 0 && count.numbers >= others)
-            columns[c].kind = ColumnKind::numbers;
-        else if (others == 0)
-            columns[c].kind = ColumnKind::empty;
-        else if (2 * count.directions >= others)
-            columns[c].kind = ColumnKind::directions;
-        else if (2 * count.senses >= others)
-            columns[c].kind = ColumnKind::senses;
-        else if (2 * count.clocks >= others)
-            columns[c].kind = ColumnKind::clock;
-        else if (2 * count.dates >= others)
-            columns[c].kind = ColumnKind::dates;
-        else
-            columns[c].kind = ColumnKind::words;
-    }
+    for (std::size_t c = 0; c < width; ++c)
+        columns[c].kind = kindOf(counts[c]);
     return columns;
 }
 
@@ -125,58 +125,61 @@ public:
 
     void sort() {
         const bool gapsCount = gapsSeparate();
-        std::uint32_t lastLine = 0;
-        std::vector<std::uint32_t> heads;
-        std::optional<std::uint32_t> numericHead;
-        TableBlock block;
-        const auto finish = [&] {
-            if (!block.rows.empty())
-                m_body.blocks.push_back(std::move(block));
-            block = {};
-        };
+        std::uint32_t lastLine = 0; // that belongs to the table
         for (std::uint32_t i = 0; i < m_table.rows().size(); ++i) {
             const TableRow &row = m_table.rows()[i];
             if (isRule(row)) {
                 lastLine = row.line;
-                continue;
-            }
-            if (!row.comment && isBodyRow(row) && hasNumbersBeyond(row)) {
+            } else if (row.comment || !isBodyRow(row)) {
+                if (takeHead(i, row))
+                    lastLine = row.line;
+            } else if (hasNumbersBeyond(row)) {
                 remarkUnread(row); // "50,1,234.5": which number is whose cannot be known
                 lastLine = row.line;
-                continue;
-            }
-            if (row.comment || !isBodyRow(row)) {
-                if (!row.comment && isNumericHead(row)) {
-                    if (!block.rows.empty() && !sameAsHead(row, numericHead)) {
-                        remarkUnread(row);
-                        continue;
-                    }
-                    numericHead = i;
-                } else if (!row.comment &&
-                           looksLikeData(row, !m_body.blocks.empty() || !block.rows.empty())) {
-                    remarkUnread(row);
-                    continue;
-                }
-                finish();
-                heads.push_back(i);
+            } else {
+                if (gapsCount && row.line > lastLine + 1)
+                    finish();
+                takeBodyRow(i);
                 lastLine = row.line;
-                continue;
             }
-            if (gapsCount && !block.rows.empty() && row.line > lastLine + 1)
-                finish();
-            if (block.rows.empty()) {
-                block.heads = std::move(heads);
-                heads.clear();
-                block.numericHead = numericHead;
-            }
-            block.rows.push_back(i);
-            lastLine = row.line;
         }
         finish();
-        m_body.notes = std::move(heads); // behind the last block
+        m_body.notes = std::move(m_heads); // behind the last block
     }
 
 private:
+    /// The block that was open ends.
+    void finish() {
+        if (!m_block.rows.empty())
+            m_body.blocks.push_back(std::move(m_block));
+        m_block = {};
+    }
+
+    /// A row that is none of the body; false: it is not like the others and stays unread.
+    bool takeHead(std::uint32_t index, const TableRow &row) {
+        const bool hasNumbers = !row.comment && isNumericHead(row);
+        const bool unread =
+            hasNumbers ? !m_block.rows.empty() && !sameAsHead(row, m_numericHead)
+                       : !row.comment && looksLikeData(row, !m_body.blocks.empty() || !m_block.rows.empty());
+        if (unread) {
+            remarkUnread(row);
+            return false;
+        }
+        if (hasNumbers)
+            m_numericHead = index;
+        finish();
+        m_heads.push_back(index);
+        return true;
+    }
+
+    void takeBodyRow(std::uint32_t index) {
+        if (m_block.rows.empty()) {
+            m_block.heads = std::exchange(m_heads, {});
+            m_block.numericHead = m_numericHead;
+        }
+        m_block.rows.push_back(index);
+    }
+
     [[nodiscard]] bool isBodyRow(const TableRow &row) const {
         const auto cells = m_table.cells(row);
         if (cells.size() <= m_firstNumber || !isNumeric(cells[m_firstNumber]))
@@ -284,6 +287,9 @@ private:
 
     const CellTable &m_table;
     TableBody &m_body;
+    TableBlock m_block;                 ///< still open
+    std::vector<std::uint32_t> m_heads; ///< of the next block
+    std::optional<std::uint32_t> m_numericHead;
     std::size_t m_firstNumber = 0;
     std::size_t m_numberColumns = 0;
     std::optional<std::size_t> m_directions;
@@ -308,8 +314,8 @@ bool areAlike(const std::vector<TableColumn> &a, const std::vector<TableColumn> 
 void keepLargestTable(const CellTable &table, TableBody &body) {
     constexpr std::size_t mostKinds = 50; // a report of more is none to be read as a whole
     struct Kind {
-        std::size_t section;
-        std::size_t rows;
+        std::size_t section = 0;
+        std::size_t rows = 0;
     };
     std::vector<Kind> kinds;
     std::vector<std::size_t> kindOf;
@@ -378,16 +384,16 @@ TableBody bodyOf(const CellTable &table) {
         {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and "
                                "readings, points of a circle, or values over time")});
     if (width == 0)
-        throw noNumbers;
+        throw Error(noNumbers);
     if (width > widestTable)
         throw Error(Error::Kind::tooLarge,
                     {REPORT_TEXT("report", "more rows or cells than a table of readings can have")});
     body.columns = columnsOf(table, width);
     if (body.numberColumns().empty())
-        throw noNumbers;
+        throw Error(noNumbers);
     Sorter(table, body).sort();
     if (body.blocks.empty())
-        throw noNumbers;
+        throw Error(noNumbers);
     findSections(table, body);
     for (const TableBlock &block : body.blocks)
         body.notes.insert(body.notes.end(), block.heads.begin(), block.heads.end());

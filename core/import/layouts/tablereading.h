@@ -8,17 +8,17 @@ namespace palmer {
 /// A table on its way to a measurement: what the readers of the kinds share.
 class TableReading {
 public:
-    TableReading(Imported &imported, Choices &choices);
+    TableReading(Imported &imported, Choices &chosen);
 
     [[nodiscard]] const CellTable &table() const { return result.table; }
     [[nodiscard]] const TableRow &row(std::uint32_t index) const { return result.table.rows()[index]; }
-    /// The cell of a row, or null where the row is too short.
-    [[nodiscard]] const TableCell *cell(std::uint32_t row, std::size_t column) const;
-    [[nodiscard]] std::string_view cellText(std::uint32_t row, std::size_t column) const;
+    /// The cell of the row of that index, or null where the row is too short.
+    [[nodiscard]] const TableCell *cell(std::uint32_t index, std::size_t column) const;
+    [[nodiscard]] std::string_view cellText(std::uint32_t index, std::size_t column) const;
 
     /// The number of a cell; null for a missing one. What is neither is a problem and missing.
-    [[nodiscard]] std::optional<double> number(std::uint32_t row, std::size_t column);
-    void setRole(std::uint32_t row, std::size_t column, CellRole role);
+    [[nodiscard]] std::optional<double> number(std::uint32_t index, std::size_t column);
+    void setRole(std::uint32_t index, std::size_t column, CellRole role);
 
     void remark(RemarkGrade grade, Message message, std::size_t line = 0, std::string choice = {});
     /// The headings of a block as one text, without those of the columns.

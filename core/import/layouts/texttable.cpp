@@ -42,62 +42,76 @@ std::string seriesKindOf(const TableBody &body, Origin &origin) {
     return temperature && !readings ? "temperatures" : "drift";
 }
 
-/// Kind of measurement that the columns show.
-std::string kindOf(const TableReading &reading, Origin &origin) {
-    const TableBody &body = reading.body;
-    origin = Origin::recognised;
-    const std::vector<std::size_t> columns = body.numberColumns();
+/// Arrows and words for the directions of an axis: angles are those of its targets. So they are where the
+/// deviations are angles, too.
+bool isApproached(const TableBody &body) {
+    return body.columnOf(ColumnKind::directions) ||
+           std::ranges::any_of(body.columns, [](const TableColumn &column) {
+               const bool turns = column.meaning == Meaning::deviation && column.unit &&
+                                  column.unit->kind == UnitKind::angle;
+               return turns || (column.words.isTarget && column.meaning != Meaning::nominal) ||
+                      (column.words.direction.has_value() && !senseIn(column.heading));
+           });
+}
+
+/// By its words.
+bool isCircular(const TableBody &body) {
     const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
-    // Arrows and words for the directions of an axis: angles are those of its targets. So they are where the
-    // deviations are angles, too.
-    const bool approached = std::ranges::any_of(body.columns, [](const TableColumn &column) {
-        const bool turns =
-            column.meaning == Meaning::deviation && column.unit && column.unit->kind == UnitKind::angle;
-        return turns || (column.words.isTarget && column.meaning != Meaning::nominal) ||
-               (column.words.direction.has_value() && !senseIn(column.heading));
-    });
-    if (approached || body.columnOf(ColumnKind::directions))
-        return "positioning";
     if (has(Meaning::angle) && !(has(Meaning::run) && !has(Meaning::radius)))
-        return "circular";
+        return true;
     if (has(Meaning::x) && has(Meaning::y) && !has(Meaning::deviation) && !has(Meaning::place))
-        return "circular";
-    if (body.columnOf(ColumnKind::senses))
-        return "circular";
-    const bool positions = has(Meaning::run) || has(Meaning::direction);
-    const bool times = std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return true;
+    return body.columnOf(ColumnKind::senses).has_value();
+}
+
+bool hasTimes(const TableBody &body) {
+    return std::ranges::any_of(body.columns, [](const TableColumn &column) {
         return column.kind == ColumnKind::clock ||
                (column.kind == ColumnKind::numbers &&
                 (column.meaning == Meaning::time || (column.unit && column.unit->kind == UnitKind::time)));
     });
-    if (times && !positions && !(has(Meaning::place) && !body.columnOf(ColumnKind::clock)))
+}
+
+/// The numbers could be angles of a circle or of a good part of one, in degrees.
+bool couldBeAngles(const TableReading &reading, std::size_t column) {
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (const TableBlock &block : reading.body.blocks) {
+        for (const std::uint32_t row : block.rows) {
+            const TableCell *cell = reading.cell(row, column);
+            if (cell && cell->isNumber()) {
+                low = std::min(low, cell->value);
+                high = std::max(high, cell->value);
+            }
+        }
+    }
+    return high - low >= 85 && high - low <= 800 && high <= 800 && low >= -800;
+}
+
+/// Kind of measurement that the columns show.
+std::string kindOf(const TableReading &reading, Origin &origin) {
+    const TableBody &body = reading.body;
+    origin = Origin::recognised;
+    const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
+    if (isApproached(body))
+        return "positioning";
+    if (isCircular(body))
+        return "circular";
+    const bool positions = has(Meaning::run) || has(Meaning::direction);
+    if (hasTimes(body) && !positions && !(has(Meaning::place) && !body.columnOf(ColumnKind::clock)))
         return seriesKindOf(body, origin);
     if (positions || has(Meaning::place) || has(Meaning::angle) || body.blocks.front().numericHead)
         return "positioning";
     // Two columns without a word (three with a counter): points of a circle, if they are many.
-    std::vector<std::size_t> data = columns;
+    std::vector<std::size_t> data = body.numberColumns();
     if (data.size() == 3 && isCounter(reading, data.front()))
         data.erase(data.begin());
     constexpr std::size_t fewPoints = 30;
-    if (data.size() == 2 && body.rowCount() >= fewPoints) {
-        origin = Origin::guessed;
-        if (areOnCircle(reading, data[0], data[1]))
-            return "circular";
-        double low = INFINITY;
-        double high = -INFINITY;
-        for (const TableBlock &block : body.blocks) {
-            for (const std::uint32_t row : block.rows) {
-                const TableCell *cell = reading.cell(row, data[0]);
-                if (cell && cell->isNumber()) {
-                    low = std::min(low, cell->value);
-                    high = std::max(high, cell->value);
-                }
-            }
-        }
-        if (high - low >= 85 && high - low <= 800 && high <= 800 && low >= -800)
-            return "circular";
-    }
-    return "positioning";
+    if (data.size() != 2 || body.rowCount() < fewPoints)
+        return "positioning";
+    origin = Origin::guessed;
+    return areOnCircle(reading, data[0], data[1]) || couldBeAngles(reading, data[0]) ? "circular"
+                                                                                     : "positioning";
 }
 
 } // namespace

@@ -44,13 +44,13 @@ struct Influence {
     /// errors, width (degrees) of reversal spikes; else not looked at.
     using Column = double (*)(const PathPosition &, PlaneAxis, double shape);
 
-    InfluenceId id;
-    const char *word; ///< in files
-    Text name;        ///< "%1" stands for the axis or the plane
-    bool ofAxis;      ///< one of each axis; else one of the plane
-    const char *unit; ///< the parameter is shown in
-    double unitsPerBase;
-    Column column;
+    InfluenceId id = InfluenceId::centre;
+    const char *word = nullptr; ///< in files
+    Text name;                  ///< "%1" stands for the axis or the plane
+    bool ofAxis = false;        ///< one of each axis; else one of the plane
+    const char *unit = nullptr; ///< the parameter is shown in
+    double unitsPerBase = 0;
+    Column column = nullptr;
     Column second = nullptr; ///< of a further parameter that shares the source: see the row
 };
 

@@ -92,10 +92,10 @@ public:
 private:
     /// A column while its means are taken.
     struct Column {
-        Influence::Column value;
-        PlaneAxis axis;
-        double shape;
-        double *row; ///< where the next mean goes
+        Influence::Column value = nullptr;
+        PlaneAxis axis = PlaneAxis::none;
+        double shape = 0;
+        double *row = nullptr; ///< where the next mean goes
         double sum = 0;
     };
     void addMeans(const ArcRows &arc, std::vector<Column> &columns) const;

@@ -16,7 +16,7 @@ namespace {
 /// The columns of a source with their factors.
 struct Part {
     FitTerm term;
-    double factor;
+    double factor = 0;
 };
 
 std::vector<Part> partsOf(const Diagnosis &diagnosis, std::span<const std::size_t> chosen) {

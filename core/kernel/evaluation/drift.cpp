@@ -43,7 +43,7 @@ std::optional<DriftStatistic> driftStatistic(const ReadingsView &readings,
         result.means[run] = sum / count;
     }
 
-    const double count = static_cast<double>(n);
+    const auto count = static_cast<double>(n);
     const double middle = (count - 1) / 2;
     double mean = 0;
     for (const double g : result.means)

@@ -24,14 +24,14 @@ enum Need : unsigned { upward = 1, downward = 2, bothWays = 3, scatter = 4 };
 /// statistics per target and the factor c.
 struct Row {
     Term term;
-    unsigned needs;
-    Outcome (*value)(std::span<const TargetStatistics>, double c);
+    unsigned needs = 0;
+    Outcome (*value)(std::span<const TargetStatistics>, double c) = nullptr;
     bool dependsOnTemperature = false; ///< wrong away from 20 °C unless corrected
 };
 
 /// A quantity per target: what the heads of tables and the help call it.
 struct TargetTerm {
-    const char *id; ///< "mean+", "mean", "reversal", "s", "R+", "R", …
+    const char *id = nullptr; ///< "mean+", "mean", "reversal", "s", "R+", "R", …
     Symbol symbol;
     Text name = {};
     const char *clause = "";
@@ -46,8 +46,8 @@ enum class PointRole { listed, inRow, notApplicable };
 
 /// A point to be agreed between supplier/manufacturer and user.
 struct AgreementPoint {
-    const char *point;  ///< word of the file format
-    const char *letter; ///< as the standard letters it; empty where no letters are printed
+    const char *point = nullptr;  ///< word of the file format
+    const char *letter = nullptr; ///< as the standard letters it; empty where no letters are printed
     Text name = {};
     /// Listed with its agreement, asked for by a row of the requirements, or without object.
     PointRole (*role)(const Test &) = nullptr; ///< null: always listed
@@ -66,8 +66,8 @@ struct CircularRules;
 
 /// One edition of a standard. Aliases share everything with their family but word and title.
 struct Edition {
-    const char *word;   ///< what the file says: "ISO 230-2:2006"
-    const char *family; ///< word of the edition whose rules these are; verdicts hold within it
+    const char *word = nullptr;   ///< what the file says: "ISO 230-2:2006"
+    const char *family = nullptr; ///< word of the edition whose rules these are; verdicts hold within it
     Kind kind = Kind::positioning;
     Text title = {};          ///< the standard's own title; empty where the designation stands alone
     double c = 0;             ///< factor of s (ISO 230-2)

@@ -38,6 +38,23 @@ Parameter parameter(const iso230_4::ListedParameter &listed, const CircularCase 
     return result;
 }
 
+/// The inputs that the uncertainty of a parameter lacks.
+void noteMissing(std::vector<MissingInput> &missing, const CircularBudget &budget,
+                 const CircularContributions &uses, const Parameter &parameter) {
+    for (const Contribution &contribution : budget.contributions) {
+        if (!takesUp(uses, contribution.id))
+            continue;
+        for (const InputDefect &defect : contribution.defects) {
+            auto known = std::ranges::find(missing, defect, &MissingInput::defect);
+            if (known == missing.end()) {
+                missing.push_back({defect, {}});
+                known = missing.end() - 1;
+            }
+            known->results += (known->results.empty() ? "" : ", ") + plainSymbol(parameter);
+        }
+    }
+}
+
 /// Budget, simulation and statement of the uncertainty; what is missing for which results.
 std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const CircularCase &test,
                                          const std::vector<iso230_4::ListedParameter> &listed) {
@@ -71,18 +88,7 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
         if (p.budgetUncertainty || !p.required)
             continue;
         complete = false;
-        for (const Contribution &contribution : budget.contributions) {
-            for (const InputDefect &defect : contribution.defects) {
-                if (!takesUp(uses, contribution.id))
-                    continue;
-                auto known = std::ranges::find(missing, defect, &MissingInput::defect);
-                if (known == missing.end()) {
-                    missing.push_back({defect, {}});
-                    known = missing.end() - 1;
-                }
-                known->results += (known->results.empty() ? "" : ", ") + plainSymbol(p);
-            }
-        }
+        noteMissing(missing, budget, uses, p);
     }
     for (const Contribution &contribution : budget.contributions) {
         if (takesUp(anyUses, contribution.id))

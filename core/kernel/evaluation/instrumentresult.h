@@ -10,8 +10,8 @@ namespace palmer {
 
 /// A result that the instrument's own program states, and ours that says the same.
 struct InstrumentResult {
-    const ImportedFile *file;
-    const ImportedResult *stated;
+    const ImportedFile *file = nullptr;
+    const ImportedResult *stated = nullptr;
     const Parameter *ours = nullptr; ///< null: there is none, or its unit is none of a length or angle
     double value = 0;                ///< what is stated, in the unit of ours: mm or degrees
 };

@@ -34,13 +34,13 @@ struct Judgement {
 /// One row of what an edition asks of a test; `Case` is a test and all that is known of it.
 template <class Case>
 struct RequirementOf {
-    const char *id;
-    Source source;
-    const char *clause; ///< of the text; else empty
-    Grade modality;     ///< what the clause says: shall, should, or worth knowing
-    Subject subject;
-    bool (*applies)(const Case &); ///< null: always
-    Judgement (*judge)(const Case &);
+    const char *id = nullptr;
+    Source source = Source::text;
+    const char *clause = nullptr;        ///< of the text; else empty
+    Grade modality = Grade::requirement; ///< what the clause says: shall, should, or worth knowing
+    Subject subject = Subject::readings;
+    bool (*applies)(const Case &) = nullptr; ///< null: always
+    Judgement (*judge)(const Case &) = nullptr;
     Text name = {};     ///< what it asks for: "Not declared: …", "Not stated in the report: …"
     Text sentence = {}; ///< when it is unmet and the judgement says nothing of its own
     std::array<const char *, 2> keys = {};

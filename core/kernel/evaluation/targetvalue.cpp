@@ -10,7 +10,7 @@ namespace {
 
 struct Entry {
     std::string_view id;
-    double (*value)(const TargetStatistics &, double c);
+    double (*value)(const TargetStatistics &, double c) = nullptr;
 };
 
 using Target = const TargetStatistics &;

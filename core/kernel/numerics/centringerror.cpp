@@ -70,26 +70,45 @@ Normal normalEquations(std::span<const CommandedArc> arcs, const std::vector<std
     return normal;
 }
 
+bool isFinite(const CommandedArc &arc) {
+    const auto finite = [](double value) { return std::isfinite(value); };
+    return std::ranges::all_of(arc.angles, finite) && std::ranges::all_of(arc.distances, finite);
+}
+
+std::vector<Point> directionsOf(const CommandedArc &arc) {
+    if (!arc.directions.empty())
+        return {arc.directions.begin(),
+                arc.directions.begin() + static_cast<std::ptrdiff_t>(arc.angles.size())};
+    std::vector<Point> directions;
+    directions.reserve(arc.angles.size());
+    for (const double angle : arc.angles)
+        directions.push_back(direction(angle));
+    return directions;
+}
+
+/// 0 of none.
+double meanOf(std::span<const double> distances) {
+    double sum = 0;
+    for (const double distance : distances)
+        sum += distance;
+    return distances.empty() ? 0 : sum / static_cast<double>(distances.size());
+}
+
 } // namespace
 
 CentringError centringError(std::span<const CommandedArc> arcs, const CentringErrorOptions &options) {
     CentringError error;
-    std::vector<std::vector<Point>> directions(arcs.size());
-    error.radii.resize(arcs.size());
+    std::vector<std::vector<Point>> directions;
+    directions.reserve(arcs.size());
+    error.radii.reserve(arcs.size());
     double largest = 0;
-    for (std::size_t k = 0; k < arcs.size(); ++k) {
-        const CommandedArc &arc = arcs[k];
+    for (const CommandedArc &arc : arcs) {
         assert(arc.angles.size() == arc.distances.size());
-        double sum = 0;
-        for (std::size_t i = 0; i < arc.angles.size(); ++i) {
-            if (!std::isfinite(arc.angles[i]) || !std::isfinite(arc.distances[i]))
-                return {.status = Status::notFinite, .e = {}, .radii = {}, .iterations = 0};
-            directions[k].push_back(arc.directions.empty() ? direction(arc.angles[i]) : arc.directions[i]);
-            sum += arc.distances[i];
-        }
-        if (!arc.distances.empty())
-            error.radii[k] = sum / static_cast<double>(arc.distances.size());
-        largest = std::max(largest, std::abs(error.radii[k]));
+        if (!isFinite(arc))
+            return {.status = Status::notFinite, .e = {}, .radii = {}, .iterations = 0};
+        directions.push_back(directionsOf(arc));
+        error.radii.push_back(meanOf(arc.distances));
+        largest = std::max(largest, std::abs(error.radii.back()));
     }
 
     error.status = Status::notConverged;

@@ -74,7 +74,7 @@ struct CorrelatedNoise::Spectrum {
                 column.segment(Eigen::Index(record.begin), Eigen::Index(record.size));
             fft.fwd(transformed, padded);
         };
-        const double n = double(length);
+        const auto n = double(length);
         for (const Record &record : records) {
             transform(residual, record);
             power += transformed.cwiseAbs2() / n;

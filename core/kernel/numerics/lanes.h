@@ -81,6 +81,7 @@ private:
     static Pair withoutSign(Pair a) {
         using Bits = std::int64_t __attribute__((vector_size(16)));
         constexpr std::int64_t allButSign = 0x7fffffffffffffff;
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the same bits, of vectors
         return reinterpret_cast<Pair>(reinterpret_cast<Bits>(a) & Bits{allButSign, allButSign});
     }
     static Pair root(Pair a) {

@@ -150,6 +150,11 @@ struct Fit {
     int iterations = 0;
 };
 
+/// Beyond the largest radius the points lie on a line.
+Status statusAt(double radius, double largestRadius) {
+    return radius < largestRadius ? Status::converged : Status::collinear;
+}
+
 /// Gauss–Newton, and near the end Newton, from a start.
 Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> groups, Point mean,
             double largestRadius, const LeastSquaresCircleOptions &options) {
@@ -194,7 +199,7 @@ Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> g
         const double floor = std::max(1e-12, 64 * epsilon / leastCurvature(fit.at)) * radius;
         const bool still = length > lastStep / 2 && at.variance() - fit.at.variance() <= noise;
         if (length <= options.tolerance * radius || (length <= floor && still)) {
-            fit.status = fit.at.radius() < largestRadius ? Status::converged : Status::collinear;
+            fit.status = statusAt(fit.at.radius(), largestRadius);
             return fit;
         }
         lastStep = length;
@@ -246,7 +251,7 @@ std::vector<Point> startsAround(double extent, PointsView points, Point mean) {
     const std::array<std::size_t, 1> all{some.size()};
     struct Node {
         Point c;
-        double variance;
+        double variance = 0;
     };
     std::vector<Node> net;
     for (int i = 0; i < distances; ++i) {
@@ -258,7 +263,8 @@ std::vector<Point> startsAround(double extent, PointsView points, Point mean) {
         }
     }
     const auto at = [&](int i, int k) -> const Node & {
-        return net[static_cast<std::size_t>(i * directions + (k + directions) % directions)];
+        const int index = i * directions + (k + directions) % directions;
+        return net[static_cast<std::size_t>(index)];
     };
     std::vector<Node> lowest;
     for (int i = 0; i < distances; ++i) {
@@ -275,6 +281,7 @@ std::vector<Point> startsAround(double extent, PointsView points, Point mean) {
     std::ranges::sort(lowest, {}, &Node::variance);
     lowest.resize(std::min(lowest.size(), most));
     std::vector<Point> starts;
+    starts.reserve(lowest.size());
     for (const Node &node : lowest)
         starts.push_back(node.c);
     return starts;

@@ -856,7 +856,7 @@ std::optional<MinimumZone> minimumZone(std::span<const RaysLook> points,
                                        const std::array<std::size_t, 4> &first,
                                        const MinimumZoneOptions &options) {
     for (const RaysLook &part : points)
-        if (!part.rays->finite(*part.look))
+        if (!Rays::finite(*part.look))
             return std::nullopt;
     const RaysSearch search(points, options);
     const std::optional<Ring> ring = search.run(first);

@@ -22,6 +22,8 @@ struct Widest {
     using Value = double __attribute__((vector_size(64)));
 };
 
+// NOLINTBEGIN(modernize-avoid-c-arrays): registers are no arguments of templates, GCC drops their width
+
 /// Sums of `n` terms of `number` sums each, of the columns of a table.
 template <class Register, class Terms>
 [[gnu::always_inline]] inline void sumUp(const Terms &terms, std::size_t n,
@@ -42,7 +44,7 @@ template <class Register, class Terms>
         }
     }
     for (std::size_t s = 0; s < Terms::number; ++s) {
-        std::array<double, together> lane;
+        std::array<double, together> lane{};
         std::memcpy(lane.data(), &all[s], sizeof(lane));
         sums[s] = ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
     }
@@ -69,7 +71,7 @@ PALMER_WIDEST void sumUpWidest(const Terms &terms, std::size_t n, std::array<dou
 
 template <class Terms>
 std::array<double, Terms::number> sumsOf(const Terms &terms, std::size_t n) {
-    std::array<double, Terms::number> sums;
+    std::array<double, Terms::number> sums{};
     if (hasWidestRegisters())
         sumUpWidest(terms, n, sums);
     else if (hasWideRegisters())
@@ -83,7 +85,7 @@ std::array<double, Terms::number> sumsOf(const Terms &terms, std::size_t n) {
 struct FirstStep {
     static constexpr std::size_t number = 2;
     static constexpr std::size_t columns = 3;
-    const double *column[columns]; ///< change, step by it
+    const double *column[columns]{}; ///< change, step by it
 
     template <class Value>
     [[gnu::always_inline]] inline void of(const Value (&c)[columns], Value (&values)[number]) const {
@@ -96,7 +98,7 @@ struct FirstStep {
 struct Distances {
     static constexpr std::size_t number = 5;
     static constexpr std::size_t columns = 7;
-    const double *column[columns]; ///< change, then those of a set
+    const double *column[columns]{}; ///< change, then those of a set
     Point delta;
 
     template <class Value>
@@ -115,6 +117,8 @@ struct Distances {
         values[4] = values[0] * values[2];
     }
 };
+
+// NOLINTEND(modernize-avoid-c-arrays)
 
 } // namespace
 

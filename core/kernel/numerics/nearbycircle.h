@@ -25,7 +25,7 @@ public:
 
     struct Fit {
         Point centre;
-        double radius;
+        double radius = 0;
     };
     /// Looks at the same sets. Null where what is left out could exceed 1e-14·R: the plain way tells then.
     [[nodiscard]] std::optional<Fit> fit(std::span<const Rays::Look *const> looks) const;

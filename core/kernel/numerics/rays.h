@@ -35,7 +35,7 @@ public:
     };
     [[nodiscard]] Look look() const;
     void prepare(Look &look) const;
-    [[nodiscard]] bool finite(const Look &look) const { return std::isfinite(look.largest); }
+    [[nodiscard]] static bool finite(const Look &look) { return std::isfinite(look.largest); }
     [[nodiscard]] Point point(const Look &look, std::size_t i) const {
         return {look.radii[i] * m_ux[i], look.radii[i] * m_uy[i]};
     }
@@ -44,8 +44,8 @@ public:
     /// Least and greatest distance of the points from a centre, mm: computed as √((x − x_c)² + (y − y_c)²) of
     /// those that can be it.
     struct Extremes {
-        double least;
-        double greatest;
+        double least = 0;
+        double greatest = 0;
     };
     [[nodiscard]] Extremes extremes(const Look &look, Point centre) const;
 
@@ -88,9 +88,9 @@ private:
     };
     struct Bound {
         Point delta;
-        double length;
-        double above; ///< b²/r₀ and rounding
-        double below; ///< rounding
+        double length = 0;
+        double above = 0; ///< b²/r₀ and rounding
+        double below = 0; ///< rounding
     };
     [[nodiscard]] Bound boundOf(const Look &look, Point centre) const;
     [[nodiscard]] double farthest(const Look &look, std::size_t s, const Bound &bound) const {

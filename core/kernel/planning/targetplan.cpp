@@ -84,8 +84,9 @@ std::vector<double> quarterTurns(const TargetRequest &request, TargetPlan &plan)
     const double last = request.from + request.travel;
     std::vector<double> targets;
     const double beyond = request.travel >= fullTurn ? last - 1e-9 : last + 1e-9; // 360° is 0° again
-    for (double k = std::ceil(request.from / quarterTurn - 1e-9); k * quarterTurn <= beyond; ++k)
-        targets.push_back(rounded(k * quarterTurn, request.from, last, request.decimals));
+    const double first = std::ceil(request.from / quarterTurn - 1e-9);
+    for (int i = 0; (first + i) * quarterTurn <= beyond; ++i)
+        targets.push_back(rounded((first + i) * quarterTurn, request.from, last, request.decimals));
     for (std::size_t i = 0; i < freeTargetsOf1988; ++i) {
         // each in its own third, so that they are spread
         const double third = request.travel / static_cast<double>(freeTargetsOf1988);

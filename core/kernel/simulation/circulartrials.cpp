@@ -97,34 +97,50 @@ void CircularTrials::addParts() {
     double high = 0;
     std::size_t points = 0;
     for (const EvaluatedPath &path : m_results.paths) {
-        const Arc &arc = m_measurement.arcs[path.arc];
-        const bool commanded = arc.angleReference == AngleReference::commanded;
-        Part part{path.arc, {}, {}, {}, place, commanded, {}};
-        std::vector<double> x;
-        std::vector<double> y;
-        std::vector<double> radii;
-        for (const std::size_t i : path.source) {
-            const Point u = direction(arc.angles[i]);
-            const double r = m_measurement.nominalRadius + arc.radialDeviations[i];
-            part.angles.push_back(arc.angles[i]);
-            part.directions.push_back(u);
-            part.deviations.push_back(arc.radialDeviations[i]);
-            x.push_back(u.x);
-            y.push_back(u.y);
-            radii.push_back(
-                commanded && m_results.centringError ? rebuiltRadius(r, u, *m_results.centringError) : r);
-            low = points == 0 ? part.deviations.back() : std::min(low, part.deviations.back());
-            high = points == 0 ? part.deviations.back() : std::max(high, part.deviations.back());
+        m_parts.push_back(partOf(path, place));
+        for (const double deviation : m_parts.back().deviations) {
+            low = points == 0 ? deviation : std::min(low, deviation);
+            high = points == 0 ? deviation : std::max(high, deviation);
             ++points;
         }
-        const CircleOf of = iso230_4::circleOf(path.sense);
-        const CircleResult *circle = m_results.circle(of, ReferenceCircle::leastSquares);
-        if (!circle)
-            circle = m_results.circle(of, ReferenceCircle::minimumZone);
-        part.rays = Rays(std::move(x), std::move(y), std::move(radii), circle ? circle->centre : Point{});
-        place += placesOfPoints(part.angles.size());
-        m_parts.push_back(std::move(part));
+        place += placesOfPoints(m_parts.back().angles.size());
     }
+    addRepeated();
+    m_middle = (low + high) / 2;
+    m_scale = high > low ? m_zero / (high - low) : 0;
+    constexpr std::size_t pointsPerChunk = 50000; // some milliseconds
+    constexpr std::size_t mostOfChunk = 50;
+    m_chunk = static_cast<int>(
+        std::clamp<std::size_t>(pointsPerChunk / std::max<std::size_t>(points, 1), 1, mostOfChunk));
+}
+
+CircularTrials::Part CircularTrials::partOf(const EvaluatedPath &path, std::uint32_t place) const {
+    const Arc &arc = m_measurement.arcs[path.arc];
+    const bool commanded = arc.angleReference == AngleReference::commanded;
+    Part part{path.arc, {}, {}, {}, place, commanded, {}};
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> radii;
+    for (const std::size_t i : path.source) {
+        const Point u = direction(arc.angles[i]);
+        const double r = m_measurement.nominalRadius + arc.radialDeviations[i];
+        part.angles.push_back(arc.angles[i]);
+        part.directions.push_back(u);
+        part.deviations.push_back(arc.radialDeviations[i]);
+        x.push_back(u.x);
+        y.push_back(u.y);
+        radii.push_back(commanded && m_results.centringError ? rebuiltRadius(r, u, *m_results.centringError)
+                                                             : r);
+    }
+    const CircleOf of = iso230_4::circleOf(path.sense);
+    const CircleResult *circle = m_results.circle(of, ReferenceCircle::leastSquares);
+    if (!circle)
+        circle = m_results.circle(of, ReferenceCircle::minimumZone);
+    part.rays = Rays(std::move(x), std::move(y), std::move(radii), circle ? circle->centre : Point{});
+    return part;
+}
+
+void CircularTrials::addRepeated() {
     for (const std::size_t k : m_results.repetitions) {
         const Arc &arc = m_measurement.arcs[k];
         const auto range = iso230_4::evaluatedRange(arc);
@@ -140,12 +156,6 @@ void CircularTrials::addParts() {
         }
         m_repeated.push_back(std::move(part));
     }
-    m_middle = (low + high) / 2;
-    m_scale = high > low ? m_zero / (high - low) : 0;
-    constexpr std::size_t pointsPerChunk = 50000; // some milliseconds
-    constexpr std::size_t mostOfChunk = 50;
-    m_chunk = static_cast<int>(
-        std::clamp<std::size_t>(pointsPerChunk / std::max<std::size_t>(points, 1), 1, mostOfChunk));
 }
 
 void CircularTrials::addReferences() {
@@ -250,6 +260,7 @@ CircularTrials::inOrderOfTime(std::span<const std::vector<double>> distances) co
         inOrder.push_back({part.arc, {part.angles, part.deviations, part.directions}});
     std::ranges::sort(inOrder, {}, &std::pair<std::size_t, CommandedArc>::first);
     std::vector<CommandedArc> result;
+    result.reserve(inOrder.size());
     for (const auto &[arc, path] : inOrder)
         result.push_back(path);
     return result;
@@ -261,6 +272,7 @@ std::optional<Point> CircularTrials::centringErrorOf(const Workplace &place) con
         return std::nullopt;
     if (m_nearbyCentring) {
         std::vector<std::span<const double>> distances;
+        distances.reserve(arcs.size());
         for (const CommandedArc &arc : arcs)
             distances.push_back(arc.distances);
         if (const auto e = m_nearbyCentring->centringError(distances))

@@ -56,37 +56,40 @@ public:
 private:
     /// What is evaluated of an arc.
     struct Part {
-        std::size_t arc;
+        std::size_t arc = 0;
         std::vector<double> angles;
         std::vector<Point> directions;
         std::vector<double> deviations; ///< as measured, mm
-        std::uint32_t place;            ///< of the random numbers of its first points
-        bool commanded;
+        std::uint32_t place = 0;        ///< of the random numbers of its first points
+        bool commanded = false;
         Rays rays; ///< of the points as evaluated without errors
     };
     /// A circle that the parameters look at.
     struct Circle {
-        CircleOf of;
-        ReferenceCircle kind;
-        bool radiusAlone;                                   ///< no distance of a point is asked for
+        CircleOf of = CircleOf::both;
+        ReferenceCircle kind = ReferenceCircle::leastSquares;
+        bool radiusAlone = false;                           ///< no distance of a point is asked for
         std::vector<std::size_t> parts;                     ///< about whose points it is
         std::optional<std::array<std::size_t, 4>> contacts; ///< minimum zone: without errors
         std::optional<NearbyCircle> nearby;                 ///< least squares: about that without errors
     };
     /// What is drawn once a trial.
     struct Common {
-        std::array<double, 2> drift; ///< of each path, mm
-        double zero;                 ///< displacement and reference length, mm
-        double scale;                ///< displacement: error per deviation
-        Point centring;              ///< mm
-        double correction;           ///< mm
+        std::array<double, 2> drift{}; ///< of each path, mm
+        double zero = 0;               ///< displacement and reference length, mm
+        double scale = 0;              ///< displacement: error per deviation
+        Point centring;                ///< mm
+        double correction = 0;         ///< mm
     };
 
     [[nodiscard]] Common common(long long trial) const;
-    void perturb(long long trial, std::size_t part, const Common &all, Workplace &place) const;
-    void setReadings(std::size_t part, Workplace &place) const;
+    void perturb(long long trial, std::size_t index, const Common &all, Workplace &place) const;
+    void setReadings(std::size_t index, Workplace &place) const;
     void wantCircles(const CircularRow &row);
     void addParts();
+    /// `place`: of the random numbers of its first points.
+    [[nodiscard]] Part partOf(const EvaluatedPath &path, std::uint32_t place) const;
+    void addRepeated();
     void addReferences();
     /// The arcs of commanded angles in the order of time, as `paths` takes them.
     [[nodiscard]] std::vector<CommandedArc>

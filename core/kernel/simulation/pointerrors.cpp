@@ -53,6 +53,7 @@ using Tile = std::array<double, tile>;
         const double r = centreHalfWidth * centreHalfWidth - half * half;
         z[i] = half * polynomial(centreAbove, r) / polynomial(centreBelow, r);
     }
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): what is read is written before
     std::array<std::uint32_t, tile + 1> outer;
     std::size_t count = 0;
     for (std::size_t i = 0; i < tile; ++i) {
@@ -91,7 +92,7 @@ using Tile = std::array<double, tile>;
 /// Plain loops, which the compiler turns into vectors of the function they are inlined into.
 [[gnu::always_inline]] inline void draw(const RandomDraws &draws, long long trial, std::uint32_t place,
                                         const PointErrors &errors, std::span<double> into) {
-    std::uint32_t words[4][places];
+    std::uint32_t words[4][places]; // NOLINT(modernize-avoid-c-arrays): as fillPlaces takes it
     Tile q;
     Tile z;
     for (std::size_t from = 0; from < into.size(); from += tile, place += places) {

@@ -44,12 +44,12 @@ public:
 private:
     /// A reading in the order of time.
     struct Reading {
-        std::size_t run;
-        std::size_t target;
-        std::size_t place; ///< in the table: ↑ first, then ↓
-        double value;      ///< NaN: none
-        double distance;   ///< ℓ_i, mm
-        double time;       ///< −½ at the first reading … ½ at the last
+        std::size_t run = 0;
+        std::size_t target = 0;
+        std::size_t place = 0; ///< in the table: ↑ first, then ↓
+        double value = 0;      ///< NaN: none
+        double distance = 0;   ///< ℓ_i, mm
+        double time = 0;       ///< −½ at the first reading … ½ at the last
     };
     /// What all readings of four trials have in common.
     struct Common {

@@ -15,7 +15,7 @@ __attribute__((always_inline)) inline void RandomDraws::fill(long long first, st
     const auto key = m_key;
     double *out = numbers.data();
     for (std::size_t end = blockSize; end <= numbers.size(); end += blockSize, place += 2) {
-        std::uint32_t drawn[words][counters];
+        std::array<std::array<std::uint32_t, counters>, words> drawn{};
         for (std::uint32_t k = 0; k < counters; ++k) {
             const Words x = Threefry<std::uint32_t>::words(
                 {low + k % std::uint32_t(trials), high, place + k / std::uint32_t(trials), 0}, key);

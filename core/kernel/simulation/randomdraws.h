@@ -46,6 +46,7 @@ public:
 
     /// Of one trial the `count` places from `place` on: the first words of all, then the second ones and so
     /// on.
+    // NOLINTBEGIN(modernize-avoid-c-arrays): the compiler makes vectors of loops over plain arrays
     template <std::size_t count>
     [[gnu::always_inline]] inline void fillPlaces(long long trial, std::uint32_t place,
                                                   std::uint32_t (&into)[4][count]) const {
@@ -59,11 +60,14 @@ public:
         }
     }
 
+    // NOLINTEND(modernize-avoid-c-arrays)
+
     /// Uniform in (−1, 1), symmetric: the word as a signed number.
     static double symmetric(std::uint32_t word) {
         return (static_cast<double>(static_cast<std::int32_t>(word)) + 0.5) * unit;
     }
     static Lanes symmetric(const WordLanes &words) {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the same bits, of vectors
         return (Lanes::of(reinterpret_cast<Lanes::Integers>(words)) + 0.5) * unit;
     }
 

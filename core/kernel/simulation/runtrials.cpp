@@ -44,7 +44,8 @@ CoverageInterval shortestInterval(const FineCounts &fine, std::span<const long l
 Histogram histogram(const FineCounts &fine, std::span<const long long> counts) {
     Histogram result;
     result.counts.resize(pictureIntervals);
-    constexpr int skipped = static_cast<int>(FineCounts::count / 2 * (1 - pictureReach / FineCounts::reach));
+    constexpr int skipped =
+        static_cast<int>(0.5 * FineCounts::count * (1 - pictureReach / FineCounts::reach));
     constexpr int together = (FineCounts::count - 2 * skipped) / pictureIntervals;
     result.from = fine.from + skipped * fine.width;
     result.width = together * fine.width;

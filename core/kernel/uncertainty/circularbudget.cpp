@@ -91,7 +91,7 @@ private:
     }
 
     void addPointNoise() {
-        const double n = static_cast<double>(std::max<std::size_t>(m_points, 1));
+        const auto n = static_cast<double>(std::max<std::size_t>(m_points, 1));
         Contribution result{pointNoiseId, REPORT_TEXT("report", "noise of the points"), {}, {}, true, {}};
         InputReader read(result);
         const double noise = read.size(m_inputs.pointNoise, pointNoiseId,

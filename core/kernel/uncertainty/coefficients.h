@@ -32,10 +32,10 @@ struct Rulers {
 /// has 1/√n of the uncertainty of one, s has 1/√(n − 1), both are uncorrelated, and each takes the n of its
 /// own target and direction.
 struct Coefficients {
-    const char *id;
-    bool systematic;
+    const char *id = nullptr;
+    bool systematic = false;
     /// c: factor of s. Infinite where a mean has no reading or an s fewer than two.
-    double (*ofEnvironment)(const Rulers &rulers, double c);
+    double (*ofEnvironment)(const Rulers &rulers, double c) = nullptr;
 };
 
 /// The row of a parameter; null for an id that is none.

@@ -20,6 +20,7 @@ double rank(const Contribution *contribution) {
 
 std::vector<const Contribution *> bySize(const std::vector<Contribution> &contributions) {
     std::vector<const Contribution *> result;
+    result.reserve(contributions.size());
     for (const Contribution &contribution : contributions)
         result.push_back(&contribution);
     std::ranges::stable_sort(result,

@@ -44,13 +44,13 @@ std::optional<double> fartherTemperature(const Conditions &conditions, SensorMea
 
 /// Machine or instrument: what its two thermal contributions are made of.
 struct Body {
-    const char *temperatureId;
+    const char *temperatureId = nullptr;
     Text temperatureName;
-    const char *expansionId;
+    const char *expansionId = nullptr;
     Text expansionName;
-    SensorMeasures sensor;
-    std::optional<double> MachineAndInstrument::*range;
-    std::optional<double> Expansion::*alpha;
+    SensorMeasures sensor = SensorMeasures::machine;
+    std::optional<double> MachineAndInstrument::*range = nullptr;
+    std::optional<double> Expansion::*alpha = nullptr;
     Text theta; ///< names of the inputs
     Text alphaName;
     Text temperatureRange;

@@ -9,8 +9,8 @@ enum class UnitKind { length, angle, time, temperature };
 /// A unit that files use: a number in it times `multiplier` by `divisor` is in the base unit (mm, degrees, s,
 /// °C).
 struct Unit {
-    const char *word; ///< as among the choices: "um"
-    const char *sign; ///< as people read it: "µm"
+    const char *word = nullptr; ///< as among the choices: "um"
+    const char *sign = nullptr; ///< as people read it: "µm"
     UnitKind kind = UnitKind::length;
     double multiplier = 1;
     double divisor = 1;

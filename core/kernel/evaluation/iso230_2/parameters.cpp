@@ -214,8 +214,8 @@ Lanes inLanesOf(All<Lanes> targets, double c) {
 }
 
 struct Pair {
-    Outcome (*value)(Targets, double);
-    Lanes (*lanes)(All<Lanes>, double);
+    Outcome (*value)(Targets, double) = nullptr;
+    Lanes (*lanes)(All<Lanes>, double) = nullptr;
 };
 
 } // namespace

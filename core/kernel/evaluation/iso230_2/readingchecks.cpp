@@ -191,7 +191,7 @@ Sentence drift(const PositioningCase &test) {
     if (!test.drift || !test.drift->significant())
         return std::nullopt;
     struct Beside {
-        const char *symbol;
+        const char *symbol = nullptr;
         Outcome outcome;
     };
     const std::array ofVdi{Beside{"Psmax", vdiScatter(test.statistics, test.edition.c)}}; // it knows no R

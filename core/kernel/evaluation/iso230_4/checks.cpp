@@ -215,7 +215,7 @@ Sentence feedbackSignal(const CircularCase &test) {
     const std::string &scale = test.measurement.positionFeedback;
     constexpr std::array<std::string_view, 4> linear{"linear", "Linear", "linéaire", "Linéaire"};
     const bool linearScale =
-        std::ranges::any_of(linear, [&](std::string_view word) { return scale.find(word) != scale.npos; });
+        std::ranges::any_of(linear, [&](std::string_view word) { return scale.find(word) != std::string::npos; });
     if (!test.feedback() || linearScale)
         return std::nullopt;
     return plain(REPORT_TEXT("report",

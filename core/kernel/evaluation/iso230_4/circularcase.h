@@ -39,12 +39,12 @@ struct CircularRow {
     enum class Of { eachArc, pair };
 
     Term term;
-    const char *quantity; ///< what the parties ask for: Fmax and Fmin are both F
-    Of of;
-    bool external;             ///< of an external instrument; else of the feedback signal
-    bool dependsOnTemperature; ///< a length: corrected to 20 °C
+    const char *quantity = nullptr; ///< what the parties ask for: Fmax and Fmin are both F
+    Of of = Of::eachArc;
+    bool external = false;             ///< of an external instrument; else of the feedback signal
+    bool dependsOnTemperature = false; ///< a length: corrected to 20 °C
     /// Value in mm; null where it cannot be had. `path` is null for a pair.
-    std::optional<double> (*value)(const CircularCase &, const EvaluatedPath *path);
+    std::optional<double> (*value)(const CircularCase &, const EvaluatedPath *path) = nullptr;
 };
 
 using CircularRequirement = RequirementOf<CircularCase>;

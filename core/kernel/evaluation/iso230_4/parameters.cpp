@@ -40,8 +40,8 @@ double corrected(const CircularCase &test, double radius) {
 }
 
 struct PolarPoint {
-    double angle;    ///< radians, −π … π
-    double distance; ///< mm
+    double angle = 0;    ///< radians, −π … π
+    double distance = 0; ///< mm
 };
 
 std::vector<PolarPoint> polar(const Points &points, Point centre) {

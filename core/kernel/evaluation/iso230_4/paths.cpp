@@ -3,6 +3,7 @@
 #include "kernel/numerics/centringerror.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer::iso230_4 {
@@ -118,7 +119,7 @@ Paths paths(const CircularMeasurement &measurement) {
             result.centringError = error.e;
     }
 
-    bool seen[2]{};
+    std::array<bool, 2> seen{};
     for (std::size_t k = 0; k < selections.size(); ++k) {
         const Arc &arc = measurement.arcs[k];
         bool &before = seen[arc.sense == Sense::clockwise];

@@ -45,6 +45,29 @@ std::optional<double> standardDeviation(const std::vector<double> &values) {
     return std::sqrt(squares / (n - 1));
 }
 
+/// A path of each sense, as measured at one time.
+struct Repetition {
+    CircularMeasurement measurement;
+    std::array<bool, 2> own{}; ///< else the path of that sense is the first again
+};
+
+Repetition repetition(const CircularMeasurement &whole, const std::array<std::vector<std::size_t>, 2> &arcs,
+                      std::size_t time) {
+    Repetition result{whole, {}};
+    result.measurement.arcs.clear();
+    std::vector<std::size_t> chosen;
+    for (std::size_t k = 0; k < senses.size(); ++k) {
+        result.own[k] = time < arcs[k].size();
+        if (!arcs[k].empty())
+            chosen.push_back(arcs[k][result.own[k] ? time : 0]);
+    }
+    if (chosen.size() == 2 && arcs[0].front() > arcs[1].front())
+        std::swap(chosen[0], chosen[1]); // the first measured gives the index
+    for (const std::size_t k : chosen)
+        result.measurement.arcs.push_back(whole.arcs[k]);
+    return result;
+}
+
 } // namespace
 
 CircularResults circularResults(const CircularMeasurement &measurement) {
@@ -89,19 +112,7 @@ std::vector<std::optional<double>> repeatabilities(const CircularCase &test) {
     const std::size_t times = std::max(arcs[0].size(), arcs[1].size());
     std::vector<std::vector<double>> values(listedParameters(test).size());
     for (std::size_t time = 0; time < times && times > 1; ++time) {
-        CircularMeasurement once = whole;
-        once.arcs.clear();
-        std::vector<std::size_t> chosen;
-        std::array<bool, 2> own{};
-        for (std::size_t k = 0; k < senses.size(); ++k) {
-            own[k] = time < arcs[k].size();
-            if (!arcs[k].empty())
-                chosen.push_back(arcs[k][own[k] ? time : 0]);
-        }
-        if (chosen.size() == 2 && arcs[0].front() > arcs[1].front())
-            std::swap(chosen[0], chosen[1]); // the first measured gives the index
-        for (const std::size_t k : chosen)
-            once.arcs.push_back(whole.arcs[k]);
+        const auto [once, own] = repetition(whole, arcs, time);
         const CircularResults results = circularResults(once);
         const CircularCase repeated{test.test, once, test.surroundings, test.edition, results};
         const auto parameters = listedParameters(repeated);

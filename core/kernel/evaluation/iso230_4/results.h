@@ -12,8 +12,8 @@ namespace palmer::iso230_4 {
 
 /// A parameter that a test has: a row of its edition for a path, or for the pair (null).
 struct ListedParameter {
-    const CircularRow *row;
-    const EvaluatedPath *path;
+    const CircularRow *row = nullptr;
+    const EvaluatedPath *path = nullptr;
     std::string index;
 };
 
