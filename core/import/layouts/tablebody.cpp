@@ -182,7 +182,7 @@ private:
 
     [[nodiscard]] bool isBodyRow(const TableRow &row) const {
         const auto cells = m_table.cells(row);
-        if (cells.size() <= m_firstNumber || !isNumeric(cells[m_firstNumber]))
+        if (cells.size() <= m_firstNumber || !isNumeric(cells[m_firstNumber]) || isLoneDirection(cells))
             return false;
         if (m_directions &&
             (cells.size() <= *m_directions || !isDirectionCell(m_table, cells[*m_directions])))
@@ -201,6 +201,14 @@ private:
             words += cells[c].kind == CellKind::text ? 1 : 0;
         }
         return words <= numbers && (m_numberColumns > 2 || words == 0 || words < numbers);
+    }
+
+    /// "-" alone among rows of several numbers: the title of a block, not a missing number.
+    [[nodiscard]] bool isLoneDirection(std::span<const TableCell> cells) const {
+        const auto isFilled = [](const TableCell &cell) { return cell.kind != CellKind::empty; };
+        const auto first = std::ranges::find_if(cells, isFilled);
+        return m_numberColumns > 1 && std::ranges::count_if(cells, isFilled) == 1 && !first->isNumber() &&
+               isDirectionCell(m_table, *first);
     }
 
     /// "| --- | :---: |" of Markdown, or a line of dashes.
