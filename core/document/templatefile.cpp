@@ -62,8 +62,9 @@ json declaredIn(const json &conditions) {
     json result = json::object();
     const json nothing = json::parse(R"({"kind": "notStated", "text": ""})");
     for (const auto &[key, value] : conditions.items()) {
-        if (std::ranges::find(declared, key) != declared.end() && !value.is_null() && value != "" &&
-            value != nothing)
+        // NOLINTNEXTLINE(readability-container-size-empty): no JSON text is empty()
+        const bool saysSomething = value != "" && value != nothing;
+        if (std::ranges::find(declared, key) != declared.end() && !value.is_null() && saysSomething)
             result[key] = value;
     }
     return result;

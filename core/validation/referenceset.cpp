@@ -27,7 +27,7 @@ const std::array sourceWords{
 
 struct QuantityWord {
     QLatin1StringView word;
-    Quantity quantity;
+    Quantity quantity = Quantity::number;
 };
 
 const std::array quantityWords{

@@ -34,7 +34,7 @@ protected:
 private:
     struct NumberField {
         Field *field = nullptr;
-        Quantity quantity;
+        Quantity quantity = Quantity::number;
         double iso230_4::ContouringFeed::*member = nullptr;
     };
 

@@ -37,13 +37,16 @@ SettingsDialog::SettingsDialog(QWidget *parent)
     m_lengths = addChoice(*form, "settingsLengths");
     m_angles = addChoice(*form, "settingsAngles");
     alignLabels(*form);
-    m_autosave = new QCheckBox(this);
-    m_backup = new QCheckBox(this);
-    m_buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    m_autosave->setObjectName(QStringLiteral("settingsAutosave"));
-    m_backup->setObjectName(QStringLiteral("settingsBackup"));
-    m_autosave->setChecked(keepsCopies());
-    m_backup->setChecked(keepsBackups());
+    const auto addSwitch = [this](const QString &name, bool on) {
+        auto *box = new QCheckBox(this);
+        box->setObjectName(name);
+        box->setChecked(on);
+        return box;
+    };
+    m_autosave = addSwitch(QStringLiteral("settingsAutosave"), keepsCopies());
+    m_backup = addSwitch(QStringLiteral("settingsBackup"), keepsBackups());
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    m_buttons = buttons;
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->setSpacing(12);

@@ -262,7 +262,7 @@ void AgreedPointsPage::setState(const AgreementPoint &point, std::optional<Agree
 }
 
 /// A text longer than a test file holds is refused with a sentence; the one before is kept.
-bool AgreedPointsPage::refuses(const Row &row, const QString &text) const {
+bool AgreedPointsPage::refuses(const Row &row, const QString &text) {
     const std::size_t length = lengthOf(text);
     const bool tooLong = length > mostOfText;
     row.refusal->setVisible(tooLong);

@@ -58,7 +58,7 @@ private:
     [[nodiscard]] const AgreedPoint *agreed(const AgreementPoint &point) const;
     void setState(const AgreementPoint &point, std::optional<AgreementState> state);
     Field *makeValue(const AgreementPoint &point, Quantity quantity, QWidget *parent);
-    [[nodiscard]] bool refuses(const Row &row, const QString &text) const;
+    [[nodiscard]] static bool refuses(const Row &row, const QString &text);
     void setText(const AgreementPoint &point, const QString &text);
     void takeFromConditions(const AgreementPoint &point);
     void refresh();

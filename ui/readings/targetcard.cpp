@@ -23,7 +23,7 @@ constexpr int pageMargin = 16;
 /// A row of the small table: quantities of targetValue for ↑, ↓ and both; none: "".
 struct Quantities {
     const char *symbol = nullptr;
-    std::array<const char *, 3> ids;
+    std::array<const char *, 3> ids{};
 };
 
 constexpr std::array rows{

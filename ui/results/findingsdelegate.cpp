@@ -15,7 +15,7 @@ constexpr int arrowWidth = 18;
 
 struct Look {
     const char *icon = nullptr;
-    Token colour;
+    Token colour = Token::secondaryText;
 };
 
 Look lookOf(Grade grade) {

@@ -465,10 +465,11 @@ FoundTable readHeidenhainTable(std::string_view text) {
         if (forward.empty() && back.empty())
             continue; // no entry: interpolated
         const double up = forward.empty() ? 0 : numberOf(forward, line) * unit;
-        const double reverse = back.empty() ? up : numberOf(back, line) * unit;
+        const double down = back.empty() ? up : numberOf(back, line) * unit;
         table.positions.push_back(numberOf(cell(columns->position), line) * unit);
         table.forward.push_back(rounded(up, valueFineness));
-        table.reverse.push_back(rounded(reverse, valueFineness));
+        // NOLINTNEXTLINE(readability-suspicious-call-argument): they stand as they should
+        table.reverse.push_back(rounded(down, valueFineness));
     }
     table.perDirection = table.forward != table.reverse;
     demandAscent(table);
