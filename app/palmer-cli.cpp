@@ -1,12 +1,16 @@
 #include "commands/command.h"
+#include "commands/completion.h"
+#include "commands/help.h"
+#include "commands/manual.h"
 #include "commands/streams.h"
+#include "commands/terminal.h"
+#include "document/filename.h"
 #include "languageoflocale.h"
 
 #include <QApplication>
 #include <QCoreApplication>
 #include <QHashFunctions>
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <memory>
 #include <new>
@@ -28,13 +32,24 @@ const Command &commandCalled(const QString &name) {
 int runCommand(const Command &command, const QStringList &words, const Language &language) {
     const Invocation invocation = parseArguments(command, words, language);
     if (invocation.has(QLatin1StringView("help"))) {
-        printOut(commandHelp(command, invocation.language));
+        const bool asksKeys = takesKeys(command) &&
+                              invocation.arguments.contains(QLatin1StringView(keysWord), Qt::CaseInsensitive);
+        printOut(asksKeys ? keysHelp(invocation.language) : commandHelp(command, invocation.language));
         return done;
     }
     return command.run(invocation);
 }
 
 int runProgram(const QStringList &words, const Language &language) {
+    // For the shell and for packages: not in the help.
+    if (words.value(0) == QLatin1StringView("--complete")) {
+        printOut(completion(words.mid(1), language));
+        return done;
+    }
+    if (words.value(0) == QLatin1StringView("--manual-page")) {
+        printOut(manualPage(language));
+        return done;
+    }
     // --language may stand before the command, too.
     const auto name = std::ranges::find_if(words, [&](const QString &word) {
         return !word.startsWith(u'-') &&
@@ -87,10 +102,11 @@ int main(int argc, char *argv[]) {
     qputenv("LC_ALL", "C.UTF-8");
     QStringList words;
     for (int i = 1; i < argc; ++i)
-        words << QString::fromLocal8Bit(argv[i]);
-    const auto application = applicationFor(words, argv);
+        words << fileNameOf(argv[i]);
+    static_cast<void>(terminalColumns()); // while standard output is what it was
     const Language language = chosenLanguage(words).value_or(ofLocale);
     try {
+        const auto application = applicationFor(words, argv);
         return runProgram(words, language);
     } catch (const UsageError &error) {
         printError(language.sentence(error.message));

@@ -1,5 +1,6 @@
 #include "windowoptions.h"
 
+#include "document/filename.h"
 #include "ui/fonts.h"
 #include "ui/settings.h"
 #include "ui/standardbuttons.h"
@@ -22,7 +23,7 @@ int main(int argc, char *argv[]) {
     std::signal(SIGPIPE, SIG_IGN); // sentence
     QStringList words;
     for (int i = 1; i < argc; ++i)
-        words << QString::fromLocal8Bit(argv[i]);
+        words << palmer::fileNameOf(argv[i]);
     if (const auto code = palmer::answeredWithoutWindow(words))
         return *code;
     QApplication application(argc, argv);
@@ -30,7 +31,7 @@ int main(int argc, char *argv[]) {
     QCoreApplication::setOrganizationName(QStringLiteral("palmer"));
     QCoreApplication::setApplicationVersion(QStringLiteral(PALMER_VERSION));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Palmer"));
-    QGuiApplication::setDesktopFileName(QStringLiteral("palmer"));
+    QGuiApplication::setDesktopFileName(QStringLiteral("io.github.palmer_metrology.Palmer"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/palmer.svg")));
     QApplication::setStyle(QStringLiteral("fusion"));
     useSafeSettings();
@@ -44,8 +45,10 @@ int main(int argc, char *argv[]) {
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();
-    const QStringList files = palmer::filesOf(QCoreApplication::arguments().mid(1));
-    for (const QString &file : files)
+    QStringList rest; // without the options of Qt
+    for (int i = 1; i < argc; ++i)
+        rest << palmer::fileNameOf(argv[i]);
+    for (const QString &file : palmer::filesOf(rest))
         window->openFile(file);
     window->offerRecoveries();
     return QApplication::exec();

@@ -1,6 +1,8 @@
 #include "windowoptions.h"
 
+#include "commands/terminal.h"
 #include "languageoflocale.h"
+#include "manualpage.h"
 #include "report/plaintext.h"
 
 #include <algorithm>
@@ -58,20 +60,48 @@ void print(std::FILE *stream, const QString &text) {
     std::fflush(stream);
 }
 
+struct OwnOption {
+    const char *name;
+    Text description;
+};
+constexpr std::array ownOptions{
+    OwnOption{"--help", REPORT_TEXT("report", "this help")},
+    OwnOption{"--version", REPORT_TEXT("report", "version of the program")},
+};
+constexpr Text synopsis = REPORT_TEXT("report", "palmer [FILE]…");
+constexpr Text whatItDoes =
+    REPORT_TEXT("report", "palmer opens the window of Palmer: tests of machine tools, "
+                          "positioning of axes (ISO 230-2), circular tests (ISO 230-4).");
+constexpr Text whatFilesAre = REPORT_TEXT(
+    "report", "FILE is a test file (.palmer), a report of Palmer (PDF) or a measurement file that can "
+              "be imported. palmer-cli does the same work without a window.");
+
 QString help(const Language &language) {
-    const auto row = [&](const char *left, const Text &right) {
-        return QStringLiteral("  %1  %2\n").arg(QString::fromUtf8(left), -9).arg(language.text(right));
-    };
     const auto paragraph = [&](const Text &text) {
-        return wrapped(language.text(text), terminalWidth).join(u'\n') + u'\n';
+        return wrapped(language.text(text), textColumns()).join(u'\n') + u'\n';
     };
-    return paragraph(REPORT_TEXT("report", "palmer opens the window of Palmer: tests of machine tools, "
-                                           "positioning of axes (ISO 230-2), circular tests (ISO 230-4).")) +
-           u'\n' + language.text(REPORT_TEXT("report", "palmer [FILE]…")) + QStringLiteral("\n\n") +
-           row("--help", REPORT_TEXT("report", "this help")) +
-           row("--version", REPORT_TEXT("report", "version of the program")) + u'\n' +
-           paragraph(REPORT_TEXT("report", "FILE is a test file (.palmer) or a measurement file that can be "
-                                           "imported. palmer-cli does the same work without a window."));
+    QString options;
+    for (const OwnOption &option : ownOptions)
+        options += QStringLiteral("  %1  %2\n")
+                       .arg(QString::fromUtf8(option.name), -9)
+                       .arg(language.text(option.description));
+    return paragraph(whatItDoes) + u'\n' + language.text(synopsis) + QStringLiteral("\n\n") + options +
+           u'\n' + paragraph(whatFilesAre);
+}
+
+QString manual(const Language &language) {
+    ManualPage page("palmer", REPORT_TEXT("report", "evaluate tests of machine tools and print the report"),
+                    language);
+    page.section(REPORT_TEXT_FOR("report", "SYNOPSIS", "section of a manual page"));
+    page.paragraph(language.text(synopsis));
+    page.section(REPORT_TEXT_FOR("report", "DESCRIPTION", "section of a manual page"));
+    page.paragraph(language.text(whatItDoes));
+    page.paragraph(language.text(whatFilesAre));
+    for (const OwnOption &option : ownOptions)
+        page.item(QString::fromUtf8(option.name), language.text(option.description));
+    page.section(REPORT_TEXT_FOR("report", "SEE ALSO", "section of a manual page"));
+    page.paragraph(QStringLiteral("palmer-cli(1)"));
+    return page.text();
 }
 
 /// Whether there is a screen to open a window on, as far as the surroundings tell.
@@ -102,6 +132,10 @@ std::optional<int> answeredWithoutWindow(const QStringList &words) {
             break;
         if (word == QLatin1StringView("--help") || word == QLatin1StringView("-h")) {
             print(stdout, help(language));
+            return 0;
+        }
+        if (word == QLatin1StringView("--manual-page")) { // for packages: not in the help
+            print(stdout, manual(language));
             return 0;
         }
         if (word == QLatin1StringView("--version")) {

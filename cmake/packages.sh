@@ -5,7 +5,7 @@ libqpdf-dev libpoppler-qt6-dev libzip-dev qt6-base-dev libqt6opengl6-dev qt6-cha
 qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
 fontconfig fonts-liberation2 fonts-dejavu-core"
 
-testPackages="mold python3 python3-jsonschema poppler-utils libnss3-tools qpdf"
+testPackages="mold python3 python3-jsonschema poppler-utils libnss3-tools qpdf appstream"
 
 lintPackages="clang-14 clang-tidy-14 python3"
 
@@ -35,10 +35,13 @@ needPackages() {
     $asRoot DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing >&2
 }
 
-# Configures a preset once (ninja does it again when it has to) and builds it; speaks only when there is work.
+# Configures a preset once (ninja does it again when it has to) and builds it, or the targets that are named; speaks
+# only when there is work.
 configureAndBuild() {
-    if [ ! -f "build/$1/build.ninja" ]; then
-        cmake --preset "$1" >&2
+    preset=$1
+    shift
+    if [ ! -f "build/$preset/build.ninja" ]; then
+        cmake --preset "$preset" >&2
     fi
-    ninja -C "build/$1" >&2
+    ninja -C "build/$preset" "$@" >&2
 }

@@ -1082,10 +1082,6 @@
         <translation>option inconnue %1 de la commande %2</translation>
     </message>
     <message>
-        <source>unknown language %1; known: fr, en</source>
-        <translation>langue inconnue %1&#x202f;; connues&#xa0;: fr, en</translation>
-    </message>
-    <message>
         <source>the command %1 needs a file (%2)</source>
         <translation>la commande %1 demande un fichier (%2)</translation>
     </message>
@@ -2251,10 +2247,6 @@
     <message>
         <source>the command %1 takes one file</source>
         <translation>la commande %1 prend un seul fichier</translation>
-    </message>
-    <message>
-        <source>unknown figure %1; known: %2</source>
-        <translation>figure %1 inconnue&#x202f;; connues&#xa0;: %2</translation>
     </message>
     <message>
         <source>the test %1 has no figure %2</source>
@@ -4644,10 +4636,6 @@
         <translation>la commande %1 demande l’option --%2 %3</translation>
     </message>
     <message>
-        <source>--%1 has to be a number above 0, not %2</source>
-        <translation>--%1 doit être un nombre supérieur à 0, et non %2</translation>
-    </message>
-    <message>
         <source>there is no feed for numbers this large or small</source>
         <translation>il n’y a pas d’avance pour des nombres aussi grands ou petits</translation>
     </message>
@@ -4682,10 +4670,6 @@
     <message>
         <source>--%1 takes a whole number from %2 on, not %3</source>
         <translation>--%1 demande un nombre entier à partir de %2, pas %3</translation>
-    </message>
-    <message>
-        <source>unknown method %1; known: budget, monteCarlo</source>
-        <translation>méthode inconnue %1&#x202f;; connues&#xa0;: budget, monteCarlo</translation>
     </message>
     <message>
         <source>Monte Carlo: %1 of %2 trials</source>
@@ -4770,10 +4754,6 @@
     <message>
         <source>the file to write: the plan as text, as .pdf or as .palmer to fill in; or the part program</source>
         <translation>le fichier à écrire&#xa0;: le plan en texte, en .pdf ou en .palmer à remplir&#x202f;; ou le programme pièce</translation>
-    </message>
-    <message>
-        <source>--%1 cannot be %2</source>
-        <translation>--%1 ne peut pas être %2</translation>
     </message>
     <message>
         <source>the command %1 needs --%2</source>
@@ -6928,10 +6908,6 @@
         <translation>palmer [FICHIER]…</translation>
     </message>
     <message>
-        <source>FILE is a test file (.palmer) or a measurement file that can be imported. palmer-cli does the same work without a window.</source>
-        <translation>FICHIER est un fichier d’essai (.palmer) ou un fichier de mesure importable. palmer-cli fait le même travail sans fenêtre.</translation>
-    </message>
-    <message>
         <source>unknown option %1; palmer --help lists them</source>
         <translation>option inconnue %1&#x202f;; palmer --help les énumère</translation>
     </message>
@@ -7260,10 +7236,6 @@
         <translation>l’image à écrire, ou ses points&#x202f;; l’extension l’indique&#x202f;; pour plusieurs fichiers, le dossier qui les reçoit</translation>
     </message>
     <message>
-        <source>the kind of picture, of several files</source>
-        <translation>le type d’image, pour plusieurs fichiers</translation>
-    </message>
-    <message>
         <source>the pictures of several files go into a folder; choose their kind with --%1 svg, png, pdf or csv</source>
         <translation>les images de plusieurs fichiers vont dans un dossier&#x202f;; choisir leur type par --%1 svg, png, pdf ou csv</translation>
     </message>
@@ -7330,6 +7302,163 @@
     <message>
         <source>--set %1 is a choice of the import, and this is a test file; its fields have paths, as tests[0].title</source>
         <translation>--set %1 est un choix de l’import, et ceci est un fichier d’essai&#x202f;; ses champs ont des chemins, comme tests[0].title</translation>
+    </message>
+    <message>
+        <source>a name to save to has to be UTF-8, and this one is not; choose another</source>
+        <translation>un nom de fichier à écrire doit être en UTF-8, et celui-ci ne l’est pas&#x202f;; en choisir un autre</translation>
+    </message>
+    <message>
+        <source>the option %1 stands twice; it takes one value</source>
+        <translation>l’option %1 figure deux fois&#x202f;; elle prend une seule valeur</translation>
+    </message>
+    <message>
+        <source>%1 has no effect here; it goes with: %2</source>
+        <translation>%1 est sans effet ici&#x202f;; elle va avec&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>no test of the file is of the kind of %1</source>
+        <translation>aucun essai du fichier n’est du type de %1</translation>
+    </message>
+    <message>
+        <source>the kind of picture; without it the ending of OUT says which</source>
+        <translation>le type d’image&#x202f;; sans elle, c’est l’extension de OUT qui le dit</translation>
+    </message>
+    <message>
+        <source>%1 says another kind of picture than --%2 %3</source>
+        <translation>%1 dit un autre type d’image que --%2 %3</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>the choices of the import, for --set</source>
+        <translation>les choix de l’import, pour --set</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a choice and its words</comment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Every other key is the path of a field of the test file, as its schema has it: machine.name, limits.A.value (of every test), tests[0].title.</source>
+        <translation>Toute autre clé est le chemin d’un champ du fichier d’essai, tel que le schéma le donne&#xa0;: machine.name, limits.A.value (de chaque essai), tests[0].title.</translation>
+    </message>
+    <message>
+        <source>there is no report in the folder</source>
+        <translation>il n’y a pas de rapport dans le dossier</translation>
+    </message>
+    <message>
+        <source>evaluate tests of machine tools and print the report</source>
+        <translation>évaluer les essais de machines-outils et imprimer le rapport</translation>
+    </message>
+    <message>
+        <source>SYNOPSIS</source>
+        <comment>section of a manual page</comment>
+        <translation>SYNOPSIS</translation>
+    </message>
+    <message>
+        <source>DESCRIPTION</source>
+        <comment>section of a manual page</comment>
+        <translation>DESCRIPTION</translation>
+    </message>
+    <message>
+        <source>COMMANDS</source>
+        <comment>section of a manual page</comment>
+        <translation>COMMANDES</translation>
+    </message>
+    <message>
+        <source>KEYS OF --set</source>
+        <comment>section of a manual page</comment>
+        <translation>CLÉS DE --set</translation>
+    </message>
+    <message>
+        <source>EXIT STATUS</source>
+        <comment>section of a manual page</comment>
+        <translation>CODE DE RETOUR</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>a verdict other than “conforms” (the report is written all the same), an unmet requirement (check), a difference (verify, selftest)</source>
+        <translation>un verdict autre que «&#xa0;conforme&#xa0;» (le rapport est écrit malgré tout), une exigence non satisfaite (check), une différence (verify, selftest)</translation>
+    </message>
+    <message>
+        <source>wrong usage</source>
+        <translation>usage incorrect</translation>
+    </message>
+    <message>
+        <source>a file cannot be read, written or understood</source>
+        <translation>un fichier ne peut pas être lu, écrit ou compris</translation>
+    </message>
+    <message>
+        <source>ENVIRONMENT</source>
+        <comment>section of a manual page</comment>
+        <translation>ENVIRONNEMENT</translation>
+    </message>
+    <message>
+        <source>the language, French or English, without --language</source>
+        <translation>la langue, français ou anglais, sans --language</translation>
+    </message>
+    <message>
+        <source>columns of help and tables; without it those of the terminal</source>
+        <translation>colonnes de l’aide et des tableaux&#x202f;; sans elle, celles du terminal</translation>
+    </message>
+    <message>
+        <source>nothing is printed in colour, with it or without</source>
+        <translation>rien n’est affiché en couleur, avec ou sans elle</translation>
+    </message>
+    <message>
+        <source>SEE ALSO</source>
+        <comment>section of a manual page</comment>
+        <translation>VOIR AUSSI</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; expected %3</source>
+        <translation>%1 ne peut pas être %2&#x202f;; attendu&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2: the comma may stand before thousands or before decimals; write it without</source>
+        <translation>%1 ne peut pas être %2&#xa0;: la virgule peut séparer les milliers ou les décimales&#x202f;; l’écrire sans</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; expected a number from %3 to %4</source>
+        <translation>%1 ne peut pas être %2&#x202f;; attendu&#xa0;: un nombre de %3 à %4</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; expected a number greater than %3</source>
+        <translation>%1 ne peut pas être %2&#x202f;; attendu&#xa0;: un nombre supérieur à %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; expected a whole number from %3 to %4</source>
+        <translation>%1 ne peut pas être %2&#x202f;; attendu&#xa0;: un nombre entier de %3 à %4</translation>
+    </message>
+    <message>
+        <source>--%1 has no effect here: no test of the file has a budget</source>
+        <translation>--%1 est sans effet ici&#xa0;: aucun essai du fichier n’a de budget</translation>
+    </message>
+    <message>
+        <source>--set %1 has no effect here: what is read has no such choice (--help KEYS lists all)</source>
+        <translation>--set %1 est sans effet ici&#xa0;: ce qui est lu n’a pas ce choix (--help KEYS les donne tous)</translation>
+    </message>
+    <message>
+        <source>--%1 has no effect here: this is a test file, which needs no choices of the import</source>
+        <translation>--%1 est sans effet ici&#xa0;: c’est un fichier d’essai, qui n’a pas besoin des choix de l’import</translation>
+    </message>
+    <message>
+        <source>NAME</source>
+        <comment>section of a manual page</comment>
+        <translation>NOM</translation>
+    </message>
+    <message>
+        <source>FILE is a test file (.palmer), a report of Palmer (PDF) or a measurement file that can be imported. palmer-cli does the same work without a window.</source>
+        <translation>FILE est un fichier d’essai (.palmer), un rapport de Palmer (PDF) ou un fichier de mesure qui peut être importé. palmer-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <source>the device is full; save to a file or to another device</source>

@@ -1,5 +1,6 @@
 #include "ui/fonts.h"
 
+#include <QFile>
 #include <QFontDatabase>
 #include <QRawFont>
 #include <QResource>
@@ -9,18 +10,30 @@ namespace palmer::ui {
 
 namespace {
 
+#ifdef PALMER_FONTS
+/// That of the distribution.
+QByteArray fontFile(const QString &name) {
+    QFile file(QStringLiteral(PALMER_FONTS "/") + name);
+    if (!file.open(QIODevice::ReadOnly))
+        throw std::runtime_error("the font of the reports is missing: " + file.fileName().toStdString());
+    return file.readAll();
+}
+#else
+/// Read in place: the program holds it as long as it runs.
+QByteArray fontFile(const QString &name) {
+    const QResource file(QStringLiteral(":/fonts/") + name);
+    if (!file.isValid() || file.compressionAlgorithm() != QResource::NoCompression)
+        throw std::runtime_error("the font of the reports is missing");
+    return QByteArray::fromRawData(reinterpret_cast<const char *>(file.data()), qsizetype(file.size()));
+}
+#endif
+
 bool load() {
     // What the texts of both languages and the symbols of the standards are made of, beside ASCII.
     const QString signs = QStringLiteral("µ±↑↓\u0304°″′éèàùâêîôûçœÉÀ«»’−–—·×²³√α"
                                          "θ\u00a0\u202f");
     for (const char *face : {"Regular", "Bold", "Italic", "BoldItalic"}) {
-        const QResource file(QStringLiteral(":/fonts/LiberationSans-%1.ttf").arg(QLatin1String(face)));
-        if (!file.isValid() || file.compressionAlgorithm() != QResource::NoCompression)
-            throw std::runtime_error("the font of the reports is missing");
-        // Read in place: the program holds it as long as it runs.
-        const QByteArray data =
-            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of QResource
-            QByteArray::fromRawData(reinterpret_cast<const char *>(file.data()), qsizetype(file.size()));
+        const QByteArray data = fontFile(QStringLiteral("LiberationSans-%1.ttf").arg(QLatin1String(face)));
         const int id = QFontDatabase::addApplicationFontFromData(data);
         if (id < 0 || QFontDatabase::applicationFontFamilies(id).value(0) != paperFamily())
             throw std::runtime_error("the font of the reports is damaged");

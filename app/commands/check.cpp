@@ -3,6 +3,7 @@
 #include "commands/inputs.h"
 #include "commands/preparation.h"
 #include "commands/streams.h"
+#include "commands/terminal.h"
 #include "document/evaluateddocument.h"
 #include "export/resultsjson.h"
 #include "report/plaintext.h"
@@ -31,10 +32,10 @@ int run(const Invocation &invocation) {
     const auto work = [&](const Input &input, Document document) -> JobResult {
         const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(std::move(document)));
         if (form)
-            printOut(findingsJson(evaluated, input.file, namesLanguage(invocation), *form));
+            printOut(findingsJson(evaluated, input.shown, namesLanguage(invocation), *form));
         else
-            printOut((inputs.several ? input.file + QStringLiteral("\n\n") : QString()) +
-                     plainText(composeFindings(evaluated, invocation.language)));
+            printOut((inputs.several ? input.shown + QStringLiteral("\n\n") : QString()) +
+                     plainText(composeFindings(evaluated, invocation.language), textColumns()));
         const bool allMet = std::ranges::all_of(evaluated.tests, [](const TestEvaluationPointer &test) {
             return test->accordance() != Accordance::no;
         });

@@ -12,7 +12,6 @@
 #include "commands/synthesize.h"
 #include "commands/targets.h"
 #include "commands/verify.h"
-#include "report/plaintext.h"
 
 #include <algorithm>
 #include <array>
@@ -21,54 +20,12 @@ namespace palmer {
 
 namespace {
 
-// Valid for every command.
-constexpr std::array commonOptions{
+constexpr std::array optionsOfAll{
     Option{"language", "fr|en", REPORT_TEXT("report", "language of tables, findings and errors")},
     Option{"help", "", REPORT_TEXT("report", "this help")},
 };
 
-struct HelpRow {
-    QString left;
-    QString right;
-};
-
-QString rows(const std::vector<HelpRow> &list) {
-    int width = 0;
-    for (const HelpRow &row : list)
-        width = std::max(width, displayWidth(row.left));
-    QString text;
-    for (const HelpRow &row : list) {
-        const int indent = width + 4;
-        const QStringList lines = wrapped(row.right, terminalWidth - indent);
-        for (qsizetype i = 0; i < lines.size(); ++i) {
-            const QString left = i == 0 ? QStringLiteral("  ") + row.left : QString();
-            text += left + QString(indent - displayWidth(left), u' ') + lines[i] + u'\n';
-        }
-    }
-    return text;
-}
-
-/// The option as it is typed: -o, --help.
-QString dashed(const Option &option) {
-    const QString bare = QString::fromUtf8(option.name);
-    return (bare.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + bare;
-}
-
-QString optionName(const Option &option) {
-    QString name = dashed(option);
-    if (*option.value != 0)
-        name += u' ' + QString::fromUtf8(option.value);
-    return name;
-}
-
-void addOptions(std::vector<HelpRow> &list, std::span<const Option> options, const Language &language) {
-    for (const Option &option : options)
-        list.push_back({optionName(option), language.text(option.description)});
-}
-
-QString commandLine(const Command &command) {
-    return QString::fromUtf8(command.name) + u' ' + QString::fromUtf8(command.arguments);
-}
+constexpr QChar valueEnd(0x1F); ///< between the values of an option that stands several times
 
 const Option *findOwnOption(const Command &command, const QString &name) {
     const auto found = std::ranges::find_if(
@@ -80,8 +37,22 @@ const Option *findOption(const Command &command, const QString &name) {
     if (const Option *own = findOwnOption(command, name))
         return own;
     const auto found = std::ranges::find_if(
-        commonOptions, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
-    return found == commonOptions.end() ? nullptr : &*found;
+        optionsOfAll, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
+    return found == optionsOfAll.end() ? nullptr : &*found;
+}
+
+/// Throws UsageError for a value that is none of the words of the option: a list of them ("fr,en") where one
+/// of its words is a list.
+void demandWord(const Option &option, const QString &given) {
+    const QStringList words = wordsOf(option);
+    const auto isWord = [&words](const QString &word) { return words.contains(word); };
+    const bool takesLists =
+        std::ranges::any_of(words, [](const QString &word) { return word.contains(u','); });
+    const QStringList parts = takesLists ? given.split(u',') : QStringList(given);
+    if (!words.isEmpty() && !std::ranges::all_of(parts, isWord))
+        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                          {dashed(option).toStdString(), given.toStdString(),
+                           words.join(QStringLiteral(", ")).toStdString()}});
 }
 
 /// An option with its value, which is `given` ("--name=value") or the next word.
@@ -96,9 +67,47 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
     if (!wantsValue && given)
         throw UsageError(
             {REPORT_TEXT("report", "the option %1 takes no value"), {dashed(option).toStdString()}});
-    QString &value = invocation.options[QString::fromUtf8(option.name)];
-    value = option.repeats && !value.isEmpty() ? value + u'\n' + given.value_or(QString())
-                                               : given.value_or(QString());
+    QString &value = invocation.options[QString::fromUtf8(option.name)]; // null: it did not stand before
+    if (!value.isNull() && wantsValue && !option.repeats)
+        throw UsageError({REPORT_TEXT("report", "the option %1 stands twice; it takes one value"),
+                          {dashed(option).toStdString()}});
+    if (given)
+        demandWord(option, *given);
+    value = (value.isNull() ? QString() : value + valueEnd) + given.value_or(QStringLiteral(""));
+    if (value.isNull())
+        value = QStringLiteral("");
+}
+
+/// Whether one of the things stands in the call that the option has an effect with.
+bool hasEffect(const Option &option, const Invocation &invocation) {
+    const QStringList partners = QString::fromUtf8(option.goesWith).split(u'|', Qt::SkipEmptyParts);
+    return partners.isEmpty() || std::ranges::any_of(partners, [&](const QString &partner) {
+               if (invocation.arguments.contains(partner))
+                   return true;
+               const auto found = invocation.options.find(partner.section(u'=', 0, 0));
+               return found != invocation.options.end() &&
+                      (!partner.contains(u'=') || found->second == partner.section(u'=', 1));
+           });
+}
+
+/// "--as csv, --as siemens": what the option goes with, as it is typed.
+std::string partnersOf(const Command &command, const Option &option) {
+    QStringList typed;
+    for (const QString &partner : QString::fromUtf8(option.goesWith).split(u'|')) {
+        const Option *other = findOwnOption(command, partner.section(u'=', 0, 0));
+        typed << (other ? dashed(*other) + partner.mid(QByteArrayView(other->name).size()).replace(u'=', u' ')
+                        : partner);
+    }
+    return typed.join(QStringLiteral(", ")).toStdString();
+}
+
+/// Throws UsageError for an option that would do nothing, and silence would say that it did.
+void demandEffects(const Command &command, const Invocation &invocation) {
+    for (const Option &option : command.options) {
+        if (invocation.has(QLatin1StringView(option.name)) && !hasEffect(option, invocation))
+            throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
+                              {dashed(option).toStdString(), partnersOf(command, option)}});
+    }
 }
 
 /// "title" of --title=x, "o" of -o; empty where it is written neither way.
@@ -149,6 +158,27 @@ std::optional<QString> Invocation::value(QLatin1StringView option) const {
     return found == options.end() ? std::nullopt : std::optional(found->second);
 }
 
+QStringList Invocation::values(QLatin1StringView option) const {
+    const auto given = value(option);
+    return given ? given->split(valueEnd) : QStringList();
+}
+
+QString dashed(const Option &option) {
+    const QString bare = QString::fromUtf8(option.name);
+    return (bare.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + bare;
+}
+
+QStringList wordsOf(const Option &option) {
+    const QString value = QString::fromUtf8(option.value);
+    if (!value.contains(u'|') || value.front().isUpper()) // OUT.svg|png: a name with one of these endings
+        return {};
+    return value.split(u'|');
+}
+
+std::span<const Option> commonOptions() {
+    return optionsOfAll;
+}
+
 std::span<const Command> commands() {
     static const std::array table{evaluateCommand(), checkCommand(),      reportCommand(),
                                   verifyCommand(),   figureCommand(),     explainCommand(),
@@ -184,8 +214,10 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
     // A command may give the option another meaning: the languages of its reports.
     if (!findOwnOption(command, QStringLiteral("language")))
         settleLanguage(result);
-    if (!result.has(QLatin1StringView("help")))
+    if (!result.has(QLatin1StringView("help"))) {
         demandFiles(command, result);
+        demandEffects(command, result);
+    }
     return result;
 }
 
@@ -203,39 +235,6 @@ std::optional<Language> chosenLanguage(const QStringList &words) {
             result = std::move(language);
     }
     return result;
-}
-
-QString programHelp(const Language &language) {
-    std::vector<HelpRow> list;
-    for (const Command &command : commands())
-        list.push_back({commandLine(command).trimmed(), language.text(command.description)});
-    std::vector<HelpRow> options;
-    addOptions(options, commonOptions, language);
-    options.push_back(
-        {QStringLiteral("--version"), language.text(REPORT_TEXT("report", "version of the program"))});
-    return language.text(REPORT_TEXT(
-               "report", "palmer-cli evaluates machine-tool tests: positioning of axes (ISO 230-2), "
-                         "circular tests (ISO 230-4).")) +
-           QStringLiteral("\n\npalmer-cli ") +
-           language.text(REPORT_TEXT("report", "COMMAND [OPTION]… [FILE]…")) + QStringLiteral("\n\n") +
-           rows(list) + u'\n' + rows(options) + u'\n' +
-           language.text(REPORT_TEXT("report",
-                                     "FILE is a test file (.palmer), a report of Palmer (PDF) or a "
-                                     "measurement file that can be imported; - is standard input.")) +
-           u'\n';
-}
-
-QString commandHelp(const Command &command, const Language &language) {
-    std::vector<HelpRow> options;
-    addOptions(options, command.options, language);
-    for (const Option &option : commonOptions) {
-        if (!findOwnOption(command, QString::fromUtf8(option.name)))
-            addOptions(options, {&option, 1}, language);
-    }
-    return QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) + QStringLiteral(" [OPTION]… ") +
-           QString::fromUtf8(command.arguments) + QStringLiteral("\n\n") +
-           wrapped(language.text(command.description), terminalWidth).join(u'\n') + QStringLiteral("\n\n") +
-           rows(options);
 }
 
 } // namespace palmer

@@ -27,10 +27,19 @@ enum ExitCode : int {
 /// has one dash.
 struct Option {
     const char *name = nullptr;
-    const char *value = nullptr; ///< placeholder in the help; empty for a switch
+    const char *value = nullptr; ///< placeholder in the help; empty for a switch; "csv|text": one of these words
     Text description;
-    bool repeats = false; ///< may stand several times: the values are joined by line breaks
+    bool repeats = false; ///< may stand several times
+    /// What it has no effect without, and is refused: one of these, each an argument ("circular"), an option
+    /// ("extract") or an option with its value ("as=csv|as=siemens"). Empty: always has one.
+    const char *goesWith = "";
 };
+
+/// The words that the value of an option has to be one of; none where anything may be given.
+[[nodiscard]] QStringList wordsOf(const Option &option);
+
+/// The option as it is typed: -o, --help.
+[[nodiscard]] QString dashed(const Option &option);
 
 /// What a command was called with.
 struct Invocation {
@@ -41,6 +50,8 @@ struct Invocation {
 
     [[nodiscard]] bool has(QLatin1StringView option) const;
     [[nodiscard]] std::optional<QString> value(QLatin1StringView option) const;
+    /// Of an option that may stand several times.
+    [[nodiscard]] QStringList values(QLatin1StringView option) const;
 };
 
 /// A command of the program; the help is made of these rows.
@@ -66,6 +77,9 @@ public:
 /// The commands there are.
 [[nodiscard]] std::span<const Command> commands();
 
+/// The options that every command has.
+[[nodiscard]] std::span<const Option> commonOptions();
+
 /// Whether a command among the words draws figures or pages.
 [[nodiscard]] bool needsDrawing(const QStringList &words);
 
@@ -74,9 +88,5 @@ public:
 
 /// The language asked for by --language anywhere among the words, if it is one.
 [[nodiscard]] std::optional<Language> chosenLanguage(const QStringList &words);
-
-/// Help of the whole program, and of one command.
-[[nodiscard]] QString programHelp(const Language &language);
-[[nodiscard]] QString commandHelp(const Command &command, const Language &language);
 
 } // namespace palmer

@@ -1,5 +1,7 @@
 #include "commands/editionoption.h"
 
+#include "document/filewords.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -64,6 +66,14 @@ const Edition *editionCalled(const QString &word, std::optional<Kind> kind) {
             {REPORT_TEXT("report", "unknown edition %1; known: %2"), {word.toStdString(), listed(known)}});
     throw UsageError({REPORT_TEXT("report", "the edition %1 may be one of these: %2"),
                       {word.toStdString(), listed(found)}});
+}
+
+void demandTestOf(const Edition &edition, const Document &document) {
+    const bool has = std::ranges::any_of(
+        document.tests, [&](const TestPointer &test) { return kindOf(*test) == edition.kind; });
+    if (!has)
+        throw UsageError(
+            {REPORT_TEXT("report", "no test of the file is of the kind of %1"), {std::string(edition.word)}});
 }
 
 } // namespace palmer

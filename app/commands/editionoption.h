@@ -1,6 +1,7 @@
 #pragma once
 
 #include "commands/command.h"
+#include "document/document.h"
 #include "kernel/evaluation/edition.h"
 
 #include <optional>
@@ -14,5 +15,8 @@ namespace palmer {
 /// no choice, in any case and with or without blanks ("2006", "iso230-4:2005", "VDI"). Throws UsageError with
 /// the editions that it may be, of the kind if there is one.
 [[nodiscard]] const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> kind = {});
+
+/// Throws UsageError where no test of the document is of the kind of the edition: it would change nothing.
+void demandTestOf(const Edition &edition, const Document &document);
 
 } // namespace palmer

@@ -7,6 +7,7 @@
 #include "commands/rejection.h"
 #include "commands/simulations.h"
 #include "commands/streams.h"
+#include "commands/terminal.h"
 #include "export/resultsjson.h"
 #include "report/plaintext.h"
 #include "report/results.h"
@@ -66,8 +67,6 @@ std::optional<SummaryForm> tableForm(const Invocation &invocation) {
         return {};
     if (*word == QLatin1StringView("csv"))
         return SummaryForm::csv;
-    if (*word != QLatin1StringView("text"))
-        refuse(tableOption, *word);
     return SummaryForm::text;
 }
 
@@ -105,24 +104,29 @@ public:
                     rows.insert(rows.end(), more.begin(), more.end());
             });
         if (*m_table == SummaryForm::text)
-            printOut(summaryText(head, rows));
+            printOut(summaryText(head, rows, terminalColumns()));
         return code;
     }
 
 private:
     [[nodiscard]] JobResult result(const Input &input, Document document) const {
         choose(document, m_choices);
+        if (!m_inputs.several) {
+            demandEffect(m_choices, document);
+            if (!m_edition.empty())
+                demandTestOf(*findEdition(m_edition), document);
+        }
         const EvaluatedDocument evaluated =
             simulated(evaluate(std::make_shared<const Document>(std::move(document)), nullptr, m_edition),
                       SimulateWhich::monteCarloOnly, m_choices.threads, m_invocation.language);
         const int code = hasRejection(evaluated) ? difference : done;
         if (m_table)
-            return {code, packed(summaryRows(evaluated, input.file, *m_table, m_invocation.language))};
+            return {code, packed(summaryRows(evaluated, input.shown, *m_table, m_invocation.language))};
         if (m_json)
-            printOut(resultsJson(evaluated, input.file, namesLanguage(m_invocation), *m_json));
+            printOut(resultsJson(evaluated, input.shown, namesLanguage(m_invocation), *m_json));
         else
-            printOut((m_inputs.several ? input.file + QStringLiteral("\n\n") : QString()) +
-                     plainText(composeResults(evaluated, m_invocation.language)));
+            printOut((m_inputs.several ? input.shown + QStringLiteral("\n\n") : QString()) +
+                     plainText(composeResults(evaluated, m_invocation.language), textColumns()));
         return {code, {}};
     }
 

@@ -3,6 +3,7 @@
 #include "commands/optionvalues.h"
 #include "commands/preparation.h"
 #include "commands/streams.h"
+#include "commands/terminal.h"
 #include "document/evaluateddocument.h"
 #include "report/explanation.h"
 #include "report/plaintext.h"
@@ -23,7 +24,7 @@ constexpr std::array options{
 
 QString inLines(const QString &text, int indent) {
     QString result;
-    for (const QString &line : wrapped(text, terminalWidth - indent))
+    for (const QString &line : wrapped(text, textColumns() - indent))
         result += QString(indent, u' ') + line + u'\n';
     return result;
 }

@@ -15,30 +15,43 @@ namespace palmer {
 
 namespace {
 
+constexpr const char *tables = "as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
+constexpr const char *notJson = "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv"; // that is all
+
 constexpr std::array options{
     Option{"as", "csv|json|linuxcnc|siemens|weihong|compensation-csv",
            REPORT_TEXT("report", "what to write: readings and results, or a compensation table")},
     Option{"o", "OUT", REPORT_TEXT("report", "the file to write")},
-    Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
-    Option{"decimal-mark", "point|comma", REPORT_TEXT("report", "of CSV; without it the point")},
+    Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first"), false,
+           notJson},
+    Option{"decimal-mark", "point|comma", REPORT_TEXT("report", "of CSV; without it the point"), false,
+           "as=csv|as=compensation-csv"},
     Option{"from", "P",
-           REPORT_TEXT("report", "first position of the compensation; without it the first target")},
-    Option{"to", "P", REPORT_TEXT("report", "last position of the compensation; without it the last target")},
-    Option{"interval", "D", REPORT_TEXT("report", "interval of the compensation; without it the targets")},
+           REPORT_TEXT("report", "first position of the compensation; without it the first target"), false,
+           tables},
+    Option{"to", "P", REPORT_TEXT("report", "last position of the compensation; without it the last target"),
+           false, tables},
+    Option{"interval", "D", REPORT_TEXT("report", "interval of the compensation; without it the targets"),
+           false, tables},
     Option{"per-direction", "",
-           REPORT_TEXT("report", "compensation of each direction; without it of their mean")},
+           REPORT_TEXT("report", "compensation of each direction; without it of their mean"), false, tables},
     Option{"incremental", "",
-           REPORT_TEXT("report", "compensation-csv: each value is the step from the one before")},
+           REPORT_TEXT("report", "compensation-csv: each value is the step from the one before"), false,
+           "as=compensation-csv"},
     Option{"deviations", "",
            REPORT_TEXT("report",
                        "compensation-csv, weihong: values with the sign of the deviations; without it "
-                       "corrections, added to the command")},
+                       "corrections, added to the command"),
+           false, "as=compensation-csv|as=weihong"},
     Option{"reference", "P",
-           REPORT_TEXT("report", "siemens: the reference point of the axis, where the values are 0; owed")},
+           REPORT_TEXT("report", "siemens: the reference point of the axis, where the values are 0; owed"),
+           false, "as=siemens"},
     Option{"encoder", "0|1",
-           REPORT_TEXT("report", "siemens: index of the measuring system; without it 0, the first")},
-    Option{"compare", "TABLE",
-           REPORT_TEXT("report", "a compensation table of a control, to compare with the one written")},
+           REPORT_TEXT("report", "siemens: index of the measuring system; without it 0, the first"), false,
+           "as=siemens"},
+    Option{"compare", "FILE",
+           REPORT_TEXT("report", "a compensation table of a control, to compare with the one written"), false,
+           tables},
     foreignOptions[0],
     foreignOptions[1],
     foreignOptions[2],
@@ -58,20 +71,11 @@ std::optional<CompensationFormat> compensationFormat(const QString &word) {
 }
 
 char decimalMark(const Invocation &invocation) {
-    const QString word =
-        invocation.value(QLatin1StringView("decimal-mark")).value_or(QStringLiteral("point"));
-    if (word != QLatin1StringView("point") && word != QLatin1StringView("comma"))
-        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                          {std::string("decimal-mark"), word.toStdString(), std::string("point, comma")}});
-    return word == QLatin1StringView("comma") ? ',' : '.';
+    return invocation.value(QLatin1StringView("decimal-mark")) == QLatin1StringView("comma") ? ',' : '.';
 }
 
 int encoder(const Invocation &invocation) {
-    const QString word = invocation.value(QLatin1StringView("encoder")).value_or(QStringLiteral("0"));
-    if (word != QLatin1StringView("0") && word != QLatin1StringView("1"))
-        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                          {std::string("encoder"), word.toStdString(), std::string("0, 1")}});
-    return word.toInt();
+    return invocation.value(QLatin1StringView("encoder")).value_or(QStringLiteral("0")).toInt();
 }
 
 void demandEnding(const Invocation &invocation, const QString &output, const QString &form) {
@@ -177,10 +181,9 @@ int run(const Invocation &invocation) {
     const auto output = invocation.value(QLatin1StringView("o"));
     const QString form = invocation.value(QLatin1StringView("as")).value_or(QString());
     const auto compensation = compensationFormat(form);
-    if (!compensation && form != QLatin1StringView("csv") && form != QLatin1StringView("json"))
-        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                          {std::string("as"), form.toStdString(),
-                           std::string("csv, json, linuxcnc, siemens, weihong, compensation-csv")}});
+    if (form.isEmpty())
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs the option --%2 %3"),
+                          {std::string("export"), std::string("as"), std::string(options[0].value)}});
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("export"), std::string("-o OUT")}});

@@ -1,11 +1,11 @@
 #include "commands/feed.h"
 
+#include "commands/optionvalues.h"
 #include "commands/streams.h"
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 #include "language/decimals.h"
 
 #include <array>
-#include <cmath>
 
 namespace palmer {
 
@@ -22,12 +22,7 @@ double positiveNumber(const Invocation &invocation, const Option &option) {
     if (!word)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs the option --%2 %3"),
                           {std::string("feed"), std::string(option.name), std::string(option.value)}});
-    bool isNumber = false;
-    const double number = word->toDouble(&isNumber);
-    if (!isNumber || !std::isfinite(number) || number <= 0)
-        throw UsageError({REPORT_TEXT("report", "--%1 has to be a number above 0, not %2"),
-                          {std::string(option.name), word->toStdString()}});
-    return number;
+    return numberAbove(option.name, *word, 0);
 }
 
 int run(const Invocation &invocation) {

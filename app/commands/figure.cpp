@@ -30,7 +30,8 @@ constexpr std::array options{
            REPORT_TEXT("report",
                        "the picture to write, or its points; the ending says which; of several files "
                        "the folder they go into")},
-    Option{asOption, "svg|png|pdf|csv", REPORT_TEXT("report", "the kind of picture, of several files")},
+    Option{asOption, "svg|png|pdf|csv",
+           REPORT_TEXT("report", "the kind of picture; without it the ending of OUT says which")},
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
     Option{"figure", "deviation|circle|counterclockwise|clockwise|budget",
            REPORT_TEXT("report", "which figure; without it that of the test")},
@@ -99,19 +100,6 @@ NamedFigure figureOf(const Test &test, const TestEvaluation &evaluation, std::si
     return {figure, figure.title};
 }
 
-void checkWord(const std::optional<QString> &asked) {
-    if (!asked || *asked == QLatin1StringView(deviationWord) || *asked == QLatin1StringView(budgetWord))
-        return;
-    std::string known = deviationWord;
-    for (const CircleWord &one : circleWords) {
-        if (*asked == QLatin1StringView(one.word))
-            return;
-        known += std::string(", ") + one.word;
-    }
-    known += std::string(", ") + budgetWord;
-    throw UsageError({REPORT_TEXT("report", "unknown figure %1; known: %2"), {asked->toStdString(), known}});
-}
-
 QByteArray picture(const Figure &figure, const QString &title, const QString &ending) {
     if (ending == QLatin1StringView("csv"))
         return figureCsv(figure, '.');
@@ -124,19 +112,27 @@ QByteArray picture(const Figure &figure, const QString &title, const QString &en
 
 constexpr std::array endings{"svg", "png", "pdf", "csv"};
 
-/// Of several files: the kind of picture by --as, into a folder.
+bool isEnding(const QString &ending) {
+    return std::ranges::any_of(endings,
+                               [&](const char *known) { return ending == QLatin1StringView(known); });
+}
+
+/// The kind of picture: --as, or the ending of the file, which is no other.
 QString endingOf(const Invocation &invocation, const QString &output, bool several) {
-    QString ending = several ? invocation.value(QLatin1StringView(asOption)).value_or(QString())
-                                   : QFileInfo(output).suffix().toLower();
-    if (std::ranges::any_of(endings, [&](const char *known) { return ending == QLatin1StringView(known); }))
-        return ending;
-    if (several)
+    const auto asked = invocation.value(QLatin1StringView(asOption));
+    const QString ending = QFileInfo(output).suffix().toLower();
+    if (output.isEmpty() || (!several && !asked && !isEnding(ending)))
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
+                          {std::string("figure"), "-o " + std::string(options[0].value)}});
+    if (several && !asked)
         throw UsageError(
             {REPORT_TEXT("report", "the pictures of several files go into a folder; choose their kind with "
                                    "--%1 svg, png, pdf or csv"),
              {std::string(asOption)}});
-    throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                      {std::string("figure"), std::string("-o OUT.svg|png|pdf|csv")}});
+    if (!several && asked && ending != *asked && isEnding(ending))
+        throw UsageError({REPORT_TEXT("report", "%1 says another kind of picture than --%2 %3"),
+                          {output.toStdString(), std::string(asOption), asked->toStdString()}});
+    return asked.value_or(ending);
 }
 
 int run(const Invocation &invocation) {
@@ -144,7 +140,6 @@ int run(const Invocation &invocation) {
     const QString output = invocation.value(QLatin1StringView("o")).value_or(QString());
     const QString ending = endingOf(invocation, output, inputs.several);
     const auto wanted = invocation.value(QLatin1StringView("figure"));
-    checkWord(wanted);
     QStringList outputs{output};
     if (inputs.several)
         outputs = outputsInFolder(output, inputs, u'.' + ending);

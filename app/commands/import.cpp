@@ -57,6 +57,16 @@ int run(const Invocation &invocation) {
     }
     if (code != done)
         return code; // nothing is written half
+    std::vector<std::string> without = files.empty()
+                                           ? std::vector<std::string>() // of every file
+                                           : choicesWithoutEffect(files.front().imported, invocation);
+    for (const Read &read : files) {
+        const std::vector<std::string> more = choicesWithoutEffect(read.imported, invocation);
+        std::erase_if(without,
+                      [&](const std::string &key) { return std::ranges::find(more, key) == more.end(); });
+    }
+    if (!without.empty())
+        refuseChoice(without.front());
     std::ranges::stable_sort(files, {}, [](const Read &read) { return needsTest(read.imported); });
     Document document;
     for (Read &read : files) {

@@ -2,12 +2,14 @@
 
 #include "commands/optionvalues.h"
 #include "commands/streams.h"
+#include "document/filename.h"
 #include "proof/readreportpdf.h"
 
-#include <QDir>
-#include <QDirIterator>
 #include <QFileInfo>
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
 
 namespace palmer {
 
@@ -16,54 +18,105 @@ namespace {
 constexpr const char *jobsName = jobsOption.name;
 constexpr int mostJobs = 256;
 
-/// Null: of another program, to be passed over.
-std::optional<Document> documentOf(const Input &input, const Invocation &invocation, bool &isForeign) {
-    if (input.found && input.file.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive) &&
-        isForeignPdf(bytesFrom(input.file))) {
-        isForeign = true;
-        return {};
+namespace fs = std::filesystem;
+
+bool hasEnding(const QString &name, const char *ending) {
+    return name.endsWith(QLatin1StringView(ending), Qt::CaseInsensitive);
+}
+
+/// A folder with all that is in it; names that begin with a point are hidden.
+class FolderWalk {
+public:
+    FolderWalk(const QString &folder, InFolders which)
+        : m_folder(folder)
+        , m_which(which) {
+        walk(fs::path(nativeFileName(folder).toStdString()), {});
+        std::ranges::sort(m_found, {}, &Input::file);
     }
-    return documentFrom(input.file, invocation);
+
+    [[nodiscard]] std::vector<Input> &found() { return m_found; }
+    [[nodiscard]] const QStringList &unreadable() const { return m_unreadable; }
+
+private:
+    /// `below`: the path from the first folder, with its slash.
+    void walk(const fs::path &folder,
+              const QString &below) { // NOLINT(misc-no-recursion): as deep as the disk
+        std::error_code error;
+        fs::directory_iterator entries(folder, error);
+        if (error)
+            m_unreadable << nameOf(below);
+        for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+            const QString name = below + fileNameOf(entries->path().filename().native());
+            std::error_code ignored;
+            if (entries->path().filename().native().starts_with('.'))
+                continue;
+            if (entries->is_directory(ignored) && !entries->is_symlink(ignored))
+                walk(entries->path(), name + u'/');
+            else if (isWanted(name) && entries->is_regular_file(ignored))
+                m_found.push_back({nameOf(name), shownFileName(nameOf(name)), shownFileName(name), true});
+        }
+    }
+
+    [[nodiscard]] QString nameOf(const QString &below) const {
+        return m_folder.endsWith(u'/') || below.isEmpty() ? m_folder + below : m_folder + u'/' + below;
+    }
+
+    [[nodiscard]] bool isWanted(const QString &name) const {
+        return hasEnding(name, ".pdf") ||
+               (m_which == InFolders::testFilesAndReports && hasEnding(name, ".palmer"));
+    }
+
+    QString m_folder;
+    InFolders m_which;
+    std::vector<Input> m_found;
+    QStringList m_unreadable;
+};
+
+void printFolderError(const QString &folder, const Text &text, const Language &language) {
+    printError(folder, Error(Error::Kind::unreadable, {text, {}, {}}), language);
 }
 
 } // namespace
 
-Inputs inputsOf(const Invocation &invocation) {
+Inputs inputsOf(const Invocation &invocation, InFolders which) {
     Inputs result;
     result.several = invocation.arguments.size() > 1;
     for (const QString &argument : invocation.arguments) {
-        if (argument == QLatin1StringView("-") || !QFileInfo(argument).isDir()) {
-            result.list.push_back({argument, QFileInfo(argument).fileName(), false});
+        const ReachableFile there(argument);
+        if (argument == QLatin1StringView("-") || !QFileInfo(there.name()).isDir()) {
+            const QString shown = shownFileName(argument);
+            result.list.push_back({argument, shown, QFileInfo(shown).fileName(), false});
             continue;
         }
         result.several = true;
-        QStringList found;
-        QDirIterator walk(argument, {QStringLiteral("*.palmer"), QStringLiteral("*.pdf")}, QDir::Files,
-                          QDirIterator::Subdirectories);
-        while (walk.hasNext())
-            found << walk.next();
-        found.sort();
-        const QDir folder(argument);
-        for (const QString &file : found)
-            result.list.push_back({file, folder.relativeFilePath(QFileInfo(file).absoluteFilePath()), true});
-        if (!found.isEmpty())
-            continue;
-        result.code = cannotRead;
-        printError(argument,
-                   Error(Error::Kind::unreadable,
-                         {folder.isReadable()
-                              ? REPORT_TEXT("report", "there is no test file or report in the folder")
-                              : REPORT_TEXT("report", "the folder cannot be read"),
-                          {},
-                          {}}),
-                   invocation.language);
+        FolderWalk walk(argument, which);
+        for (const QString &folder : walk.unreadable())
+            printFolderError(folder, REPORT_TEXT("report", "the folder cannot be read"), invocation.language);
+        if (walk.found().empty() && walk.unreadable().isEmpty())
+            printFolderError(argument,
+                             which == InFolders::reports
+                                 ? REPORT_TEXT("report", "there is no report in the folder")
+                                 : REPORT_TEXT("report", "there is no test file or report in the folder"),
+                             invocation.language);
+        if (walk.found().empty() || !walk.unreadable().isEmpty())
+            result.code = cannotRead;
+        std::ranges::move(walk.found(), std::back_inserter(result.list));
     }
     return result;
 }
 
-int eachDocument(const Invocation &invocation, const Inputs &inputs,
-                 const std::function<JobResult(const Input &, Document)> &work, Between between,
-                 const std::function<void(const JobResult &)> &heard) {
+bool isOneFile(const Invocation &invocation) {
+    return invocation.arguments.size() == 1 &&
+           !QFileInfo(ReachableFile(invocation.arguments.front()).name()).isDir();
+}
+
+bool isToBePassedOver(const Input &input) {
+    return input.found && hasEnding(input.file, ".pdf") && isForeignPdf(bytesFrom(input.file));
+}
+
+int eachInput(const Invocation &invocation, const Inputs &inputs,
+              const std::function<JobResult(const Input &)> &work, Between between,
+              const std::function<void(const JobResult &)> &heard) {
     int code = inputs.code;
     if (inputs.list.empty())
         return code;
@@ -73,11 +126,7 @@ int eachDocument(const Invocation &invocation, const Inputs &inputs,
     jobs.work = [&](int i) -> JobResult {
         const Input &input = inputAt(i);
         try {
-            bool isForeign = false;
-            std::optional<Document> document = documentOf(input, invocation, isForeign);
-            if (!document) // or questions about it are open
-                return {isForeign ? done : cannotRead, {}};
-            return work(input, std::move(*document));
+            return work(input);
         } catch (const Error &error) {
             printError(input.file, error, invocation.language);
         } catch (const UsageError &error) { // that only shows with the file: --set, --template
@@ -108,15 +157,26 @@ int eachDocument(const Invocation &invocation, const Inputs &inputs,
     return code;
 }
 
+int eachDocument(const Invocation &invocation, const Inputs &inputs,
+                 const std::function<JobResult(const Input &, Document)> &work, Between between,
+                 const std::function<void(const JobResult &)> &heard) {
+    const auto onDocument = [&](const Input &input) -> JobResult {
+        if (isToBePassedOver(input))
+            return {done, {}};
+        std::optional<Document> document = documentFrom(input.file, invocation);
+        if (!document) // questions about it are open
+            return {cannotRead, {}};
+        return work(input, std::move(*document));
+    };
+    return eachInput(invocation, inputs, onDocument, between, heard);
+}
+
 int jobsOf(const Invocation &invocation) {
     const auto given = invocation.value(QLatin1StringView(jobsName));
     if (!given)
         return defaultJobs();
-    bool isNumber = false;
-    const int jobs = given->toInt(&isNumber);
-    if (!isNumber || jobs < 1)
-        refuse(jobsName, *given);
-    return std::min(jobs, mostJobs);
+    constexpr long long most = 1'000'000; // more than are started
+    return std::min(static_cast<int>(wholeBetween(jobsName, *given, 1, most)), mostJobs);
 }
 
 } // namespace palmer

@@ -13,6 +13,7 @@ namespace palmer {
 /// A file that a command works on.
 struct Input {
     QString file;
+    QString shown; ///< its name as people read it
     QString below; ///< path from the FOLDER it was found in; of a file that was named its name alone
     bool found = false;
 };
@@ -24,13 +25,25 @@ struct Inputs {
     int code = 0;         ///< cannotRead: a folder cannot be read or has no such file, which is printed
 };
 
-[[nodiscard]] Inputs inputsOf(const Invocation &invocation);
+enum class InFolders { testFilesAndReports, reports };
+[[nodiscard]] Inputs inputsOf(const Invocation &invocation, InFolders which = InFolders::testFilesAndReports);
+
+/// Whether the call names one file: what has no effect on it has none at all.
+[[nodiscard]] bool isOneFile(const Invocation &invocation);
 
 /// What stands on stdout between the results of several inputs.
 enum class Between { emptyLine, nothing };
 
-/// Works on the document of every input, also after a bad one, whose error is one line; --jobs at a time, and
-/// returns the worst code. PDFs that were found and are not of this program are passed over.
+/// Works on every input, also after a bad one, whose error is one line; --jobs at a time, and returns the
+/// worst code.
+int eachInput(const Invocation &invocation, const Inputs &inputs,
+              const std::function<JobResult(const Input &)> &work, Between between = Between::emptyLine,
+              const std::function<void(const JobResult &)> &heard = {});
+
+/// Whether it was found in a folder and is no report of this program: to be passed over.
+[[nodiscard]] bool isToBePassedOver(const Input &input);
+
+/// The same with the document of every input, but those to be passed over.
 int eachDocument(const Invocation &invocation, const Inputs &inputs,
                  const std::function<JobResult(const Input &, Document)> &work,
                  Between between = Between::emptyLine,

@@ -91,11 +91,11 @@ QStringList outputsInFolder(const QString &output, const Inputs &inputs, const Q
         const QFileInfo below(input.file == QLatin1StringView("-") ? QStringLiteral("report") : input.below);
         const QString folder = below.path() == QLatin1StringView(".") ? QString() : below.path() + u'/';
         const QString file = QDir(output).filePath(folder + below.completeBaseName() + ending);
-        const auto [other, isNew] = inputOf.emplace(file, input.file);
+        const auto [other, isNew] = inputOf.emplace(file, input.shown);
         if (!isNew)
             throw UsageError(
                 {REPORT_TEXT("report", "%1 and %2 would both be written as %3; call the command for each"),
-                 {other->second.toStdString(), input.file.toStdString(), file.toStdString()}});
+                 {other->second.toStdString(), input.shown.toStdString(), file.toStdString()}});
         result << file;
     }
     for (const QString &file : result) {

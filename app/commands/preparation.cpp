@@ -1,6 +1,7 @@
 #include "commands/preparation.h"
 
 #include "commands/editionoption.h"
+#include "commands/inputs.h"
 #include "commands/streams.h"
 #include "document/edits.h"
 #include "document/savedocument.h"
@@ -14,10 +15,6 @@
 namespace palmer {
 
 namespace {
-
-QStringList linesOf(const Invocation &invocation, const char *option) {
-    return invocation.value(QLatin1StringView(option)).value_or(QString()).split(u'\n', Qt::SkipEmptyParts);
-}
 
 /// An instrument of this id takes the place of that in the file; tests that name none were made with it.
 void apply(Document &document, const Instrument &instrument) {
@@ -71,7 +68,7 @@ std::vector<std::string> editionsOf(const QString &words) {
 
 std::vector<FieldSetting> fieldSettings(const Invocation &invocation) {
     std::vector<FieldSetting> result;
-    for (const QString &setting : linesOf(invocation, "set")) {
+    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
         const qsizetype mark = setting.indexOf(u'=');
         if (mark < 1)
             throw UsageError(
@@ -83,11 +80,15 @@ std::vector<FieldSetting> fieldSettings(const Invocation &invocation) {
 }
 
 Document prepared(Document document, const Invocation &invocation) {
-    for (const QString &file : linesOf(invocation, "template"))
+    for (const QString &file : invocation.values(QLatin1StringView("template")))
         std::visit([&](const auto &content) { apply(document, content); },
                    templateFrom(file, invocation).content);
     if (const auto words = invocation.value(QLatin1StringView("editions")))
         document.report.editions = editionsOf(*words);
+    if (isOneFile(invocation) && invocation.has(QLatin1StringView("editions"))) {
+        for (const std::string &word : document.report.editions)
+            demandTestOf(*findEdition(word), document);
+    }
     for (const FieldSetting &field : fieldSettings(invocation)) {
         try {
             document = withField(document, field.path.toStdString(), field.value.toStdString());

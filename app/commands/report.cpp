@@ -70,15 +70,6 @@ bool selfTest() {
     return std::ranges::all_of(validateAll(), &SetValidation::agrees);
 }
 
-void refuseUnknownLanguage(const Invocation &invocation) {
-    const auto chosen = invocation.value(QLatin1StringView("language"));
-    for (const QString &name : chosen ? chosen->split(u',') : QStringList()) {
-        if (!Language::fromName(name))
-            throw UsageError(
-                {REPORT_TEXT("report", "unknown language %1; known: fr, en"), {name.toStdString()}});
-    }
-}
-
 /// Composes and writes the reports of a document; each target by language.
 class Reports {
 public:
@@ -89,7 +80,6 @@ public:
         if (!output)
             throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                               {std::string("report"), std::string("-o OUT.pdf")}});
-        refuseUnknownLanguage(invocation);
         if (const Edition *asked = editionAsked(invocation))
             m_edition = asked->word;
         if (m_inputs.several) {
@@ -115,6 +105,8 @@ public:
 
 private:
     [[nodiscard]] int report(Document document, const QString &output) const {
+        if (!m_inputs.several && !m_edition.empty())
+            demandTestOf(*findEdition(m_edition), document);
         const EvaluatedDocument evaluated =
             simulated(evaluate(std::make_shared<const Document>(std::move(document)), nullptr, m_edition),
                       SimulateWhich::allWithBudget, m_inputs.several ? 1 : 0, m_invocation.language);

@@ -1,6 +1,7 @@
 #include "commands/selftest.h"
 
 #include "commands/streams.h"
+#include "commands/terminal.h"
 #include "report/plaintext.h"
 #include "report/validationreport.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 int run(const Invocation &invocation) {
     const std::vector<SetValidation> sets = validateAll();
-    printOut(plainText(composeValidation(sets, invocation.language)));
+    printOut(plainText(composeValidation(sets, invocation.language), textColumns()));
     return std::ranges::all_of(sets, &SetValidation::agrees) ? done : difference;
 }
 

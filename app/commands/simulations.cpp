@@ -4,6 +4,7 @@
 #include "commands/progressline.h"
 #include "commands/streams.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace palmer {
@@ -30,12 +31,7 @@ std::optional<UncertaintyMethod> methodOf(const Invocation &invocation) {
     const auto word = invocation.value(QLatin1StringView("uncertainty"));
     if (!word)
         return std::nullopt;
-    if (*word == QLatin1StringView("budget"))
-        return UncertaintyMethod::budget;
-    if (*word == QLatin1StringView("monteCarlo"))
-        return UncertaintyMethod::monteCarlo;
-    throw UsageError(
-        {REPORT_TEXT("report", "unknown method %1; known: budget, monteCarlo"), {word->toStdString()}});
+    return *word == QLatin1StringView("budget") ? UncertaintyMethod::budget : UncertaintyMethod::monteCarlo;
 }
 
 } // namespace
@@ -65,6 +61,27 @@ void choose(Document &document, const SimulationChoices &choices) {
             put(circular->uncertainty);
         test = std::move(chosen);
     }
+}
+
+void demandEffect(const SimulationChoices &choices, const Document &document) {
+    const auto methodOfTest = [](const TestPointer &test) -> std::optional<UncertaintyMethod> {
+        if (const auto *positioning = std::get_if<PositioningMeasurement>(&test->measurement))
+            return positioning->uncertainty.method;
+        if (const auto *circular = std::get_if<CircularMeasurement>(&test->measurement))
+            return circular->uncertainty.method;
+        return {};
+    };
+    const auto simulates = [&](const TestPointer &test) {
+        return methodOfTest(test) == UncertaintyMethod::monteCarlo;
+    };
+    if ((choices.seed || choices.trials) && std::ranges::none_of(document.tests, simulates))
+        throw UsageError(
+            {REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
+             {std::string(choices.seed ? "--seed" : "--trials"), std::string("--uncertainty monteCarlo")}});
+    const auto hasMethod = [&](const TestPointer &test) { return methodOfTest(test).has_value(); };
+    if (choices.method && std::ranges::none_of(document.tests, hasMethod))
+        throw UsageError({REPORT_TEXT("report", "--%1 has no effect here: no test of the file has a budget"),
+                          {std::string("uncertainty")}});
 }
 
 EvaluatedDocument simulated(EvaluatedDocument evaluated, SimulateWhich which, int threads,

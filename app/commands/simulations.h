@@ -32,6 +32,9 @@ struct SimulationChoices {
 /// Puts them on all tests of the document.
 void choose(Document &document, const SimulationChoices &choices);
 
+/// Throws UsageError where the choices change nothing of the document, which they were put on.
+void demandEffect(const SimulationChoices &choices, const Document &document);
+
 /// Runs the simulations; how far they are stands on stderr when that is a terminal.
 [[nodiscard]] EvaluatedDocument simulated(EvaluatedDocument evaluated, SimulateWhich which, int threads,
                                           const Language &language);

@@ -1,6 +1,7 @@
 #include "commands/streams.h"
 
 #include "commands/preparation.h"
+#include "document/filename.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/setfield.h"
@@ -72,7 +73,7 @@ Error notEnoughMemory() {
 }
 
 void printError(const QString &text) {
-    const QByteArray line = (QStringLiteral("palmer-cli: ") + oneLine(text) + u'\n').toUtf8();
+    const QByteArray line = (QStringLiteral("palmer-cli: ") + oneLine(shownFileName(text)) + u'\n').toUtf8();
     std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
 }
 
@@ -147,9 +148,7 @@ ImportOptions chosenOptions(const Invocation &invocation) {
         }
         chosen = found->second;
     }
-    const QStringList settings =
-        invocation.value(QLatin1StringView("set")).value_or(QString()).split(u'\n', Qt::SkipEmptyParts);
-    for (const QString &setting : settings) {
+    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
         const qsizetype mark = setting.indexOf(u'=');
         if (mark < 1)
             throw UsageError(
@@ -200,6 +199,25 @@ std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, 
     return {};
 }
 
+std::vector<std::string> choicesWithoutEffect(const Imported &imported, const Invocation &invocation) {
+    std::vector<std::string> keys;
+    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
+        const std::string key = setting.section(u'=', 0, 0).toStdString();
+        const ImportKey *known = findImportKey(key);
+        const bool isAnswer = known && known->words.size() == 1; // to a question that may not come
+        if (known && !isAnswer &&
+            std::ranges::find(imported.choices, key, &ImportChoice::key) == imported.choices.end())
+            keys.push_back(key);
+    }
+    return keys;
+}
+
+void refuseChoice(const std::string &key) {
+    throw UsageError({REPORT_TEXT("report", "--set %1 has no effect here: what is read has no such choice "
+                                            "(--help KEYS lists all)"),
+                      {key}});
+}
+
 QByteArray bytesFrom(const QString &file) {
     return file == QLatin1StringView("-") ? standardInput() : readBytes(file);
 }
@@ -216,8 +234,12 @@ Document withTests(Document document) {
 
 /// Throws UsageError for a choice of the import: it would do nothing to a test file.
 void demandNoChoice(const Invocation &invocation) {
-    const QString settings = invocation.value(QLatin1StringView("set")).value_or(QString());
-    for (const QString &setting : settings.split(u'\n', Qt::SkipEmptyParts)) {
+    if (invocation.has(QLatin1StringView("profile")))
+        throw UsageError(
+            {REPORT_TEXT("report", "--%1 has no effect here: this is a test file, which needs no "
+                                   "choices of the import"),
+             {std::string("profile")}});
+    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
         const QString key = setting.section(u'=', 0, 0);
         if (findImportKey(key.toStdString()))
             throw UsageError(
@@ -241,6 +263,9 @@ std::optional<Document> documentFrom(const QString &file, const Invocation &invo
     auto imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);
     if (!imported)
         return {};
+    if (const std::vector<std::string> without = choicesWithoutEffect(*imported, invocation);
+        !without.empty())
+        refuseChoice(without.front());
     Document document;
     addImported(document, std::move(*imported), bytes, file, false);
     return prepared(std::move(document), invocation);

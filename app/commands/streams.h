@@ -10,6 +10,8 @@
 #include <QString>
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace palmer {
 
@@ -62,6 +64,14 @@ inline constexpr std::array foreignOptions{
 [[nodiscard]] std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file,
                                                    const ImportOptions &options,
                                                    const Invocation &invocation);
+
+/// The keys of --set that are choices of the import and that this file does not have. What is only the answer
+/// to a question that may come is none of them.
+[[nodiscard]] std::vector<std::string> choicesWithoutEffect(const Imported &imported,
+                                                            const Invocation &invocation);
+
+/// Throws UsageError: that choice has no effect.
+[[noreturn]] void refuseChoice(const std::string &key);
 
 /// The document of a file: a test file, that inside a report, or what an instrument's file or a table is
 /// imported as, as importedFrom has it; nothing for questions that were printed. Throws Error.

@@ -27,25 +27,33 @@ constexpr std::array options{
                                  "the pitch of cyclic in mm (10), the width of reversalSpike in degrees "
                                  "(1.5), the expansion of temperature in µm/(m·°C) (11.7)"),
            true},
-    Option{"plane", "XY", REPORT_TEXT("report", "circular: the plane, first and second axis")},
-    Option{"radius", "150", REPORT_TEXT("report", "circular: nominal radius, mm")},
+    Option{"plane", "XY", REPORT_TEXT("report", "circular: the plane, first and second axis"), false,
+           "circular"},
+    Option{"radius", "150", REPORT_TEXT("report", "circular: nominal radius, mm"), false, "circular"},
     Option{"feed", "1000",
-           REPORT_TEXT("report", "circular: contouring feed, mm/min; several times: a test each"), true},
-    Option{"points", "1800", REPORT_TEXT("report", "circular: points in each sense")},
-    Option{"senses", "both|counterclockwise|clockwise", REPORT_TEXT("report", "circular: what is measured")},
-    Option{"arc", "FROM:TO", REPORT_TEXT("report", "circular: the arc, degrees; without it 0:360")},
-    Option{"pause", "0", REPORT_TEXT("report", "circular: pause between the senses, in turns")},
-    Option{"axis", "X", REPORT_TEXT("report", "positioning: name of the axis")},
-    Option{"travel", "1000", REPORT_TEXT("report", "positioning: from the first target to the last, mm")},
-    Option{"targets", "11", REPORT_TEXT("report", "positioning: number of targets")},
-    Option{"runs", "5", REPORT_TEXT("report", "positioning: runs each way")},
+           REPORT_TEXT("report", "circular: contouring feed, mm/min; several times: a test each"), true,
+           "circular"},
+    Option{"points", "1800", REPORT_TEXT("report", "circular: points in each sense"), false, "circular"},
+    Option{"senses", "both|counterclockwise|clockwise", REPORT_TEXT("report", "circular: what is measured"),
+           false, "circular"},
+    Option{"arc", "FROM:TO", REPORT_TEXT("report", "circular: the arc, degrees; without it 0:360"), false,
+           "circular"},
+    Option{"pause", "0", REPORT_TEXT("report", "circular: pause between the senses, in turns"), false,
+           "source"},
+    Option{"axis", "X", REPORT_TEXT("report", "positioning: name of the axis"), false, "positioning"},
+    Option{"travel", "1000", REPORT_TEXT("report", "positioning: from the first target to the last, mm"),
+           false, "positioning"},
+    Option{"targets", "11", REPORT_TEXT("report", "positioning: number of targets"), false, "positioning"},
+    Option{"runs", "5", REPORT_TEXT("report", "positioning: runs each way"), false, "positioning"},
     Option{"noise", "0.1", REPORT_TEXT("report", "standard deviation of the noise, µm; without it 0")},
-    Option{"correlation", "0", REPORT_TEXT("report", "of neighbouring readings, 0 to below 1")},
-    Option{"resolution", "0", REPORT_TEXT("report", "step of the readings, µm; 0: none")},
+    Option{"correlation", "0", REPORT_TEXT("report", "of neighbouring readings, 0 to below 1"), false,
+           "noise"},
+    Option{"resolution", "0", REPORT_TEXT("report", "step of the readings, µm; 0: none"), false,
+           "source|noise"},
     Option{"seed", "N",
-           REPORT_TEXT("report", "start of the random numbers: the same gives the same measurement")},
-    Option{truthOption, "TRUTH.json",
-           REPORT_TEXT("report", "writes there what the measurement was made from")},
+           REPORT_TEXT("report", "start of the random numbers: the same gives the same measurement"), false,
+           "noise"},
+    Option{truthOption, "OUT.json", REPORT_TEXT("report", "writes there what the measurement was made from")},
     Option{"o", "OUT.palmer", REPORT_TEXT("report", "the test file to write")},
     forceOption,
 };
@@ -55,17 +63,12 @@ double number(const Invocation &invocation, const char *option, double otherwise
     const auto given = invocation.value(QLatin1StringView(option));
     if (!given)
         return otherwise;
-    const double value = numberGiven(option, *given);
-    if (value < least || value > most)
-        refuse(option, *given);
-    return value;
+    return numberBetween(option, *given, least, most);
 }
 
-std::size_t count(const Invocation &invocation, const char *option, std::size_t otherwise, double most) {
-    const double value = number(invocation, option, static_cast<double>(otherwise), 1, most);
-    if (value != std::floor(value))
-        refuse(option, *invocation.value(QLatin1StringView(option)));
-    return static_cast<std::size_t>(value);
+std::size_t count(const Invocation &invocation, const char *option, std::size_t otherwise, long long most) {
+    const auto given = invocation.value(QLatin1StringView(option));
+    return given ? static_cast<std::size_t>(wholeBetween(option, *given, 1, most)) : otherwise;
 }
 
 constexpr double smallest = 1e-3;
@@ -82,6 +85,36 @@ SynthesizedNoise noise(const Invocation &invocation) {
     return result;
 }
 
+/// What deviates a positioning test: its word after --source.
+struct PositioningKey {
+    const char *id;
+    double PositioningSynthesis::*value;
+    double base; ///< base unit of one
+    double zero; ///< added
+};
+constexpr std::array positioningKeys{
+    PositioningKey{"scale", &PositioningSynthesis::scale, 1e-6, 0},
+    PositioningKey{"cyclic", &PositioningSynthesis::cyclic, 1e-3, 0},
+    PositioningKey{"backlash", &PositioningSynthesis::backlash, 1e-3, 0},
+    PositioningKey{"reversal", &PositioningSynthesis::reversal, 1e-3, 0},
+    PositioningKey{"drift", &PositioningSynthesis::drift, 1e-3, 0},
+    PositioningKey{"temperature", &PositioningSynthesis::temperature, 1, 20}};
+
+constexpr const char *circularWord = "circular";
+
+[[noreturn]] void refuseSource(const Invocation &invocation, const QString &given) {
+    std::string ids;
+    const auto add = [&ids](const char *id) { ids += (ids.empty() ? "" : ", ") + std::string(id); };
+    if (invocation.arguments.front() == QLatin1StringView(circularWord)) {
+        for (const Influence &influence : influences())
+            add(influence.word);
+    } else {
+        for (const PositioningKey &key : positioningKeys)
+            add(key.id);
+    }
+    refuse("source", given, "ID[:AXIS]=VALUE[@SHAPE]; ID: " + ids);
+}
+
 /// "backlash:X=6@10" taken apart.
 struct GivenSource {
     QString whole;
@@ -93,24 +126,23 @@ struct GivenSource {
 
 std::vector<GivenSource> givenSources(const Invocation &invocation) {
     std::vector<GivenSource> result;
-    const QString all = invocation.value(QLatin1StringView("source")).value_or(QString());
-    for (const QString &whole : all.split(u'\n', Qt::SkipEmptyParts)) {
+    for (const QString &whole : invocation.values(QLatin1StringView("source"))) {
         const qsizetype equals = whole.indexOf(u'=');
         if (equals < 0)
-            refuse("source", whole);
+            refuseSource(invocation, whole);
         GivenSource source;
         source.whole = whole;
         const QStringList name = whole.left(equals).split(u':');
         const QStringList value = whole.mid(equals + 1).split(u'@');
         if (name.size() > 2 || value.size() > 2)
-            refuse("source", whole);
+            refuseSource(invocation, whole);
         source.id = name[0];
         source.axis = name.value(1);
         source.value = numberGiven("source", value[0]);
         if (value.size() > 1) {
             source.shape = numberGiven("source", value[1]);
             if (!(*source.shape > 0))
-                refuse("source", whole);
+                refuseSource(invocation, whole);
         }
         result.push_back(source);
     }
@@ -119,11 +151,9 @@ std::vector<GivenSource> givenSources(const Invocation &invocation) {
 
 std::vector<double> feeds(const Invocation &invocation) {
     std::vector<double> result;
-    const QString all = invocation.value(QLatin1StringView("feed")).value_or(QStringLiteral("1000"));
-    for (const QString &given : all.split(u'\n')) {
-        result.push_back(numberGiven("feed", given));
-        if (result.back() < smallest || result.back() > largest)
-            refuse("feed", given);
+    const QStringList all = invocation.values(QLatin1StringView("feed"));
+    for (const QString &given : all.isEmpty() ? QStringList(QStringLiteral("1000")) : all) {
+        result.push_back(numberBetween("feed", given, smallest, largest));
     }
     return result;
 }
@@ -131,30 +161,30 @@ std::vector<double> feeds(const Invocation &invocation) {
 Plane plane(const Invocation &invocation) {
     const QString given = invocation.value(QLatin1StringView("plane")).value_or(QStringLiteral("XY"));
     if (given.size() != 2 || given[0] == given[1] || !given[0].isLetter() || !given[1].isLetter())
-        refuse("plane", given);
+        refuse("plane", given, "XY");
     return {given.left(1).toStdString(), given.mid(1).toStdString()};
 }
 
-CircularSource circularSource(const GivenSource &given, const Plane &plane) {
+CircularSource circularSource(const GivenSource &given, const Plane &plane, const Invocation &invocation) {
     const Influence *row = findInfluence(given.id.toUtf8().constData());
     if (!row)
-        refuse("source", given.whole);
+        refuseSource(invocation, given.whole);
     CircularSource source;
     source.id = row->id;
     const std::string axis = given.axis.toStdString();
     if (row->ofAxis) {
         if (axis != plane.first && axis != plane.second)
-            refuse("source", given.whole);
+            refuseSource(invocation, given.whole);
         source.axis = axis == plane.first ? PlaneAxis::first : PlaneAxis::second;
     } else if (!axis.empty()) {
-        refuse("source", given.whole);
+        refuseSource(invocation, given.whole);
     }
     source.value = baseParameter(row->id, given.value);
     constexpr double pitch = 10;  // mm
     constexpr double width = 1.5; // degrees
     const bool shaped = row->id == InfluenceId::cyclic || row->id == InfluenceId::reversalSpike;
     if (given.shape && !shaped)
-        refuse("source", given.whole);
+        refuseSource(invocation, given.whole);
     source.shape = given.shape.value_or(row->id == InfluenceId::cyclic ? pitch : width);
     return source;
 }
@@ -163,7 +193,7 @@ CircularSynthesis circular(const Invocation &invocation) {
     CircularSynthesis asked;
     asked.plane = plane(invocation);
     asked.radius = number(invocation, "radius", asked.radius, smallest, largest);
-    constexpr double most = 4e6; // a file takes 10⁷ readings, two senses
+    constexpr long long most = 4'000'000; // a file takes 10⁷ readings, two senses
     asked.points = count(invocation, "points", asked.points, most);
     asked.pause = number(invocation, "pause", 0, 0, largest);
     const QString senses = invocation.value(QLatin1StringView("senses")).value_or(QStringLiteral("both"));
@@ -171,51 +201,44 @@ CircularSynthesis circular(const Invocation &invocation) {
         asked.senses = {Sense::counterclockwise};
     else if (senses == QLatin1StringView("clockwise"))
         asked.senses = {Sense::clockwise};
-    else if (senses != QLatin1StringView("both"))
-        refuse("senses", senses);
+    if (asked.senses.size() == 1 && invocation.has(QLatin1StringView("pause")))
+        throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
+                          {std::string("--pause"), std::string("--senses both")}});
     if (const auto arc = invocation.value(QLatin1StringView("arc"))) {
         const QStringList ends = arc->split(u':');
         if (ends.size() != 2)
-            refuse("arc", *arc);
+            refuse("arc", *arc, "FROM:TO");
         asked.arc = {numberGiven("arc", ends[0]), numberGiven("arc", ends[1])};
         const double extent = asked.arc.to - asked.arc.from;
         if (!(extent > 0 && extent <= 360) || std::abs(asked.arc.from) > largest)
-            refuse("arc", *arc);
+            refuse("arc", *arc, "FROM:TO");
     }
     for (const GivenSource &given : givenSources(invocation))
-        asked.sources.push_back(circularSource(given, asked.plane));
+        asked.sources.push_back(circularSource(given, asked.plane, invocation));
     asked.noise = noise(invocation);
     return asked;
 }
 
 PositioningSynthesis positioning(const Invocation &invocation) {
     PositioningSynthesis asked;
+    if (invocation.has(QLatin1StringView("pause")))
+        throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
+                          {std::string("--pause"), std::string(circularWord)}});
     asked.axis = invocation.value(QLatin1StringView("axis")).value_or(QStringLiteral("X")).toStdString();
     const double travel = number(invocation, "travel", 1000, smallest, largest);
-    constexpr double mostTargets = 10'000;
+    constexpr long long mostTargets = 10'000;
     const std::size_t targets = count(invocation, "targets", 11, mostTargets);
     for (std::size_t i = 0; i < targets; ++i)
         asked.targets.push_back(targets > 1 ? travel * double(i) / double(targets - 1) : 0);
-    constexpr double mostRuns = 500;
+    constexpr long long mostRuns = 500;
     asked.runs = static_cast<int>(count(invocation, "runs", 5, mostRuns));
-    struct Key {
-        const char *id = nullptr;
-        double PositioningSynthesis::*value = nullptr;
-        double base = 0; ///< base unit of one
-        double zero = 0; ///< added
-    };
-    const std::array keys{Key{"scale", &PositioningSynthesis::scale, 1e-6, 0},
-                          Key{"cyclic", &PositioningSynthesis::cyclic, 1e-3, 0},
-                          Key{"backlash", &PositioningSynthesis::backlash, 1e-3, 0},
-                          Key{"reversal", &PositioningSynthesis::reversal, 1e-3, 0},
-                          Key{"drift", &PositioningSynthesis::drift, 1e-3, 0},
-                          Key{"temperature", &PositioningSynthesis::temperature, 1, 20}};
     for (const GivenSource &given : givenSources(invocation)) {
-        const auto key =
-            std::ranges::find_if(keys, [&](const Key &k) { return given.id == QLatin1StringView(k.id); });
+        const auto key = std::ranges::find_if(positioningKeys, [&](const PositioningKey &row) {
+            return given.id == QLatin1StringView(row.id);
+        });
         const bool otherAxis = !given.axis.isEmpty() && given.axis.toStdString() != asked.axis;
-        if (key == keys.end() || otherAxis)
-            refuse("source", given.whole);
+        if (key == positioningKeys.end() || otherAxis)
+            refuseSource(invocation, given.whole);
         asked.*(key->value) = given.value * key->base + key->zero;
         if (!given.shape)
             continue;
@@ -224,7 +247,7 @@ PositioningSynthesis positioning(const Invocation &invocation) {
         else if (given.id == QLatin1StringView("temperature"))
             asked.expansion = *given.shape;
         else
-            refuse("source", given.whole);
+            refuseSource(invocation, given.whole);
     }
     asked.noise = noise(invocation);
     return asked;
@@ -273,7 +296,7 @@ void demandOutputs(const Invocation &invocation, const QString &output) {
 
 int run(const Invocation &invocation) {
     const QString &kind = invocation.arguments.front();
-    const bool isCircular = kind == QLatin1StringView("circular");
+    const bool isCircular = kind == QLatin1StringView(circularWord);
     if (invocation.arguments.size() != 1 || (!isCircular && kind != QLatin1StringView("positioning")))
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one word: %2"),
                           {std::string("synthesize"), std::string("circular|positioning")}});

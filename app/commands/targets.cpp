@@ -14,8 +14,8 @@
 
 #include <QBuffer>
 #include <QFileInfo>
+#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace palmer {
 
@@ -50,39 +50,27 @@ constexpr std::array options{
 
 /// The number of an option, which has to be greater.
 std::optional<double> number(const Invocation &invocation, const char *option, double greaterThan) {
-    const auto value = numberOf(invocation, option);
-    if (value && !(*value > greaterThan))
-        refuse(option, *invocation.value(QLatin1StringView(option)));
-    return value;
+    const auto given = invocation.value(QLatin1StringView(option));
+    return given ? std::optional(numberAbove(option, *given, greaterThan)) : std::nullopt;
 }
 
 std::optional<int> whole(const Invocation &invocation, const char *option, int least, int most) {
     const auto given = invocation.value(QLatin1StringView(option));
-    if (!given)
-        return std::nullopt;
-    bool isNumber = false;
-    const int value = given->toInt(&isNumber);
-    if (!isNumber || value < least || value > most)
-        refuse(option, *given);
-    return value;
+    return given ? std::optional(static_cast<int>(wholeBetween(option, *given, least, most))) : std::nullopt;
 }
 
 Cycle cycle(const Invocation &invocation) {
-    const QString word = invocation.value(QLatin1StringView("cycle")).value_or(QStringLiteral("standard"));
-    if (word != QLatin1StringView("standard") && word != QLatin1StringView("step"))
-        refuse("cycle", word);
-    return word == QLatin1StringView("step") ? Cycle::step : Cycle::standard;
+    return invocation.value(QLatin1StringView("cycle")) == QLatin1StringView("step") ? Cycle::step
+                                                                                     : Cycle::standard;
 }
 
 std::optional<Dialect> dialect(const Invocation &invocation) {
     const auto word = invocation.value(QLatin1StringView("program"));
     if (!word)
         return std::nullopt;
-    for (const DialectName &each : dialects()) {
-        if (*word == QLatin1StringView(each.word))
-            return each.dialect;
-    }
-    refuse("program", *word);
+    const auto found = std::ranges::find_if(
+        dialects(), [&](const DialectName &each) { return *word == QLatin1StringView(each.word); });
+    return found->dialect; // parseArguments() has refused other words
 }
 
 const Edition &edition(const Invocation &invocation) {
@@ -92,10 +80,9 @@ const Edition &edition(const Invocation &invocation) {
 
 TargetRequest request(const Invocation &invocation) {
     TargetRequest result;
-    constexpr double anything = -std::numeric_limits<double>::infinity();
     result.rule = targetRuleOf(edition(invocation));
     result.motion = invocation.has(QLatin1StringView("rotary")) ? Motion::rotary : Motion::linear;
-    result.from = number(invocation, "from", anything).value_or(0);
+    result.from = numberOf(invocation, "from").value_or(0);
     const auto travel = number(invocation, "travel", 0);
     if (!travel)
         throw UsageError(

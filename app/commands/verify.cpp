@@ -1,11 +1,18 @@
 #include "commands/verify.h"
 
+#include "commands/inputs.h"
+#include "commands/optionvalues.h"
 #include "commands/outputfile.h"
 #include "commands/progressline.h"
 #include "commands/streams.h"
+#include "commands/terminal.h"
+#include "proof/readreportpdf.h"
+#include "report/plaintext.h"
 #include "ui/proof/verifyreport.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 namespace palmer {
 
@@ -18,20 +25,18 @@ constexpr std::array options{
     Option{extractOption, "OUT.palmer",
            REPORT_TEXT("report", "take the test file out of the report, byte for byte, and no more")},
     Option{"threads", "N", REPORT_TEXT("report", "threads of the simulation; the figures are the same")},
-    forceOption,
+    jsonLinesOption,
+    jobsOption,
+    Option{forceOption.name, "", forceOption.description, false, extractOption},
 };
 
 int threadsOf(const Invocation &invocation) {
     const auto word = invocation.value(QLatin1StringView("threads"));
     if (!word)
         return 0;
-    constexpr int most = 256;
-    bool isNumber = false;
-    const int number = word->toInt(&isNumber);
-    if (!isNumber || number < 1)
-        throw UsageError({REPORT_TEXT("report", "--%1 takes a whole number from %2 on, not %3"),
-                          {std::string("threads"), std::string("1"), word->toStdString()}});
-    return std::min(number, most);
+    constexpr long long most = 256;
+    return static_cast<int>(
+        std::min(wholeBetween("threads", *word, 1, std::numeric_limits<int>::max()), most));
 }
 
 QByteArray reportFrom(const QString &file) {
@@ -43,6 +48,11 @@ QByteArray reportFrom(const QString &file) {
 }
 
 int extract(const Invocation &invocation, const QString &output) {
+    for (const char *other : {"json", jsonLinesOption.name, "threads", jobsOption.name}) {
+        if (invocation.has(QLatin1StringView(other)))
+            throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
+                              {std::string(extractOption), std::string(other)}});
+    }
     if (invocation.arguments.size() != 1)
         throw UsageError(
             {REPORT_TEXT("report", "the option --%1 takes one report"), {std::string(extractOption)}});
@@ -64,46 +74,54 @@ int extract(const Invocation &invocation, const QString &output) {
     return done;
 }
 
-int verify(const Invocation &invocation, const QString &file, int threads, bool first) {
-    const bool several = invocation.arguments.size() > 1;
-    const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
-    try {
-        std::optional<ui::OpenedReport> opened;
-        {
-            ProgressLine line(invocation.language);
-            opened = ui::openReport(reportFrom(file), threads, {},
-                                    [&](const SimulationProgress &progress) { line.show(progress); });
-        }
-        const Verification verification = ui::verifyReport(opened.value()); // nothing stops it
-        if (invocation.has(QLatin1StringView("json"))) {
-            printOut(verificationJson(verification, file, names, several));
-        } else {
-            const QString head =
-                several ? (first ? QString() : QStringLiteral("\n")) + file + u'\n' : QString();
-            printOut(head + verificationText(verification, invocation.language));
-        }
-        return verification.follows() ? done : difference;
-    } catch (const Error &error) {
-        printError(file, error, invocation.language);
-        return cannotRead;
+QString inLines(const QString &text) {
+    QString result;
+    for (const QString &line : text.split(u'\n', Qt::SkipEmptyParts)) {
+        const auto first = std::ranges::find_if(line, [](QChar c) { return c != u' '; });
+        const QString indent(first - line.begin(), u' ');
+        for (const QString &part : wrapped(line, textColumns() - static_cast<int>(indent.size())))
+            result += indent + part + u'\n';
     }
+    return result;
+}
+
+int verify(const Invocation &invocation, const Input &input, int threads, bool several) {
+    std::optional<ui::OpenedReport> opened;
+    {
+        ProgressLine line(invocation.language);
+        opened = ui::openReport(reportFrom(input.file), threads, {},
+                                [&](const SimulationProgress &progress) { line.show(progress); });
+    }
+    const Verification verification = ui::verifyReport(opened.value()); // nothing stops it
+    if (const auto form = jsonForm(invocation, several))
+        printOut(verificationJson(verification, input.shown, namesLanguage(invocation),
+                                  *form == JsonForm::oneLine));
+    else
+        printOut((several ? input.shown + u'\n' : QString()) +
+                 inLines(verificationText(verification, invocation.language)));
+    return verification.follows() ? done : difference;
 }
 
 int run(const Invocation &invocation) {
     const int threads = threadsOf(invocation);
     if (const auto output = invocation.value(QLatin1StringView(extractOption)))
         return extract(invocation, *output);
-    int code = done;
-    for (const QString &file : invocation.arguments)
-        code = worse(code, verify(invocation, file, threads, file == invocation.arguments.front()));
-    return code;
+    const Inputs inputs = inputsOf(invocation, InFolders::reports);
+    const auto work = [&](const Input &input) -> JobResult {
+        if (isToBePassedOver(input))
+            return {done, {}};
+        const bool alone = inputs.list.size() == 1;
+        return {verify(invocation, input, alone || threads > 0 ? threads : 1, inputs.several), {}};
+    };
+    return eachInput(invocation, inputs, work,
+                     jsonForm(invocation, inputs.several) ? Between::nothing : Between::emptyLine);
 }
 
 } // namespace
 
 Command verifyCommand() {
     return {"verify",
-            "REPORT.pdf…",
+            "REPORT.pdf|FOLDER…",
             REPORT_TEXT("report",
                         "whether every printed number of a report follows from the test file inside it"),
             options,

@@ -1,6 +1,7 @@
 #include "document/savedocument.h"
 
 #include "document/bounds.h"
+#include "document/filename.h"
 #include "document/readdocument.h"
 #include "document/savefiles.h"
 #include "document/writedocument.h"
@@ -59,7 +60,8 @@ void demandReadable(qint64 size, qint64 limit) {
 }
 
 QByteArray readBytes(const QString &path, qint64 limit) {
-    const QFileInfo info(path);
+    const ReachableFile there(path);
+    const QFileInfo info(there.name());
     if (info.isDir())
         refuse(Error::Kind::unreadable, REPORT_TEXT("report", "this is a folder; expected a test file"));
     if (!info.exists())
@@ -68,7 +70,7 @@ QByteArray readBytes(const QString &path, qint64 limit) {
         refuse(Error::Kind::unreadable,
                REPORT_TEXT("report", "this is a device or a pipe; expected a file on a disk"));
     demandReadable(info.size(), limit);
-    QFile file(path);
+    QFile file(there.name());
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         refuseReading();
     // As long as it says it is: what the system makes up while it is read (/proc) says 0 and may never end.
@@ -82,8 +84,8 @@ QByteArray readBytes(const QString &path, qint64 limit) {
 bool isSameFile(const QString &path, const QString &other) {
     struct stat one {};
     struct stat two {};
-    return ::stat(QFile::encodeName(path).constData(), &one) == 0 &&
-           ::stat(QFile::encodeName(other).constData(), &two) == 0 && S_ISREG(one.st_mode) &&
+    return ::stat(nativeFileName(path).constData(), &one) == 0 &&
+           ::stat(nativeFileName(other).constData(), &two) == 0 && S_ISREG(one.st_mode) &&
            one.st_dev == two.st_dev && one.st_ino == two.st_ino;
 }
 

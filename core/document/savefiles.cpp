@@ -1,5 +1,7 @@
 #include "document/savefiles.h"
 
+#include "document/filename.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -111,6 +113,9 @@ void syncFolder(const QString &path) {
 
 /// Where it can be seen without writing.
 void demandPlace(const QString &path) {
+    if (!isUtf8FileName(path))
+        refuse(
+            REPORT_TEXT("report", "a name to save to has to be UTF-8, and this one is not; choose another"));
     const QFileInfo info(path);
     if (info.isDir())
         refuse(REPORT_TEXT("report", "this is a folder; expected the name of a file to save to"));

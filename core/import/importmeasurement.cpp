@@ -2,6 +2,7 @@
 
 #include "document/bounds.h"
 #include "document/edits.h"
+#include "document/filename.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
 #include "import/doubts.h"
@@ -238,7 +239,7 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
     ImportedFile file;
     if (imported.test && !imported.test->imports.empty())
         file = imported.test->imports.front(); // the instrument's results
-    file.fileName = QFileInfo(fileName).fileName().toStdString();
+    file.fileName = QFileInfo(shownFileName(fileName)).fileName().toStdString();
     file.sha256 = sha256(bytes);
     if (keepBytes)
         file.data = bytes.toByteArray().toBase64().toStdString();

@@ -141,26 +141,86 @@ QByteArray summaryCsv(const std::vector<QStringList> &rows) {
     return csv.bytes();
 }
 
-QString summaryText(const QStringList &head, const std::vector<QStringList> &rows) {
+namespace {
+
+constexpr int gap = 2;            ///< between two columns
+constexpr int narrowestPath = 16; ///< columns; other texts are as wide as their longest word
+
+/// Breaks at blanks, and anywhere in what is longer than a line: a path.
+QStringList broken(const QString &cell, int width) {
+    QStringList lines;
+    for (QString line : wrapped(cell, width)) {
+        for (; displayWidth(line) > width; line.remove(0, width))
+            lines << line.left(width);
+        lines << line;
+    }
+    return lines;
+}
+
+int longestWord(const QString &cell) {
+    int longest = 0;
+    for (const QString &word : cell.split(u' '))
+        longest = std::max(longest, displayWidth(word));
+    return longest;
+}
+
+/// Takes from the widest texts what a row is too wide, down to `least`.
+void narrow(std::vector<int> &widths, const std::vector<int> &least, int width) {
+    const auto total = [&] {
+        int sum = gap * (static_cast<int>(widths.size()) - 1);
+        for (const int column : widths)
+            sum += column;
+        return sum;
+    };
+    while (total() > width) {
+        int *widest = nullptr;
+        for (std::size_t c = 0; c < widths.size(); ++c) {
+            if (widths[c] > least[c] && (!widest || widths[c] > *widest))
+                widest = &widths[c];
+        }
+        if (!widest)
+            return;
+        --*widest;
+    }
+}
+
+} // namespace
+
+QString summaryText(const QStringList &head, const std::vector<QStringList> &rows, std::optional<int> width) {
     std::vector<int> widths(columns.size());
+    std::vector<int> least(columns.size());
     const auto widen = [&](const QStringList &row) {
-        for (std::size_t c = 0; c < widths.size(); ++c)
-            widths[c] = std::max(widths[c], displayWidth(row[static_cast<qsizetype>(c)]));
+        for (std::size_t c = 0; c < widths.size(); ++c) {
+            const QString &cell = row[static_cast<qsizetype>(c)];
+            widths[c] = std::max(widths[c], displayWidth(cell));
+            least[c] = std::max(least[c], columns.at(c).atRight ? displayWidth(cell) : longestWord(cell));
+        }
     };
     widen(head);
     std::ranges::for_each(rows, widen);
+    least.front() = std::min(least.front(), narrowestPath);
+    if (width)
+        narrow(widths, least, *width);
     QString text;
     const auto print = [&](const QStringList &row) {
-        QString line;
+        std::vector<QStringList> cells;
+        qsizetype height = 1;
         for (std::size_t c = 0; c < widths.size(); ++c) {
-            const QString &cell = row[static_cast<qsizetype>(c)];
-            const QString blanks(widths[c] - displayWidth(cell), u' ');
-            line += (c == 0 ? QString() : QStringLiteral("  ")) +
-                    (columns.at(c).atRight ? blanks + cell : cell + blanks);
+            cells.push_back(broken(row[static_cast<qsizetype>(c)], widths[c]));
+            height = std::max(height, cells.back().size());
         }
-        while (line.endsWith(u' '))
-            line.chop(1);
-        text += line + u'\n';
+        for (qsizetype i = 0; i < height; ++i) {
+            QString line;
+            for (std::size_t c = 0; c < widths.size(); ++c) {
+                const QString cell = cells[c].value(i);
+                const QString blanks(widths[c] - displayWidth(cell), u' ');
+                line += (c == 0 ? QString() : QString(gap, u' ')) +
+                        (columns.at(c).atRight ? blanks + cell : cell + blanks);
+            }
+            while (line.endsWith(u' '))
+                line.chop(1);
+            text += line + u'\n';
+        }
     };
     print(head);
     std::ranges::for_each(rows, print);

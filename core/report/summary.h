@@ -6,6 +6,7 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <optional>
 #include <vector>
 
 namespace palmer {
@@ -28,7 +29,9 @@ enum class SummaryForm {
 /// A file of the rows.
 [[nodiscard]] QByteArray summaryCsv(const std::vector<QStringList> &rows);
 
-/// The head and the rows in columns.
-[[nodiscard]] QString summaryText(const QStringList &head, const std::vector<QStringList> &rows);
+/// The head and the rows in columns; texts are broken into several lines where a row would be wider than
+/// `width`, numbers never.
+[[nodiscard]] QString summaryText(const QStringList &head, const std::vector<QStringList> &rows,
+                                  std::optional<int> width = {});
 
 } // namespace palmer

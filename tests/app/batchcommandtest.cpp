@@ -255,7 +255,7 @@ void BatchCommandTest::resultsFollowTheirSchema() {
                     {QStringLiteral(SOURCE "/tests/core/document/validate.py"),
                      QStringLiteral(SOURCE "/resources/schema/palmer-results-1.schema.json"),
                      at("results.jsonl")});
-    QVERIFY(validator.waitForFinished(240'000));
+    QVERIFY(validator.waitForFinished(1'200'000));
     const QList<QByteArray> valid = lines(validator.readAllStandardOutput());
     QCOMPARE(valid.size(), good + 1);
     for (qsizetype i = 0; i < good; ++i)

@@ -96,7 +96,7 @@ void PalmerCliTest::endsWithItsCode_data() {
         << QStringList{"evaluate", "--edition", "ISO 230-2:1988", "-"}
         << smallTest(R"(, "limits": {"A": {"value": 0.003}})") << 0;
     QTest::newRow("an edition of a kind no test has")
-        << QStringList{"evaluate", "--edition=ISO 230-4:2005", "-"} << smallTest("") << 0;
+        << QStringList{"evaluate", "--edition=ISO 230-4:2005", "-"} << smallTest("") << 2;
     QTest::newRow("a requirement is not met") << QStringList{"check", "-"} << smallTest("") << 1;
     QTest::newRow("help") << QStringList{"--help"} << QByteArray() << 0;
     QTest::newRow("help of a command") << QStringList{"evaluate", "--help"} << QByteArray() << 0;
@@ -154,7 +154,9 @@ void PalmerCliTest::endsWithItsCode_data() {
     QTest::newRow("unknown method of uncertainty")
         << QStringList{"evaluate", "--uncertainty", "guess", "-"} << smallTest("") << 2;
     QTest::newRow("trials with a power of ten")
-        << QStringList{"evaluate", "--trials", "1e3", "-"} << smallTest("") << 0;
+        << QStringList{"evaluate", "--uncertainty=monteCarlo", "--trials", "1e3", "-"} << budget << 0;
+    QTest::newRow("trials of no simulation")
+        << QStringList{"evaluate", "--trials", "1e3", "-"} << smallTest("") << 2;
     QTest::newRow("trials that are not whole")
         << QStringList{"evaluate", "--trials", "1.5e0", "-"} << smallTest("") << 2;
     QTest::newRow("a comma of thousands")
@@ -423,13 +425,13 @@ void PalmerCliTest::contouringFeed_data() {
     row("an option is missing", "--specified-diameter 100 --diameter 125", "",
         "the command feed needs the option --specified-feed MM/MIN");
     row("no number", "--specified-diameter 100 --specified-feed fast --diameter 125", "",
-        "--specified-feed has to be a number above 0, not fast");
+        "--specified-feed cannot be fast; expected a number");
     row("zero", "--specified-diameter 0 --specified-feed 500 --diameter 125", "",
-        "--specified-diameter has to be a number above 0, not 0");
+        "--specified-diameter cannot be 0; expected a number greater than 0");
     row("negative", "--specified-diameter 100 --specified-feed 500 --diameter -125", "",
-        "--diameter has to be a number above 0, not -125");
+        "--diameter cannot be -125; expected a number greater than 0");
     row("not finite", "--specified-diameter 100 --specified-feed 500 --diameter inf", "",
-        "--diameter has to be a number above 0, not inf");
+        "--diameter cannot be inf; expected a number");
     row("beyond all numbers", "--specified-diameter 1e-300 --specified-feed 1e300 --diameter 1e300", "",
         "there is no feed for numbers this large or small");
 }

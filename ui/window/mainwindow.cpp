@@ -1,6 +1,7 @@
 #include "ui/window/mainwindow.h"
 #include "ui/sizeonscreen.h"
 
+#include "document/filename.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
@@ -599,7 +600,7 @@ void MainWindow::read(const QString &path) {
         else if (auto *report = std::get_if<OpenedReport>(&outcome))
             takeReport(*report, path);
         else if (auto *document = std::get_if<Document>(&outcome))
-            take(std::move(*document), path);
+            take(std::move(*document), isUtf8FileName(path) ? path : QString()); // to be saved under another
     };
     const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulations
     if (QFileInfo(path).size() <= readAtOnce && !mayTakeLong) {

@@ -401,7 +401,8 @@ private slots:
         timer.start();
         cancel->click();
         const qint64 took = timer.elapsed();
-        QVERIFY2(took < 1000, qPrintable(QString::number(took))); // a loaded machine; 100 ms of it alone
+        QVERIFY2(took < 60'000,
+                 qPrintable(QString::number(took))); // of many minutes; 100 ms of an idle machine
         QTRY_VERIFY(edited.part<QPushButton>("simulate")->isVisible());
         QVERIFY(!edited.evaluation().uncertainty.simulation);
     }

@@ -246,15 +246,14 @@ private slots:
 
     void typingOnIsKeptAllTheSame() {
         const ShownWindow shown(examplePath("rotary-axis"));
-        shown.window->autosave().setDelay(40);
+        // Never a pause as long as the delay; as long as it takes, for the machine may be busy.
+        shown.window->autosave().setDelay(200);
         QSignalSpy kept(&shown.window->autosave(), &Autosave::saved);
         QElapsedTimer time;
-        time.start();
-        while (time.elapsed() < 500) { // never a pause of 40 ms
+        constexpr int patience = 60'000;
+        for (time.start(); kept.count() < 3 && time.elapsed() < patience; QTest::qWait(5))
             rename(shown.window->model(), QString::number(time.elapsed()));
-            QTest::qWait(5);
-        }
-        QVERIFY2(kept.count() >= 4, qPrintable(QString::number(kept.count())));
+        QVERIFY2(kept.count() >= 3, qPrintable(QString::number(kept.count())));
     }
 
     void offersWhatACrashLeft() {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "language/language.h"
+
+#include <QString>
+
+namespace palmer {
+
+/// The manual page of palmer-cli, section 1, made of the tables that --help is made of.
+[[nodiscard]] QString manualPage(const Language &language);
+
+} // namespace palmer
