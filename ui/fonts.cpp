@@ -24,6 +24,7 @@ QByteArray fontFile(const QString &name) {
     const QResource file(QStringLiteral(":/fonts/") + name);
     if (!file.isValid() || file.compressionAlgorithm() != QResource::NoCompression)
         throw std::runtime_error("the font of the reports is missing");
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of QResource
     return QByteArray::fromRawData(reinterpret_cast<const char *>(file.data()), qsizetype(file.size()));
 }
 #endif

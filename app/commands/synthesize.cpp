@@ -87,10 +87,10 @@ SynthesizedNoise noise(const Invocation &invocation) {
 
 /// What deviates a positioning test: its word after --source.
 struct PositioningKey {
-    const char *id;
-    double PositioningSynthesis::*value;
-    double base; ///< base unit of one
-    double zero; ///< added
+    const char *id = nullptr;
+    double PositioningSynthesis::*value = nullptr;
+    double base = 0; ///< base unit of one
+    double zero = 0; ///< added
 };
 constexpr std::array positioningKeys{
     PositioningKey{"scale", &PositioningSynthesis::scale, 1e-6, 0},
