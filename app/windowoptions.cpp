@@ -61,7 +61,7 @@ void print(std::FILE *stream, const QString &text) {
 }
 
 struct OwnOption {
-    const char *name;
+    const char *name = nullptr;
     Text description;
 };
 constexpr std::array ownOptions{
