@@ -7508,5 +7508,10 @@
         <comment>from one value to another</comment>
         <translation>de %1 à %2</translation>
     </message>
+    <message>
+        <source>%1 over %2</source>
+        <comment>the differential expansion over a length</comment>
+        <translation>%1 à %2</translation>
+    </message>
 </context>
 </TS>

@@ -1716,6 +1716,14 @@
         <source>All of these apply</source>
         <translation>Tout cela est le cas</translation>
     </message>
+    <message>
+        <source>How large the correction to 20 °C is, is known when temperature and expansion of machine and instrument are stated.</source>
+        <translation>La valeur de la correction à 20 °C est connue dès que température et dilatation de la machine et de l’instrument sont indiquées.</translation>
+    </message>
+    <message>
+        <source>Correction to 20 °C: %1.</source>
+        <translation>Correction à 20 °C&#xa0;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::DriftModel</name>
@@ -1968,6 +1976,10 @@
     <message>
         <source>%1 cannot be saved</source>
         <translation>%1 ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>at 20 °C</source>
+        <translation>à 20 °C</translation>
     </message>
 </context>
 <context>

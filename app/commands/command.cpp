@@ -122,14 +122,10 @@ QString optionName(const QString &word) {
 }
 
 void settleLanguage(Invocation &invocation) {
-    const auto chosen = invocation.value(QLatin1StringView("language"));
+    const auto chosen = invocation.value(QLatin1StringView("language")); // one of the words of the option
     if (!chosen)
         return;
-    const auto found = Language::fromName(*chosen);
-    if (!found)
-        throw UsageError(
-            {REPORT_TEXT("report", "unknown language %1; known: fr, en"), {chosen->toStdString()}});
-    invocation.language = *found;
+    invocation.language = Language::fromName(*chosen).value();
     invocation.languageChosen = true;
 }
 

@@ -5,6 +5,7 @@
 #include "figures/deviationfigure.h"
 #include "figures/driftfigure.h"
 #include "figures/figuresentence.h"
+#include "kernel/evaluation/correctionto20.h"
 #include "language/decimals.h"
 #include "report/explanation.h"
 #include "report/readingtable.h"
@@ -242,6 +243,8 @@ void FigureView::refresh() {
     if (!m_whole->bands.empty())
         note += QStringLiteral(", ") +
                 tr("band ±%1s").arg(m_language.number(evaluation.edition->c, Quantity::number, -1));
+    if (measurement->axis.motion == Motion::linear && isCorrectedTo20(measurement->conditions.common))
+        note += QStringLiteral(" · ") + tr("at 20 °C");
     m_note->setText(note);
     m_canvas->setFigure(*m_shown, readingsOf(full, *measurement));
     describe();
@@ -293,6 +296,8 @@ void FigureView::refreshCircles() {
     QStringList note;
     if (measurement->feed)
         note << QStringLiteral("F ") + m_language.quantity(*measurement->feed, Quantity::feed);
+    if (isCorrectedTo20(measurement->conditions.common))
+        note << tr("at 20 °C");
     note << figure->centre;
     m_note->setText(note.join(QStringLiteral(" · ")));
 }

@@ -4,8 +4,10 @@
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "language/decimals.h"
+#include "report/correctiontext.h"
 #include "ui/forms/agreedvalue.h"
 #include "ui/forms/templatebutton.h"
+#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
@@ -218,6 +220,7 @@ void ConditionsPage::prepare() {
         return;
     m_built = wanted;
     m_instruments.clear();
+    m_correction = nullptr;
     clear();
     if (!conditions)
         return;
@@ -284,6 +287,13 @@ void ConditionsPage::addTemperatures(const Test &test) {
             }
         }
     }
+    beginRow();
+    m_correction = new QLabel(body());
+    m_correction->setObjectName(QStringLiteral("correctionSize"));
+    m_correction->setFont(themeFont(TextSize::small));
+    m_correction->setProperty("secondary", true);
+    m_correction->setWordWrap(true);
+    addWidget(m_correction);
     beginRow();
     const auto addOne = [this](const char *text, SensorMeasures what, const QString &name) {
         addButton(text, [this, what] {
@@ -579,6 +589,7 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
               positioning<&Measurement::targetChoice, &TargetChoice::interval>());
     addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Period of the error"), position,
               positioning<&Measurement::targetChoice, &TargetChoice::period>());
+    beginRow();
     addNumber("faces", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Faces of the polygon, number"),
               Quantity::count, faces(), 1, Allowed::positive);
     if (measurement->axis.motion == Motion::linear)
@@ -636,6 +647,16 @@ bool ConditionsPage::focusField(const QString &id) {
 
 void ConditionsPage::refreshOthers() {
     const Test *shown = shownTest();
+    if (shown && m_correction) {
+        const auto *axis = std::get_if<PositioningMeasurement>(&shown->measurement);
+        const QString size = correctionSizeText(*shown, language());
+        m_correction->setVisible(!axis || axis->axis.motion == Motion::linear);
+        m_correction->setText(
+            size.isEmpty()
+                ? tr("How large the correction to 20 °C is, is known when temperature and expansion of "
+                     "machine and instrument are stated.")
+                : tr("Correction to 20 °C: %1.").arg(size));
+    }
     const auto &instruments = evaluated().document->instruments;
     for (std::size_t i = 0; shown && i < m_instruments.size() && i < instruments.size(); ++i) {
         const QString name = QString::fromStdString(

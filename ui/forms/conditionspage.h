@@ -5,6 +5,7 @@
 #include <map>
 
 class QCheckBox;
+class QLabel;
 
 namespace palmer::ui {
 
@@ -34,6 +35,7 @@ private:
 
     QString m_built; ///< for what kind of test there are fields
     std::vector<QCheckBox *> m_instruments;
+    QLabel *m_correction = nullptr;                  ///< how large the correction to 20 °C is
     std::map<SensorMeasures, Field *> m_lastSensors; ///< the first field of the last sensor of a kind
 };
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "kernel/measurement/test.h"
+#include "language/language.h"
+
+#include <QString>
+
+namespace palmer {
+
+/// How large the correction to 20 °C of a test is where it is largest: "13.8 µm over 1 500 mm", the
+/// differential expansion over the farthest target from the origin or over the radius. Whether it is applied
+/// does not count. Empty where temperatures or coefficients are missing, and where there are no lengths.
+[[nodiscard]] QString correctionSizeText(const Test &test, const Language &language);
+
+} // namespace palmer
