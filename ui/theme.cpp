@@ -187,6 +187,7 @@ QFrame[rule="true"] { background: @line; border: none; }
 QLabel[reason="true"] { background: @badGround; color: @bad; border: 1px solid @bad; border-radius: 3px; padding: 0 8px; }
 QLabel[mark="true"] { background: @unsureGround; color: @unsure; border: 1px solid @unsure; border-radius: 3px; padding: 1px 8px; }
 QLabel[keycap="true"] { background: @window; border: 1px solid @field; border-radius: 3px; padding: 0 5px; }
+QFrame[notice="good"] { background: @okGround; border: none; border-bottom: 1px solid @line; }
 QFrame[notice="true"] { background: @unsureGround; border: none; border-bottom: 1px solid @line; }
 QFrame[bar="true"] { background: @selected; border: 1px solid @accent; border-radius: 4px; }
 QLabel[secondary="true"] { color: @secondary; }
@@ -204,6 +205,7 @@ QString filledStyleSheet(const QPalette &palette) {
         {"@onAccent", isDark(palette) ? QStringLiteral("#101316") : QStringLiteral("#ffffff")},
         {"@selected", mixed(accent, base, isDark(palette) ? 0.3 : 0.13).name()},
         {"@secondary", token(Token::secondaryText, palette).name()},
+        {"@okGround", token(Token::okGround, palette).name()},
         {"@unsureGround", token(Token::unsureGround, palette).name()},
         {"@unsure", token(Token::unsure, palette).name()},
         {"@badGround", token(Token::badGround, palette).name()},

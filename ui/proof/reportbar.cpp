@@ -7,13 +7,15 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace palmer::ui {
 
 namespace {
 
-constexpr int listHeight = 120;
+constexpr int mostLines = 6; ///< in view
 
 } // namespace
 
@@ -29,7 +31,6 @@ ReportBar::ReportBar(QWidget *parent)
     m_sentence->setTextFormat(Qt::PlainText);
     m_sentence->setWordWrap(true);
     m_list->setObjectName(QStringLiteral("reportDifferences"));
-    m_list->setFixedHeight(listHeight);
     m_list->setWordWrap(true);
     m_list->setSelectionMode(QAbstractItemView::SingleSelection);
     m_details->setObjectName(QStringLiteral("reportDetails"));
@@ -95,7 +96,13 @@ void ReportBar::retranslate() {
         m_sentence->setText(sign + head + u' ' + lines.takeFirst());
         for (const QString &line : lines)
             m_list->addItem(line.trimmed());
+        const int seen = std::min(m_list->count(), mostLines);
+        m_list->setFixedHeight(seen * (m_list->fontMetrics().height() + 2) + 2 * m_list->frameWidth() + 4);
     }
+    const bool good = m_verification && m_verification->follows();
+    setProperty("notice", good ? QStringLiteral("good") : QStringLiteral("true"));
+    style()->unpolish(this); // the style sheet looks at properties once
+    style()->polish(this);
     setAccessibleName(m_sentence->text());
 }
 
