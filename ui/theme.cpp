@@ -198,7 +198,7 @@ QString filledStyleSheet(const QPalette &palette) {
     const QColor base = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::WindowText);
     const QColor accent = token(Token::accent, palette);
-    const std::array<std::pair<const char *, QString>, 17> values{{
+    const std::array<std::pair<const char *, QString>, 18> values{{
         // longer names first: one is the beginning of another
         {"@accentHover", mixed(accent, text, 0.85).name()},
         {"@accent", accent.name()},
