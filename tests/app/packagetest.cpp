@@ -33,8 +33,8 @@ private slots:
         QCOMPARE(match.captured(1), QString(PALMER_VERSION));
         QCOMPARE(match.captured(2), QString(RELEASED));
         QVERIFY(inSource("debian/changelog").startsWith("palmer (" PALMER_VERSION "-"));
-        QVERIFY(contents(METAINFO).contains(R"(<release version=")" PALMER_VERSION R"(" date=")" RELEASED
-                                            "\"/>"));
+        QVERIFY(
+            contents(METAINFO).contains("<release version=\"" PALMER_VERSION "\" date=\"" RELEASED "\"/>"));
         for (const char *file :
              {"debian/rules", "debian/control", "resources/linux/palmer.mime.xml", "README.md"})
             QVERIFY2(!inSource(file).contains(PALMER_VERSION), file);

@@ -98,6 +98,9 @@ std::string settleLayout(TableReading &reading) {
         origin = Origin::guessed;
     }
     const auto choice = reading.choices.settle("layout", found, origin);
+    if (choice.value != "targetsDown" && choice.value != "runsDown" && choice.value != "list")
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                                           {"layout", choice.value, "targetsDown, runsDown, list"}});
     if (choice.origin == Origin::guessed)
         reading.remark(
             RemarkGrade::assumption,

@@ -38,7 +38,10 @@ public:
 
     void read() {
         chooseColumns();
-        m.choices.settle("layout", "series", Origin::recognised);
+        const auto layout = m.choices.settle("layout", "series", Origin::recognised);
+        if (layout.value != "series")
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                                               {"layout", layout.value, "series"}});
         readTimes();
         if (m_temperatures)
             readTemperatures();

@@ -2,6 +2,7 @@
 
 #include "ui/window/shownwindow.h"
 
+#include "document/filename.h"
 #include "document/recovery.h"
 #include "document/savedocument.h"
 #include "document/writedocument.h"
@@ -254,6 +255,24 @@ private slots:
         for (time.start(); kept.count() < 3 && time.elapsed() < patience; QTest::qWait(5))
             rename(shown.window->model(), QString::number(time.elapsed()));
         QVERIFY2(kept.count() >= 3, qPrintable(QString::number(kept.count())));
+    }
+
+    // A name that is no UTF-8 (an old disk): the document opens, and asks for a name to be saved under.
+    void opensAFileOfAForeignName() {
+        const QTemporaryDir folder;
+        const QByteArray name = folder.path().toUtf8() + "/caf\xe9.palmer";
+        const QByteArray bytes = bytesToSave(openDocument(examplePath("rotary-axis")));
+        std::FILE *file = std::fopen(name.constData(), "wb");
+        QVERIFY(file);
+        QCOMPARE(std::fwrite(bytes.constData(), 1, std::size_t(bytes.size()), file),
+                 std::size_t(bytes.size()));
+        std::fclose(file);
+        const ShownWindow shown(fileNameOf(name));
+        QVERIFY(shown.window->hasDocument());
+        QCOMPARE(shown.window->model().path(), QString());
+        QCOMPARE(bytesToSave(*shown.window->model().document()), bytes);
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden),
+                 QStringList()); // no lock, no copy
     }
 
     void offersWhatACrashLeft() {
