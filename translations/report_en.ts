@@ -101,5 +101,12 @@
             <numerusform>%n requirements not declared</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>all readings are to be printed, on about %n more page(s): that takes time and memory; without “allReadings” under “include” the report says how many it leaves out</source>
+        <translation>
+            <numerusform>all readings are to be printed, on about %n more page: that takes time and memory; without “allReadings” under “include” the report says how many it leaves out</numerusform>
+            <numerusform>all readings are to be printed, on about %n more pages: that takes time and memory; without “allReadings” under “include” the report says how many it leaves out</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -6961,14 +6961,6 @@
         <translation>Autorisé par&#xa0;: nom, fonction</translation>
     </message>
     <message>
-        <source>those of all tests: at the end of the report</source>
-        <translation>celles de tous les essais&#xa0;: en fin de rapport</translation>
-    </message>
-    <message>
-        <source>Conditions of all tests</source>
-        <translation>Conditions de tous les essais</translation>
-    </message>
-    <message>
         <source>n = 1: the means are the readings</source>
         <translation>n&#xa0;=&#xa0;1&#xa0;: les moyennes sont les relevés</translation>
     </message>
@@ -7302,6 +7294,69 @@
     <message>
         <source>--set %1 is a choice of the import, and this is a test file; its fields have paths, as tests[0].title</source>
         <translation>--set %1 est un choix de l’import, et ceci est un fichier d’essai&#x202f;; ses champs ont des chemins, comme tests[0].title</translation>
+    </message>
+    <message>
+        <source>%1 is held against the limits of %2 and of %3, which are equal: its row shows that of %2.</source>
+        <translation>%1 est comparé aux limites de %2 et de %3, qui sont égales&#xa0;: sa ligne montre celle de %2.</translation>
+    </message>
+    <message>
+        <source>The Monte Carlo simulation that is to give the uncertainty cannot be run: it takes all results at once, and of some the budget lacks an input.</source>
+        <translation>La simulation de Monte-Carlo qui doit donner l’incertitude ne peut pas être exécutée&#xa0;: elle porte sur tous les résultats à la fois, et il manque une donnée au budget de certains.</translation>
+    </message>
+    <message>
+        <source>All tests</source>
+        <translation>Tous les essais</translation>
+    </message>
+    <message>
+        <source>Test %1: %2</source>
+        <translation>Essai&#xa0;%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <comment>of a test</comment>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Stated</source>
+        <comment>condition</comment>
+        <translation>Indication</translation>
+    </message>
+    <message>
+        <source>Tests %1: %2</source>
+        <translation>Essais&#xa0;%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <comment>tests</comment>
+        <translation>tous</translation>
+    </message>
+    <message>
+        <source>Before and after adjustment</source>
+        <translation>Avant et après réglage</translation>
+    </message>
+    <message>
+        <source>c: factor of s</source>
+        <translation>c&#xa0;: facteur de s</translation>
+    </message>
+    <message numerus="yes">
+        <source>all readings are to be printed, on about %n more page(s): that takes time and memory; without “allReadings” under “include” the report says how many it leaves out</source>
+        <translation>
+            <numerusform>tous les relevés sont à imprimer, sur environ %n page de plus&#xa0;: cela demande du temps et de la mémoire&#x202f;; sans «&#xa0;allReadings&#xa0;» sous «&#xa0;include&#xa0;», le rapport dit combien il en omet</numerusform>
+            <numerusform>tous les relevés sont à imprimer, sur environ %n pages de plus&#xa0;: cela demande du temps et de la mémoire&#x202f;; sans «&#xa0;allReadings&#xa0;» sous «&#xa0;include&#xa0;», le rapport dit combien il en omet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not stated</source>
+        <comment>conditions</comment>
+        <translation>Non indiqué</translation>
     </message>
     <message>
         <source>a name to save to has to be UTF-8, and this one is not; choose another</source>

@@ -331,6 +331,13 @@
             <numerusform>%n pages %1 · preview = PDF = paper</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>All readings (about %n more page(s))</source>
+        <translation>
+            <numerusform>All readings (about %n more page)</numerusform>
+            <numerusform>All readings (about %n more pages)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ResultsPanel</name>

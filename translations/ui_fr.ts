@@ -4234,6 +4234,13 @@
         <source>Open the &amp;folder</source>
         <translation>Ouvrir le &amp;dossier</translation>
     </message>
+    <message numerus="yes">
+        <source>All readings (about %n more page(s))</source>
+        <translation>
+            <numerusform>Tous les relevés (environ %n page de plus)</numerusform>
+            <numerusform>Tous les relevés (environ %n pages de plus)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ResultsModel</name>

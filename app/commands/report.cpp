@@ -8,6 +8,7 @@
 #include "commands/simulations.h"
 #include "commands/streams.h"
 #include "report/composereport.h"
+#include "report/dataparts.h"
 #include "ui/pdf/writepdf.h"
 #include "validation/validation.h"
 
@@ -104,9 +105,24 @@ public:
     }
 
 private:
+    /// Before the time is spent.
+    void warnOfLength(const Document &document) const {
+        const auto &include = document.report.include;
+        const int pages = pagesOfAllReadings(document);
+        if (pages > 0 && std::ranges::find(include, ReportExtra::allReadings) != include.end())
+            printError(m_invocation.language.sentence(
+                {REPORT_TEXT_COUNTED("report",
+                                     "all readings are to be printed, on about %n more page(s): that takes "
+                                     "time and memory; without “allReadings” under “include” the report "
+                                     "says how many it leaves out"),
+                 {},
+                 pages}));
+    }
+
     [[nodiscard]] int report(Document document, const QString &output) const {
         if (!m_inputs.several && !m_edition.empty())
             demandTestOf(*findEdition(m_edition), document);
+        warnOfLength(document);
         const EvaluatedDocument evaluated =
             simulated(evaluate(std::make_shared<const Document>(std::move(document)), nullptr, m_edition),
                       SimulateWhich::allWithBudget, m_inputs.several ? 1 : 0, m_invocation.language);

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace palmer {
 
@@ -25,6 +26,12 @@ namespace palmer {
 /// Error(unwritable) for a number that is not finite.
 [[nodiscard]] std::string printJson(const nlohmann::json &value);
 [[nodiscard]] std::string printJson(const nlohmann::ordered_json &value);
+
+/// Prints a value among others as printJson would. `place` is that of the value.
+void printValue(JsonPrinter &printer, const nlohmann::ordered_json &value, const Place &place);
+
+/// The members of an object, to be printed with others; they refer to its values.
+[[nodiscard]] std::vector<JsonMember> membersOf(const nlohmann::ordered_json &object);
 
 /// A member with a value of its own, to be printed among others.
 [[nodiscard]] JsonMember jsonMember(std::string_view key, nlohmann::json value);

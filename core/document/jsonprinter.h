@@ -47,6 +47,9 @@ public:
     void listOfScalars(std::size_t size, const Print &print);
 
     [[nodiscard]] static bool isSmallList(std::size_t size) { return size < lineLength / 2; }
+    /// So many more characters will come: their room is taken at once, not twice as much step by step.
+    void expect(std::size_t characters) { m_text.reserve(m_text.size() + characters); }
+    [[nodiscard]] std::size_t size() const { return m_text.size(); }
     [[nodiscard]] std::string take() { return std::move(m_text); }
 
 private:

@@ -22,18 +22,24 @@ bool isSmall(const Json &value) {
 }
 
 template <class Json>
-void printValue(JsonPrinter &printer, const Json &value, const Place &place) {
+void printTree(JsonPrinter &printer, const Json &value, const Place &place);
+
+template <class Json>
+std::vector<JsonMember> membersOfTree(const Json &object) {
+    std::vector<JsonMember> members;
+    for (const auto &[key, member] : object.template get_ref<const typename Json::object_t &>())
+        members.push_back({key, isSmall(member),
+                           [&each = member](JsonPrinter &to, const Place &at) { printTree(to, each, at); }});
+    return members;
+}
+
+template <class Json>
+void printTree(JsonPrinter &printer, const Json &value, const Place &place) {
     switch (value.type()) {
-    case Json::value_t::object: {
-        std::vector<JsonMember> members;
-        for (const auto &[key, member] : value.template get_ref<const typename Json::object_t &>())
-            members.push_back({key, isSmall(member), [&each = member](JsonPrinter &to, const Place &at) {
-                                   printValue(to, each, at);
-                               }});
-        return printer.object(members, place);
-    }
+    case Json::value_t::object:
+        return printer.object(membersOfTree(value), place);
     case Json::value_t::array: {
-        const auto print = [&](std::size_t i) { printValue(printer, value[i], Place(place, i)); };
+        const auto print = [&](std::size_t i) { printTree(printer, value[i], Place(place, i)); };
         if (std::all_of(value.begin(), value.end(), isScalar<Json>))
             return printer.listOfScalars(value.size(), print);
         return printer.list(value.size(), print);
@@ -56,16 +62,24 @@ void printValue(JsonPrinter &printer, const Json &value, const Place &place) {
 template <class Json>
 std::string printed(const Json &value, JsonPrinter::Form form) {
     JsonPrinter printer(form);
-    printValue(printer, value, {});
+    printTree(printer, value, {});
     return printer.take();
 }
 
 } // namespace
 
+void printValue(JsonPrinter &printer, const nlohmann::ordered_json &value, const Place &place) {
+    printTree(printer, value, place);
+}
+
+std::vector<JsonMember> membersOf(const nlohmann::ordered_json &object) {
+    return membersOfTree(object);
+}
+
 JsonMember jsonMember(std::string_view key, nlohmann::json value) {
     const bool small = isSmall(value);
     return {key, small, [value = std::move(value)](JsonPrinter &printer, const Place &place) {
-                printValue(printer, value, place);
+                printTree(printer, value, place);
             }};
 }
 

@@ -8,8 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace palmer {
 
@@ -236,15 +238,10 @@ Json headOf(const Test &source, const TestEvaluation &evaluation) {
             {"decisionRule", fileWord(source.decisionRule.rule)}};
 }
 
-Json testResults(const Test &source, const TestEvaluation &evaluation, const Language &language) {
-    Json test = headOf(source, evaluation);
-    test["parameters"] = parameters(evaluation, language);
-    if (const auto *m = std::get_if<PositioningMeasurement>(&source.measurement)) {
-        const auto &results = std::get<PositioningResults>(evaluation.results);
-        Json targets = Json::array();
-        for (std::size_t i = 0; i < results.targets.size(); ++i)
-            targets.push_back(target(m->targets[i], results.targets[i], evaluation.edition->c));
-        test["targets"] = std::move(targets);
+/// What tests of a kind have alone, apart from the targets.
+Json ownResults(const Test &source, const TestEvaluation &evaluation, const Language &language) {
+    Json test = Json::object();
+    if (std::holds_alternative<PositioningMeasurement>(source.measurement)) {
         test["uncertainty"] = uncertainty(evaluation.uncertainty);
     } else if (std::holds_alternative<CircularMeasurement>(source.measurement)) {
         const auto &results = std::get<CircularResults>(evaluation.results);
@@ -258,8 +255,34 @@ Json testResults(const Test &source, const TestEvaluation &evaluation, const Lan
         test["range"] = number(results->range);
         test["unit"] = drift.axis.motion == Motion::rotary ? "deg" : "mm";
     }
-    test["findings"] = findings(evaluation, language);
     return test;
+}
+
+/// Target by target: of 10⁵ of them a tree takes more memory than all the rest.
+JsonMember targetsMember(const PositioningMeasurement &measurement, const TestEvaluation &evaluation) {
+    const auto &targets = std::get<PositioningResults>(evaluation.results).targets;
+    return {"targets", targets.empty(), [&](JsonPrinter &printer, const Place &place) {
+                const std::size_t begin = printer.size();
+                printer.list(targets.size(), [&](std::size_t i) {
+                    if (i == 1) // the others are about as long as the first
+                        printer.expect((printer.size() - begin) * (targets.size() + targets.size() / 8));
+                    printValue(printer, target(measurement.targets[i], targets[i], evaluation.edition->c),
+                               Place(place, i));
+                });
+            }};
+}
+
+void printTest(JsonPrinter &printer, const Place &place, const Test &source, const TestEvaluation &evaluation,
+               const Language &language) {
+    Json head = headOf(source, evaluation);
+    head["parameters"] = parameters(evaluation, language);
+    Json own = ownResults(source, evaluation, language);
+    own["findings"] = findings(evaluation, language);
+    std::vector<JsonMember> members = membersOf(head);
+    if (const auto *measurement = std::get_if<PositioningMeasurement>(&source.measurement))
+        members.push_back(targetsMember(*measurement, evaluation));
+    std::ranges::move(membersOf(own), std::back_inserter(members));
+    printer.object(members, place);
 }
 
 Json fileHead(const char *format, const Document &document, const QString &fileName) {
@@ -301,14 +324,26 @@ const char *resultUnit(Quantity quantity) {
 
 QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileName, const Language &language,
                        JsonForm form) {
-    Json tests = Json::array();
-    for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
-        tests.push_back(testResults(*evaluated.document->tests[i], *evaluated.tests[i], language));
-    Json file = fileHead("palmer results", *evaluated.document, fileName);
-    file["tests"] = std::move(tests);
+    const auto &tests = evaluated.tests;
+    const Json head = fileHead("palmer results", *evaluated.document, fileName);
+    Json rest = Json::object();
     if (Json feeds = feedDiagnosesJson(evaluated, language); !feeds.empty())
-        file["feedDiagnoses"] = std::move(feeds);
-    return printed(file, form);
+        rest["feedDiagnoses"] = std::move(feeds);
+    std::vector<JsonMember> members = membersOf(head);
+    members.push_back({"tests", tests.empty(), [&](JsonPrinter &printer, const Place &place) {
+                           printer.list(tests.size(), [&](std::size_t i) {
+                               printTest(printer, Place(place, i), *evaluated.document->tests[i], *tests[i],
+                                         language);
+                           });
+                       }});
+    std::ranges::move(membersOf(rest), std::back_inserter(members));
+    JsonPrinter printer(form == JsonForm::pretty ? JsonPrinter::Form::lines : JsonPrinter::Form::oneLine);
+    printer.object(members, {});
+    const std::string text = printer.take();
+    QByteArray result;
+    result.reserve(static_cast<qsizetype>(text.size()) + 1);
+    result.append(text.data(), static_cast<qsizetype>(text.size())).append('\n');
+    return result;
 }
 
 QByteArray findingsJson(const EvaluatedDocument &evaluated, const QString &fileName, const Language &language,

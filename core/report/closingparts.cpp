@@ -148,7 +148,8 @@ QString scopeText(const Writer &write) {
 }
 
 void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
-                   const ReportOptions &options, const QString &fingerprint, const QString &foreign) {
+                   const ReportOptions &options, const QString &fingerprint, const QString &foreign,
+                   int level) {
     const ReportHead &head = document.report;
     KeyValues values;
     values.labelWidth = statementLabels;
@@ -181,7 +182,7 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
                                   "not in the font of the report: %1; drawn from another font where one "
                                   "is installed, else as boxes"),
                       foreign));
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Statements")));
+    blocks.emplace_back(Heading{level, write.text(REPORT_TEXT("report", "Statements"))});
     blocks.emplace_back(std::move(values));
     blocks.emplace_back(Paragraph{
         scopeText(write) + u' ' +

@@ -12,9 +12,11 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
 void addDriftTests(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated);
 
 /// What ISO/IEC 17025, 7.8 asks a report to state, the program and the fingerprint in full; `foreign`: which
-/// characters of the report its font lacks.
+/// characters of the report its font lacks. `level` is that of the heading: 1 where the sections above are
+/// those of a test.
 void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
-                   const ReportOptions &options, const QString &fingerprint, const QString &foreign);
+                   const ReportOptions &options, const QString &fingerprint, const QString &foreign,
+                   int level);
 
 /// What the results relate to, and that the report is reproduced only in full.
 [[nodiscard]] QString scopeText(const Writer &write);

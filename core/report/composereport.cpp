@@ -9,10 +9,12 @@
 #include "report/headparts.h"
 #include "report/pagetext.h"
 #include "report/resultparts.h"
+#include "report/sharedparts.h"
 #include "report/summaryparts.h"
 #include "report/testpart.h"
 #include "report/uncertaintyparts.h"
 
+#include <array>
 #include <map>
 
 namespace palmer {
@@ -47,45 +49,62 @@ QString remarksBeside(const TestPart &part) {
     return joined(remarks, QStringLiteral("\n"));
 }
 
-void addPositioning(std::vector<Block> &blocks, const TestPart &test,
-                    const PositioningMeasurement &measurement, const PositioningResults &results) {
-    const PositioningPart part{test, measurement, results};
+/// What stands on the first page of a test: its head, figure, results and verdict.
+void addFirstPage(std::vector<Block> &blocks, const PositioningPart &part) {
     blocks.emplace_back(positioningHead(part));
     addFigure(blocks, part);
     addResults(blocks, part);
+}
+
+void addFirstPage(std::vector<Block> &blocks, const CircularPart &part) {
+    blocks.emplace_back(circularHead(part));
+    addActualPaths(blocks, part);
+    addResults(blocks, part);
+}
+
+/// What a report over several tests states of all of them in one place.
+void addOwnConditions(std::vector<Block> &blocks, const auto &part) {
     addConditions(blocks, part);
     addAgreedPoints(blocks, part);
-    addUncertainty(blocks, part, measurement.uncertainty.method);
+}
+
+/// What stands behind the results of a positioning test.
+void addDetails(std::vector<Block> &blocks, const PositioningPart &part) {
+    const bool alone = part.count == 1;
+    if (alone)
+        addOwnConditions(blocks, part);
+    else
+        addTemperatureCurve(blocks, part);
+    addUncertainty(blocks, part, part.measurement.uncertainty.method);
     addBudget(blocks, part);
     addFindings(blocks, part);
-    addLimits(blocks, part);
+    if (alone)
+        addLimits(blocks, part);
     addTargetTable(blocks, part);
     addReadings(blocks, part);
     addExcludedReadings(blocks, part);
     addCorrection(blocks, part);
     addImports(blocks, part);
-    addEditionsAndRemarks(blocks, part, remarksBeside(part));
 }
 
-void addCircular(std::vector<Block> &blocks, const TestPart &test, const CircularMeasurement &measurement,
-                 const CircularResults &results) {
-    const CircularPart part{test, measurement, results};
-    blocks.emplace_back(circularHead(part));
-    addActualPaths(blocks, part);
-    addResults(blocks, part);
+/// The same of a circular test.
+void addDetails(std::vector<Block> &blocks, const CircularPart &part) {
+    const bool alone = part.count == 1;
     addSeparateFigures(blocks, part);
-    addConditions(blocks, part);
-    addAgreedPoints(blocks, part);
-    addUncertainty(blocks, part, measurement.uncertainty.method);
+    if (alone)
+        addOwnConditions(blocks, part);
+    else
+        addTemperatureCurve(blocks, part);
+    addUncertainty(blocks, part, part.measurement.uncertainty.method);
     addBudget(blocks, part);
     addFindings(blocks, part);
-    addLimits(blocks, part);
+    if (alone)
+        addLimits(blocks, part);
     addPaths(blocks, part);
     addCircles(blocks, part);
     addCorrection(blocks, part);
     addRepetitions(blocks, part);
     addImports(blocks, part);
-    addEditionsAndRemarks(blocks, part, remarksBeside(part));
 }
 
 /// Paper shows no more of a figure; and a report is copied with its figures.
@@ -156,18 +175,68 @@ private:
     std::vector<Section> m_sections;
 };
 
+/// Calls `add` with the part as that of its kind: a test with an edition is of one of two, and its results
+/// are.
+void withKind(const TestPart &part, const auto &add) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
+        add(PositioningPart{part, *positioning, std::get<PositioningResults>(part.evaluation.results)});
+    else
+        add(CircularPart{part, std::get<CircularMeasurement>(part.test.measurement),
+                         std::get<CircularResults>(part.evaluation.results)});
+}
+
+/// The only test, with all that belongs to it.
 void addTest(std::vector<Block> &blocks, const TestPart &part) {
     const std::size_t first = blocks.size();
-    if (!blocks.empty())
-        blocks.emplace_back(PageBreak{});
     blocks.emplace_back(runningHead(part));
-    // A test with an edition is of one of these kinds, and its results are.
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
-        addPositioning(blocks, part, *positioning, std::get<PositioningResults>(part.evaluation.results));
-    else
-        addCircular(blocks, part, std::get<CircularMeasurement>(part.test.measurement),
-                    std::get<CircularResults>(part.evaluation.results));
+    withKind(part, [&](const auto &own) {
+        addFirstPage(blocks, own);
+        addDetails(blocks, own);
+    });
+    addEditionsAndRemarks(blocks, part, remarksBeside(part));
     thinFigures(blocks, first);
+}
+
+/// Several tests: the summary, a page of each with its results, then what all of them state, and behind that
+/// what stands behind the results of each, one after the other without turning the page.
+void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const Writer &write = parts.front().write;
+    const ReportHead &head = parts.front().head();
+    addSummary(blocks, parts);
+    for (const TestPart &part : parts) {
+        blocks.emplace_back(PageBreak{});
+        blocks.emplace_back(runningHead(part));
+        withKind(part, [&](const auto &own) { addFirstPage(blocks, own); });
+    }
+    // Before the break: the page has no head of its own.
+    blocks.emplace_back(RunningHead{QString::fromStdString(head.laboratory.name), reportTitle(write, head)});
+    blocks.emplace_back(PageBreak{});
+    blocks.emplace_back(Heading{1, write.text(REPORT_TEXT("report", "All tests"))});
+    addConditionsOfTests(blocks, parts);
+    addAgreedPointsOfTests(blocks, parts);
+    addLimitsOfTests(blocks, parts);
+    addBeforeAndAfter(blocks, parts);
+    addComparisonsOfTests(blocks, parts);
+    addRemarksOfTests(blocks, parts);
+    addDriftTests(blocks, write, parts.front().evaluated);
+    addTraceability(blocks, write, parts.front().evaluated);
+    PrintedSections printed;
+    for (const TestPart &part : parts) {
+        const std::size_t first = blocks.size();
+        const RunningHead running = runningHead(part);
+        withKind(part, [&](const auto &own) { addDetails(blocks, own); });
+        if (blocks.size() == first)
+            continue; // all of it was left out
+        const std::array<Block, 2> heading{
+            running, Heading{1,
+                             write.say(REPORT_TEXT("report", "Test %1: %2"),
+                                       {std::to_string(part.number), running.right.toStdString()}),
+                             QString::fromStdString(part.test.title)}};
+        blocks.insert(blocks.begin() + static_cast<std::ptrdiff_t>(first), heading.begin(), heading.end());
+        printed.leaveOutRepeated(blocks, first, part);
+    }
+    thinFigures(blocks, 0);
+    blocks.emplace_back(RunningHead{QString::fromStdString(head.laboratory.name), reportTitle(write, head)});
 }
 
 /// "U+6F22, U+5B57": the characters of what is composed so far that the font of paper lacks.
@@ -225,33 +294,22 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
     report.footerRight = write.text(REPORT_TEXT("report", "page %1 / %2"));
 
     const std::vector<EvaluatedDocument> views = viewsOf(evaluated);
-    std::vector<TestPart> parts = testParts(evaluated, write, views);
-    const std::vector<KeyValue> common = commonConditions(parts);
-    for (TestPart &part : parts)
-        part.common = &common;
+    const std::vector<TestPart> parts = testParts(evaluated, write, views);
     const bool several = parts.size() > 1;
     if (several)
-        addSummary(report.blocks, parts);
-    PrintedSections printed;
-    for (const TestPart &part : parts) {
-        const std::size_t first = report.blocks.size();
-        addTest(report.blocks, part);
-        if (several)
-            printed.leaveOutRepeated(report.blocks, first, part);
-    }
-    if (several) {
-        // Before the break: the page has no head of its own.
-        report.blocks.emplace_back(RunningHead{report.laboratory, reportTitle(write, head)});
-        report.blocks.emplace_back(PageBreak{});
-    }
-    if (parts.size() != 1 && !head.remarks.empty()) {
+        addTests(report.blocks, parts);
+    else if (!parts.empty())
+        addTest(report.blocks, parts.front());
+    else if (!head.remarks.empty()) {
         addHeading(report.blocks, write.text(REPORT_TEXT("report", "Remarks")));
         report.blocks.emplace_back(Paragraph{QString::fromStdString(head.remarks)});
     }
-    addCommonConditions(report.blocks, write, common);
-    addDriftTests(report.blocks, write, evaluated);
-    addTraceability(report.blocks, write, evaluated);
-    addStatements(report.blocks, write, document, options, report.fingerprint, foreignCharacters(report));
+    if (!several) {
+        addDriftTests(report.blocks, write, evaluated);
+        addTraceability(report.blocks, write, evaluated);
+    }
+    addStatements(report.blocks, write, document, options, report.fingerprint, foreignCharacters(report),
+                  several ? 1 : 2);
     addSignatures(report.blocks, write, head);
     return report;
 }

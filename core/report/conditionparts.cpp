@@ -19,6 +19,12 @@ constexpr int mostTemperatureDecimals = 3;
 constexpr int correctionDecimals = 2;
 constexpr int expansionDecimals = 1;
 
+const Conditions &commonOf(const TestPart &part) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
+        return positioning->conditions.common;
+    return std::get<CircularMeasurement>(part.test.measurement).conditions.common;
+}
+
 QString yesNo(const Writer &write, std::optional<bool> value) {
     if (!value)
         return {};
@@ -210,7 +216,7 @@ void addThermalPreparation(ConditionRows &rows, const Writer &write, const Condi
     rows.addStated(REPORT_TEXT("report", "Maker’s thermal guidelines"), conditions.thermalGuidelines);
 }
 
-KeyValues conditionRows(const PositioningPart &part) {
+KeyValues rowsOf(const PositioningPart &part) {
     const Writer &write = part.write;
     const PositioningConditions &conditions = part.measurement.conditions;
     const Conditions &common = conditions.common;
@@ -288,7 +294,7 @@ QString angleReferenceText(const CircularPart &part) {
     return texts.join(u'\n');
 }
 
-KeyValues conditionRows(const CircularPart &part) {
+KeyValues rowsOf(const CircularPart &part) {
     const Writer &write = part.write;
     const CircularConditions &conditions = part.measurement.conditions;
     const Conditions &common = conditions.common;
@@ -327,18 +333,6 @@ std::optional<double> mean(const std::vector<Sensor> &sensors, SensorMeasures wh
     return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-Text sensorText(SensorMeasures what) {
-    switch (what) {
-    case SensorMeasures::machine:
-        return REPORT_TEXT("report", "Machine");
-    case SensorMeasures::instrument:
-        return REPORT_TEXT("report", "Instrument");
-    case SensorMeasures::air:
-        return REPORT_TEXT("report", "Air");
-    }
-    return {};
-}
-
 /// Temperatures at start and end and what else is stated of the environment.
 class EnvironmentTable {
 public:
@@ -354,11 +348,7 @@ public:
                            {m_write.text(REPORT_TEXT("report", "End")), {}, Alignment::decimal, false, 13}};
         for (const SensorMeasures what :
              {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
-            m_table.rows.push_back({label(sensorText(what), Quantity::temperature),
-                                    shown(mean(conditions.sensors, what, startTemperature),
-                                          Quantity::temperature, temperatureDecimals),
-                                    shown(mean(conditions.sensors, what, endTemperature),
-                                          Quantity::temperature, temperatureDecimals)});
+            addTemperatures(what, temperaturesOf(conditions, what));
     }
 
     void add(const Text &name, std::optional<double> value, Quantity quantity, int decimals = -1) {
@@ -373,6 +363,11 @@ public:
     [[nodiscard]] Table take() { return std::move(m_table); }
 
 private:
+    void addTemperatures(SensorMeasures what, const Temperatures &temperatures) {
+        m_table.rows.push_back({label(sensorText(what), Quantity::temperature),
+                                shown(temperatures.start, Quantity::temperature, temperatureDecimals),
+                                shown(temperatures.end, Quantity::temperature, temperatureDecimals)});
+    }
     [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals) const {
         return {value ? m_write.language().number(*value, quantity, decimals) : QString()};
     }
@@ -404,9 +399,70 @@ bool saysMore(const std::vector<Sensor> &sensors) {
     });
 }
 
-void addSensors(std::vector<Block> &blocks, const Writer &write, const std::vector<Sensor> &sensors) {
-    if (!saysMore(sensors))
+void addSensors(std::vector<Block> &blocks, const TestPart &part) {
+    auto table = sensorTable(part);
+    if (!table)
         return;
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Temperature sensors")));
+    blocks.emplace_back(std::move(*table));
+}
+
+constexpr double temperatureFigureHeight = 62; ///< mm
+
+void addConditionsHeading(std::vector<Block> &blocks, const TestPart &part) {
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Test conditions")));
+}
+
+} // namespace
+
+Text sensorText(SensorMeasures what) {
+    switch (what) {
+    case SensorMeasures::machine:
+        return REPORT_TEXT("report", "Machine");
+    case SensorMeasures::instrument:
+        return REPORT_TEXT("report", "Instrument");
+    case SensorMeasures::air:
+        return REPORT_TEXT("report", "Air");
+    }
+    return {};
+}
+
+KeyValues conditionRows(const TestPart &part) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
+        return rowsOf(
+            PositioningPart{part, *positioning, std::get<PositioningResults>(part.evaluation.results)});
+    return rowsOf(CircularPart{part, std::get<CircularMeasurement>(part.test.measurement),
+                               std::get<CircularResults>(part.evaluation.results)});
+}
+
+Temperatures temperaturesOf(const Conditions &conditions, SensorMeasures what) {
+    return {mean(conditions.sensors, what, startTemperature), mean(conditions.sensors, what, endTemperature)};
+}
+
+bool statesTemperatures(const TestPart &part) {
+    const auto *circular = std::get_if<CircularMeasurement>(&part.test.measurement);
+    if (!circular)
+        return true;
+    const Conditions &conditions = circular->conditions.common;
+    return CircularPart{part, *circular, std::get<CircularResults>(part.evaluation.results)}.needsLength() ||
+           !conditions.sensors.empty() || conditions.expansion.machine || conditions.expansion.instrument;
+}
+
+QString correctionOf(const TestPart &part) {
+    const Writer &write = part.write;
+    const QString correction = write.text(correctionText(commonOf(part).correctionTo20));
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
+        return positioning->axis.motion == Motion::linear ? correction : QString();
+    const CircularPart circular{part, std::get<CircularMeasurement>(part.test.measurement),
+                                std::get<CircularResults>(part.evaluation.results)};
+    return circular.needsLength() ? correction : QString();
+}
+
+std::optional<Table> sensorTable(const TestPart &part) {
+    const Writer &write = part.write;
+    const std::vector<Sensor> &sensors = commonOf(part).sensors;
+    if (!saysMore(sensors))
+        return std::nullopt;
     Table table;
     table.columns = {
         {write.text(REPORT_TEXT("report", "Temperature of")), {}, Alignment::left, false, 30},
@@ -428,18 +484,13 @@ void addSensors(std::vector<Block> &blocks, const Writer &write, const std::vect
         table.rows.push_back({write.text(sensorText(sensor.measures)),
                               QString::fromStdString(sensor.position), shown(startTemperature(sensor)),
                               shown(endTemperature(sensor))});
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Temperature sensors")));
-    blocks.emplace_back(std::move(table));
+    return table;
 }
 
-constexpr double temperatureFigureHeight = 62; ///< mm
-
-/// The temperatures over time, where a sensor has a series and the curve is wanted.
-void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part,
-                         const std::vector<Sensor> &sensors) {
+void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part) {
     if (part.leavesOut(ReportPart::temperatureCurve))
         return;
-    LineFigure figure = temperatureFigure(sensors, part.write.language());
+    LineFigure figure = temperatureFigure(commonOf(part).sensors, part.write.language());
     if (figure.lines.empty())
         return;
     addHeading(blocks, figure.title);
@@ -448,62 +499,12 @@ void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part,
     blocks.emplace_back(std::move(block));
 }
 
-KeyValues conditionRowsOf(const TestPart &part) {
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
-        return conditionRows(
-            PositioningPart{part, *positioning, std::get<PositioningResults>(part.evaluation.results)});
-    return conditionRows(CircularPart{part, std::get<CircularMeasurement>(part.test.measurement),
-                                      std::get<CircularResults>(part.evaluation.results)});
-}
-
-/// Those that are not common to all tests.
-KeyValues ownConditions(const TestPart &part) {
-    KeyValues rows = conditionRowsOf(part);
-    if (part.common)
-        std::erase_if(rows.rows, [&](const KeyValue &row) {
-            return std::ranges::find(*part.common, row) != part.common->end();
-        });
-    return rows;
-}
-
-void addConditionsHeading(std::vector<Block> &blocks, const TestPart &part) {
-    const bool common = part.common && !part.common->empty();
-    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Test conditions")),
-               common ? part.write.text(REPORT_TEXT("report", "those of all tests: at the end of the report"))
-                      : QString());
-}
-
-} // namespace
-
-std::vector<KeyValue> commonConditions(const std::vector<TestPart> &parts) {
-    if (parts.size() < 2)
-        return {};
-    std::vector<KeyValue> common = conditionRowsOf(parts.front()).rows;
-    for (const TestPart &part : std::span(parts).subspan(1)) {
-        const std::vector<KeyValue> rows = conditionRowsOf(part).rows;
-        std::erase_if(common,
-                      [&](const KeyValue &row) { return std::ranges::find(rows, row) == rows.end(); });
-    }
-    return common;
-}
-
-void addCommonConditions(std::vector<Block> &blocks, const Writer &write,
-                         const std::vector<KeyValue> &common) {
-    if (common.empty())
-        return;
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Conditions of all tests")));
-    KeyValues rows;
-    rows.labelWidth = conditionLabels;
-    rows.rows = common;
-    blocks.emplace_back(std::move(rows));
-}
-
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
     const Writer &write = part.write;
     addConditionsHeading(blocks, part);
     SideBySide both;
     both.leftWidth = conditionsWidth;
-    both.left.emplace_back(ownConditions(part));
+    both.left.emplace_back(conditionRows(part));
     both.right.emplace_back(environment(part));
     if (part.measurement.axis.motion == Motion::linear)
         both.right.emplace_back(
@@ -511,16 +512,15 @@ void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
                                 {correctionText(part.measurement.conditions.common.correctionTo20)}),
                       TextSize::small});
     blocks.emplace_back(std::move(both));
-    addSensors(blocks, part.write, part.measurement.conditions.common.sensors);
-    addTemperatureCurve(blocks, part, part.measurement.conditions.common.sensors);
+    addSensors(blocks, part);
+    addTemperatureCurve(blocks, part);
 }
 
 void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
     const Writer &write = part.write;
     const Conditions &conditions = part.measurement.conditions.common;
-    KeyValues rows = ownConditions(part);
-    const bool temperatures = part.needsLength() || !conditions.sensors.empty() ||
-                              conditions.expansion.machine || conditions.expansion.instrument;
+    KeyValues rows = conditionRows(part);
+    const bool temperatures = statesTemperatures(part);
     if (!temperatures && rows.rows.empty())
         return;
     addConditionsHeading(blocks, part);
@@ -539,8 +539,8 @@ void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
                                                     {correctionText(conditions.correctionTo20)}),
                                           TextSize::small});
     blocks.emplace_back(std::move(both));
-    addSensors(blocks, write, conditions.sensors);
-    addTemperatureCurve(blocks, part, conditions.sensors);
+    addSensors(blocks, part);
+    addTemperatureCurve(blocks, part);
 }
 
 /// The text of an agreement; the number behind it unless the text says it.
@@ -558,10 +558,10 @@ QString agreedText(const TestPart &part, const AgreedPoint &agreed) {
     return text.contains(value) ? text : text.isEmpty() ? value : value + part.write.semicolon() + text;
 }
 
-void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
+std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
     const Edition &edition = part.edition();
     if (edition.points.empty())
-        return;
+        return std::nullopt;
     const Writer &write = part.write;
     QString note = write.text(
         part.isOf1988() ? REPORT_TEXT_FOR("report", "between supplier/manufacturer and user", "1988")
@@ -607,8 +607,15 @@ void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
         row.emplace_back(listed ? agreedText(part, *found) : QString());
         table.rows.push_back(std::move(row));
     }
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Points to be agreed")), note);
-    blocks.emplace_back(std::move(table));
+    return AgreedPoints{note, std::move(table), letters ? std::size_t(2) : std::size_t(1)};
+}
+
+void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
+    auto points = agreedPointsOf(part);
+    if (!points)
+        return;
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Points to be agreed")), points->note);
+    blocks.emplace_back(std::move(points->table));
 }
 
 void addUncertainty(std::vector<Block> &blocks, const TestPart &part, UncertaintyMethod method) {

@@ -4,12 +4,39 @@
 
 namespace palmer {
 
-/// The conditions that all tests have in common; none of a single test.
-[[nodiscard]] std::vector<KeyValue> commonConditions(const std::vector<TestPart> &parts);
+/// What a test states of its conditions, a row each; a value that is missing is empty.
+[[nodiscard]] KeyValues conditionRows(const TestPart &part);
 
-/// These, once for all tests.
-void addCommonConditions(std::vector<Block> &blocks, const Writer &write,
-                         const std::vector<KeyValue> &common);
+/// Temperatures of what the sensors measure: the mean over all of them, null unless each has a value.
+struct Temperatures {
+    std::optional<double> start;
+    std::optional<double> end;
+};
+[[nodiscard]] Temperatures temperaturesOf(const Conditions &conditions, SensorMeasures what);
+
+/// "Machine", "Instrument", "Air".
+[[nodiscard]] Text sensorText(SensorMeasures what);
+
+/// Whether temperatures count for the test, or are stated all the same.
+[[nodiscard]] bool statesTemperatures(const TestPart &part);
+
+/// The correction to 20 °C in words; empty where none can be asked for.
+[[nodiscard]] QString correctionOf(const TestPart &part);
+
+/// The sensors with their positions; null where the environment says as much.
+[[nodiscard]] std::optional<Table> sensorTable(const TestPart &part);
+
+/// The temperatures over time, where a sensor has a series and the curve is wanted.
+void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part);
+
+/// The points to be agreed with what was agreed, and between whom, after which clause.
+struct AgreedPoints {
+    QString note;
+    Table table;
+    std::size_t keys = 1; ///< columns that say which point it is
+};
+/// Null: the edition has none.
+[[nodiscard]] std::optional<AgreedPoints> agreedPointsOf(const TestPart &part);
 
 /// The test conditions with the environment and the temperature sensors.
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part);

@@ -25,6 +25,7 @@ constexpr std::size_t rowsOfAGroup = 5;
 constexpr double narrowestReading = 12;
 constexpr std::size_t mostRows = 2000;       ///< of readings or targets that are printed unasked
 constexpr qsizetype mostRemarksBeside = 600; ///< characters; longer remarks take the whole width
+constexpr std::size_t mostColumnsBeside = 5; ///< of editions, beside remarks
 
 Phrase indexed(const QString &base, const QString &index, const QString &after = {}) {
     std::vector<Span> spans{{base}, {index, true}};
@@ -34,13 +35,17 @@ Phrase indexed(const QString &base, const QString &index, const QString &after =
 }
 
 /// Width of column i, mm: two digits; one more for each digit more.
-double numberWidth(const PositioningPart &part) {
-    const qsizetype digits = QString::number(part.measurement.targets.size()).size();
+double numberWidth(const PositioningMeasurement &measurement) {
+    const qsizetype digits = QString::number(measurement.targets.size()).size();
     return 7 + 2.0 * static_cast<double>(std::max<qsizetype>(0, digits - 2));
 }
 
 Column targetColumn(const PositioningPart &part) {
-    return {Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, numberWidth(part)};
+    return {Phrase({{QStringLiteral("i"), false, true}}),
+            {},
+            Alignment::right,
+            false,
+            numberWidth(part.measurement)};
 }
 
 Column positionColumn(const PositioningPart &part) {
@@ -101,13 +106,13 @@ void addLeftOut(std::vector<Block> &blocks, const Writer &write, std::size_t row
 class ReadingTables {
 public:
     /// Rows of all tables together, or of the least there can be where these are too many as it is.
-    static std::size_t leastRows(const PositioningPart &part) {
-        const std::size_t up = runsOf(part.measurement, Direction::positive).size();
-        const std::size_t down = runsOf(part.measurement, Direction::negative).size();
-        const std::size_t targets = part.measurement.targets.size();
+    static std::size_t leastRows(const PositioningMeasurement &measurement) {
+        const std::size_t up = runsOf(measurement, Direction::positive).size();
+        const std::size_t down = runsOf(measurement, Direction::negative).size();
+        const std::size_t targets = measurement.targets.size();
         if (up > 0 && down > 0 && std::max(up, down) <= mostRunsSideBySide)
             return targets;
-        const std::size_t atATime = runsAtATime(part, narrowestReading);
+        const std::size_t atATime = runsAtATime(measurement, narrowestReading);
         return targets * ((up + atATime - 1) / atATime + (down + atATime - 1) / atATime);
     }
 
@@ -128,7 +133,7 @@ public:
     }
 
     [[nodiscard]] std::vector<Table> tables() const {
-        const double room = roomForReadings(m_part);
+        const double room = roomForReadings(m_part.measurement);
         const std::size_t most = std::max(m_up.size(), m_down.size());
         const bool sideBySide =
             most <= mostRunsSideBySide && !m_up.empty() && !m_down.empty() &&
@@ -141,7 +146,8 @@ public:
             result.push_back(std::move(table));
             return result;
         }
-        const std::size_t atATime = runsAtATime(m_part, std::max(m_columnWidth, narrowestReading));
+        const std::size_t atATime =
+            runsAtATime(m_part.measurement, std::max(m_columnWidth, narrowestReading));
         for (const Direction direction : {Direction::positive, Direction::negative}) {
             const std::size_t count = runs(direction).size();
             for (std::size_t first = 0; first < count; first += atATime) {
@@ -154,11 +160,11 @@ public:
     }
 
 private:
-    static double roomForReadings(const PositioningPart &part) {
-        return textWidth - numberWidth(part) - positionWidth;
+    static double roomForReadings(const PositioningMeasurement &measurement) {
+        return textWidth - numberWidth(measurement) - positionWidth;
     }
-    static std::size_t runsAtATime(const PositioningPart &part, double columnWidth) {
-        return static_cast<std::size_t>(std::max(1.0, roomForReadings(part) / columnWidth));
+    static std::size_t runsAtATime(const PositioningMeasurement &measurement, double columnWidth) {
+        return static_cast<std::size_t>(std::max(1.0, roomForReadings(measurement) / columnWidth));
     }
 
     [[nodiscard]] const std::vector<const Run *> &runs(Direction direction) const {
@@ -246,54 +252,6 @@ std::vector<EditionColumn> editionColumns(const TestPart &part) {
     return columns;
 }
 
-std::optional<Table> editionsTable(const TestPart &part) {
-    const std::vector<EditionColumn> columns = editionColumns(part);
-    if (columns.size() < 2)
-        return std::nullopt;
-    const Writer &write = part.write;
-    const auto resolution = finestResolution(part.document(), part.test);
-    std::vector<const Parameter *> rows;
-    for (const EditionColumn &column : columns) {
-        for (const Parameter &parameter : column.evaluation->parameters) {
-            const auto same = [&](const Parameter *p) { return parameterId(*p) == parameterId(parameter); };
-            if (isPrinted(parameter, part.head()) && std::ranges::none_of(rows, same))
-                rows.push_back(&parameter);
-        }
-    }
-    Table table;
-    for (const Parameter *row : rows) {
-        Cell symbol(symbolPhrase(row->term.symbol, row->index));
-        symbol.bold = true;
-        std::vector<Cell> cells{symbol};
-        for (const EditionColumn &column : columns) {
-            const auto &parameters = column.evaluation->parameters;
-            const auto found = std::ranges::find_if(
-                parameters, [&](const Parameter &p) { return parameterId(p) == parameterId(*row); });
-            const bool known = found != parameters.end() && found->value;
-            cells.emplace_back(
-                known ? printedNumbers(*found, part.test.decisionRule, resolution, write.language()).value
-                      : QString());
-        }
-        table.rows.push_back(std::move(cells));
-    }
-    const QString unit = rows.empty() ? QString() : write.language().unit(rows.front()->term.quantity);
-    const auto *positioning = std::get_if<PositioningResults>(&part.evaluation.results);
-    const bool scatter = positioning && std::max(positioning->positiveRuns, positioning->negativeRuns) > 1;
-    table.columns.push_back({QString(), unit, Alignment::left, true, 20});
-    for (const EditionColumn &column : columns)
-        table.columns.push_back({shortEdition(column.edition->word),
-                                 column.edition->c > 0 && scatter
-                                     ? write.say(REPORT_TEXT("report", "factor %1"),
-                                                 {Number{column.edition->c, Quantity::number, -1}})
-                                     : QString(),
-                                 Alignment::decimal, false, 0});
-    return table;
-}
-
-} // namespace
-
-namespace {
-
 bool hasScatter(const PositioningPart &part) {
     return std::max(part.results.positiveRuns, part.results.negativeRuns) > 1;
 }
@@ -370,7 +328,7 @@ void addReadings(std::vector<Block> &blocks, const PositioningPart &part) {
                               write.text(REPORT_TEXT("report", "as read, without the correction to 20 °C"))});
     addHeading(blocks, write.text(REPORT_TEXT("report", "Readings")), std::move(note));
     const bool all = printsAllRows(part);
-    std::size_t rows = ReadingTables::leastRows(part);
+    std::size_t rows = ReadingTables::leastRows(part.measurement);
     std::vector<Table> tables;
     if (all || rows <= mostRows) {
         tables = ReadingTables(part).tables();
@@ -382,6 +340,26 @@ void addReadings(std::vector<Block> &blocks, const PositioningPart &part) {
     }
     for (Table &table : tables)
         blocks.emplace_back(std::move(table));
+}
+
+int pagesOfAllReadings(const Document &document) {
+    constexpr std::size_t rowsOfAPage = 48;
+    const auto isOut = [&](ReportPart part) {
+        return std::ranges::find(document.report.leaveOut, part) != document.report.leaveOut.end();
+    };
+    std::size_t rows = 0;
+    const auto add = [&](std::size_t more) { rows += more > mostRows ? more : 0; };
+    for (const TestPointer &test : document.tests) {
+        const auto *measurement = std::get_if<PositioningMeasurement>(&test->measurement);
+        if (!measurement)
+            continue;
+        if (!isOut(ReportPart::targetTable))
+            add(measurement->targets.size());
+        if (!isOut(ReportPart::readings) && !measurement->runs.empty())
+            add(ReadingTables::leastRows(*measurement));
+        add(measurement->excluded.size());
+    }
+    return static_cast<int>((rows + rowsOfAPage - 1) / rowsOfAPage);
 }
 
 void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part) {
@@ -425,12 +403,58 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
         addLeftOut(blocks, write, measurement.excluded.size() - shown);
 }
 
+std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
+    const std::vector<EditionColumn> columns = editionColumns(part);
+    if (columns.size() < 2)
+        return std::nullopt;
+    const Writer &write = part.write;
+    const auto resolution = finestResolution(part.document(), part.test);
+    std::vector<const Parameter *> rows;
+    for (const EditionColumn &column : columns) {
+        for (const Parameter &parameter : column.evaluation->parameters) {
+            const auto same = [&](const Parameter *p) { return parameterId(*p) == parameterId(parameter); };
+            if (isPrinted(parameter, part.head()) && std::ranges::none_of(rows, same))
+                rows.push_back(&parameter);
+        }
+    }
+    Table table;
+    for (const Parameter *row : rows) {
+        Cell symbol(symbolPhrase(row->term.symbol, row->index));
+        symbol.bold = true;
+        std::vector<Cell> cells{symbol};
+        for (const EditionColumn &column : columns) {
+            const auto &parameters = column.evaluation->parameters;
+            const auto found = std::ranges::find_if(
+                parameters, [&](const Parameter &p) { return parameterId(p) == parameterId(*row); });
+            const bool known = found != parameters.end() && found->value;
+            cells.emplace_back(
+                known ? printedNumbers(*found, part.test.decisionRule, resolution, write.language()).value
+                      : QString());
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    const QString unit = rows.empty() ? QString() : write.language().unit(rows.front()->term.quantity);
+    const auto *positioning = std::get_if<PositioningResults>(&part.evaluation.results);
+    const bool scatter = positioning && std::max(positioning->positiveRuns, positioning->negativeRuns) > 1;
+    table.columns.push_back({QString(), unit, Alignment::left, true, 20});
+    for (const EditionColumn &column : columns) {
+        QString factor;
+        if (column.edition->c > 0 && scatter)
+            factor = narrow ? QStringLiteral("c\u00A0=\u00A0") +
+                                  write.language().number(column.edition->c, Quantity::number)
+                            : write.say(REPORT_TEXT("report", "factor %1"),
+                                        {Number{column.edition->c, Quantity::number, -1}});
+        table.columns.push_back({shortEdition(column.edition->word), factor, Alignment::decimal, false, 0});
+    }
+    return table;
+}
+
 void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks) {
     const Writer &write = part.write;
     auto table = editionsTable(part);
     const Heading editions{2, write.text(REPORT_TEXT("report", "Comparison of editions"))};
     const Heading remarksHeading{2, write.text(REPORT_TEXT("report", "Remarks"))};
-    const bool fits = table && table->columns.size() <= 5;
+    const bool fits = table && table->columns.size() <= mostColumnsBeside;
     if (fits && !remarks.isEmpty() && remarks.size() <= mostRemarksBeside) {
         SideBySide both;
         both.left = {editions, std::move(*table)};

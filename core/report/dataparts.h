@@ -11,11 +11,17 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part);
 /// than seven runs a direction); many runs in several tables.
 void addReadings(std::vector<Block> &blocks, const PositioningPart &part);
 
+/// About how many pages of rows "all readings" prints that the report leaves out without it; 0: none.
+[[nodiscard]] int pagesOfAllReadings(const Document &document);
+
 /// Readings set aside, each with its reason.
 void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part);
 
-/// The results under the editions asked for, side by side, without verdict; and the remarks of the test.
-/// `remarks` are those to stand beside them.
+/// The results under the editions asked for, side by side, without verdict; null where none is. The first
+/// column holds the symbols, below its title the unit. `narrow`: the factors stand as "c = 2".
+[[nodiscard]] std::optional<Table> editionsTable(const TestPart &part, bool narrow = false);
+
+/// It and the remarks of the test, beside each other where they fit.
 void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks);
 
 /// The files the measurement came from, with the results their own program states.

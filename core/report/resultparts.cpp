@@ -689,12 +689,16 @@ QString decisionText(const TestPart &part) {
     return words.join(u' ');
 }
 
-void addLimits(std::vector<Block> &blocks, const TestPart &part) {
+Table limitsTable(const TestPart &part) {
     const Writer &write = part.write;
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")));
     const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
     const Quantity quantity = positioning ? deviationQuantity(*positioning) : Quantity::deviation;
     Table table;
+    table.columns = {
+        {write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 22},
+        {write.text(REPORT_TEXT("report", "Limit")), {}, Alignment::left, false, 22},
+        {write.text(REPORT_TEXT("report", "Agreed for")), {}, Alignment::left, false, 45},
+        {write.text(REPORT_TEXT_FOR("report", "Source", "of a limit")), {}, Alignment::left, true, 86}};
     const auto addRow = [&](Cell symbol, const Limit &limit) {
         symbol.bold = true;
         table.rows.push_back({std::move(symbol), write.quantity(limit.value, quantity),
@@ -714,18 +718,19 @@ void addLimits(std::vector<Block> &blocks, const TestPart &part) {
         if (limit.value)
             addRow(QString::fromStdString(id), limit);
     }
+    return table;
+}
+
+void addLimits(std::vector<Block> &blocks, const TestPart &part) {
+    const Writer &write = part.write;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")));
+    Table table = limitsTable(part);
     if (table.rows.empty()) {
         blocks.emplace_back(Paragraph{
             write.text(REPORT_TEXT("report", "No limit was agreed: the results have no verdict."))});
         return;
     }
-    table.columns = {
-        {write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 22},
-        {write.text(REPORT_TEXT("report", "Limit")), {}, Alignment::left, false, 22},
-        {write.text(REPORT_TEXT("report", "Agreed for")), {}, Alignment::left, false, 45},
-        {write.text(REPORT_TEXT_FOR("report", "Source", "of a limit")), {}, Alignment::left, true, 86}};
     blocks.emplace_back(std::move(table));
-
     blocks.emplace_back(Paragraph{decisionText(part), TextSize::small});
 }
 

@@ -37,7 +37,10 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part);
 /// The decision rule of a test in words, with its guard factor.
 [[nodiscard]] QString decisionText(const TestPart &part);
 
-/// The limits with their sources and the decision rule in words.
+/// The limits with their sources; without rows where there are none.
+[[nodiscard]] Table limitsTable(const TestPart &part);
+
+/// These and the decision rule in words.
 void addLimits(std::vector<Block> &blocks, const TestPart &part);
 
 } // namespace palmer

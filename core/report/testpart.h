@@ -47,8 +47,6 @@ struct TestPart {
     int count = 1;
     /// The file under each edition the head names, in its order: evaluated once for all tests.
     const std::vector<EvaluatedDocument> *views = nullptr;
-    /// Conditions that all tests have in common: the report prints them once. Empty for a single test.
-    const std::vector<KeyValue> *common = nullptr;
 
     [[nodiscard]] const Document &document() const { return *evaluated.document; }
     [[nodiscard]] const ReportHead &head() const { return document().report; }

@@ -51,6 +51,32 @@ private slots:
         QVERIFY2(result.code == 0 || result.code == 1, result.err.constData());
     }
 
+    /// A report made where fonts for all of its characters are installed, read where there is none, and the
+    /// other way round: what was drawn from another font is no part of the proof, and all else is.
+    void otherFontsChangeNothing() {
+        QString text = QString::fromUtf8(contents(example));
+        text.replace("\"machine\": {}", "\"machine\": {\"name\": \"立式加工中心 Ωμέγα Станок № 12 😀☃\"}");
+        QCOMPARE(text.count("立式"), 1);
+        const QString file = m_folder.filePath("fonts.palmer");
+        write(file, text.toUtf8());
+        const QString none = m_folder.filePath("fonts.conf");
+        write(none,
+              "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\"><fontconfig><cachedir>" +
+                  m_folder.path().toUtf8() + "</cachedir></fontconfig>");
+        const std::map<QString, QString> withoutFonts{{"FONTCONFIG_FILE", none}};
+        const QString here = m_folder.filePath("here.pdf");
+        const QString there = m_folder.filePath("there.pdf");
+        QVERIFY(runCli({"report", file, "--language", "fr", "-o", here}).code < 2);
+        QVERIFY(runCli({"report", file, "--language", "fr", "-o", there}, {}, withoutFonts).code < 2);
+        for (const auto &[pdf, environment] :
+             {std::pair{here, withoutFonts}, std::pair{there, std::map<QString, QString>{}}}) {
+            const CliResult result = runCli({"verify", pdf}, {}, environment);
+            QVERIFY2(result.code == 0, result.out.constData());
+        }
+        const QByteArray words = output("pdftotext", {here, "-"}); // the remark that names them
+        QVERIFY2(words.contains("U+7ACB"), words.constData());
+    }
+
     void followsOrNot() {
         CliResult result = runCli({"verify", m_report});
         QCOMPARE(result.err, QByteArray());

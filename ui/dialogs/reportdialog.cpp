@@ -3,6 +3,7 @@
 #include "document/savefiles.h"
 #include "document/testfile.h"
 #include "report/composereport.h"
+#include "report/dataparts.h"
 #include "ui/dialogs/pagecolumn.h"
 #include "ui/elidedlabel.h"
 #include "ui/model/page.h"
@@ -336,6 +337,7 @@ void ReportDialog::addChoices(QVBoxLayout *column) {
     part("partSignatures", QT_TR_NOOP("Signatures"), ReportPart::signatures);
     extra("extraReadingMarks", QT_TR_NOOP("Single readings in the figure"), ReportExtra::readingMarks);
     extra("extraAllReadings", QT_TR_NOOP("All readings (over 2000 rows)"), ReportExtra::allReadings);
+    m_allReadings = m_choices.back().box;
     extra("extraMeanRepeatability", QT_TR_NOOP("Mean repeatability (1988)"), ReportExtra::meanRepeatability);
     m_signaturesTitle = new QLabel(this);
     m_signaturesTitle->setFont(themeFont(TextSize::small));
@@ -383,6 +385,7 @@ void ReportDialog::showDocument() {
     m_paper->setCurrentIndex(head.paper == Paper::a4 ? 0 : 1);
     for (const Choice &choice : m_choices)
         choice.box->setChecked(choice.isOn(head));
+    showLength();
 
     m_originals->setVisible(holdsBytes);
     m_attached->setVisible(!m_reports.empty());
@@ -410,6 +413,13 @@ void ReportDialog::showDocument() {
     if (m_fit)
         fitWidth();
     followScroll();
+}
+
+/// What printing all readings costs, before it is chosen.
+void ReportDialog::showLength() {
+    const int pages = pagesOfAllReadings(*m_model.document());
+    m_allReadings->setText(pages > 0 ? tr("All readings (about %n more page(s))", nullptr, pages)
+                                     : tr("All readings (over 2000 rows)"));
 }
 
 void ReportDialog::showProgress() {
@@ -645,6 +655,7 @@ void ReportDialog::retranslate() {
     m_signaturesTitle->setText(tr("Signatures"));
     for (const Choice &choice : m_choices)
         choice.box->setText(tr(choice.text));
+    showLength();
     m_originals->setText(tr("Attach the instrument files, too"));
     m_simulationCancel->setText(tr("Cancel"));
     m_save->setText(tr("&Save PDF…"));

@@ -63,6 +63,7 @@ private:
     QWidget *makeSide();
     void addChoices(QVBoxLayout *column);
     void showDocument();
+    void showLength();
     void showProgress();
     void change(const std::function<void(ReportHead &)> &change);
     void goTo(int page);
@@ -116,6 +117,7 @@ private:
     QLabel *m_simulationText = nullptr;
     QProgressBar *m_simulationBar = nullptr;
     QPushButton *m_simulationCancel = nullptr;
+    QCheckBox *m_allReadings = nullptr;
     QCheckBox *m_originals = nullptr;
     QLabel *m_attached = nullptr;
     QLabel *m_missing = nullptr;

@@ -4,6 +4,7 @@
 
 #include <QPaintEngine>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -604,6 +605,12 @@ private:
         const QPointF tick = QPointF(std::sin(angle), std::cos(angle)) * (limitTick * mm);
         p.drawLine(from - tick, from + tick);
         p.drawLine(to - tick, to + tick);
+        if (!isFreeThere(limitAngle)) {
+            if (const auto beside = limitLabelBeside(limitAngle, middle + half)) {
+                take(boxOf(*beside, textWidth(envelope.limitLabel)));
+                return drawOnGround(*beside, {{envelope.limitLabel}}, colour(FigureRole::text));
+            }
+        }
         // The text reads along the line, above it.
         const QTransform along = alongLimit(limitAngle);
         const QPointF above(0, -0.8 * textHeight);
@@ -626,6 +633,20 @@ private:
             turn = std::remainder(turn + 180, 360);
         along.rotate(turn);
         return along;
+    }
+
+    /// Where paths run along the limit in every direction: beyond its outer end, else in a corner, where the
+    /// text says itself what it is the limit of.
+    [[nodiscard]] std::optional<QPointF> limitLabelBeside(double degrees, double end) {
+        const double width = textWidth(m_figure.envelope->limitLabel);
+        const double clear = (0.5 * width * std::abs(std::cos(radians(degrees))) + textHeight) / m_scale;
+        const double x = width / 2 + textHeight;
+        const double y = 0.75 * textHeight;
+        const std::array places{polar(degrees, end + clear), m_plot.bottomRight() - QPointF(x, y),
+                                m_plot.topRight() + QPointF(-x, y), m_plot.topLeft() + QPointF(x, y),
+                                m_plot.bottomLeft() + QPointF(x, -y)};
+        const auto free = std::ranges::find_if(places, [&](QPointF at) { return isFree(boxOf(at, width)); });
+        return free == places.end() ? std::nullopt : std::optional(*free);
     }
 
     [[nodiscard]] bool limitLabelIsFree(double degrees) {

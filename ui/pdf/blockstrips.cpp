@@ -18,6 +18,7 @@ namespace {
 // Gaps, points.
 constexpr double afterHead = 5 * mm;
 constexpr double afterHeading = 1.9 * mm;
+constexpr double belowTitle = 3 * mm; ///< of a test, to its first section
 constexpr double afterSmallHeading = 1.2 * mm;
 constexpr double betweenTables = 2.6 * mm;
 constexpr double belowTable = 1.8 * mm; ///< to the small text that belongs to it
@@ -579,7 +580,7 @@ double gapBetween(const Block &above, const Block &below) {
     if (std::holds_alternative<TestHead>(above))
         return afterHead;
     if (beginsSection(below))
-        return sectionGap;
+        return heading && heading->level == 1 ? belowTitle : sectionGap;
     if (heading)
         return heading->level <= 2 ? afterHeading : afterSmallHeading;
     if (std::holds_alternative<ResultsLegend>(below))

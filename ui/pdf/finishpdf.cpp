@@ -1,6 +1,8 @@
 #include "ui/pdf/finishpdf.h"
 
 #include <QStringList>
+#include <memory>
+#include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFEFStreamObjectHelper.hh>
 #include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
@@ -50,7 +52,10 @@ void attach(QPDF &document, const std::vector<PdfAttachment> &attachments, const
     Handle associated = Handle::newArray();
     QPDFEmbeddedFileDocumentHelper files(document);
     for (const PdfAttachment &attachment : attachments) {
-        auto stream = QPDFEFStreamObjectHelper::createEFStream(document, attachment.bytes.toStdString());
+        // Not copied: results of many targets are larger than all else.
+        auto *bytes = reinterpret_cast<unsigned char *>(const_cast<char *>(attachment.bytes.constData()));
+        auto stream = QPDFEFStreamObjectHelper::createEFStream(
+            document, std::make_shared<Buffer>(bytes, static_cast<std::size_t>(attachment.bytes.size())));
         stream.setSubtype(attachment.mimeType.toStdString());
         if (!date.isEmpty()) {
             stream.setCreationDate(pdfDate(date));

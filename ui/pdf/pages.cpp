@@ -267,17 +267,20 @@ private:
             page.bookmarks.push_back(
                 {0, head->subtitle.isEmpty() ? head->title : head->subtitle, y, head->anchor});
         else if (const auto *heading = std::get_if<Heading>(&block); heading && heading->level <= 2)
-            page.bookmarks.push_back({m_inTest[index] ? 1 : 0, heading->text, y, heading->anchor});
+            page.bookmarks.push_back(
+                {m_inTest[index] && heading->level > 1 ? 1 : 0, heading->text, y, heading->anchor});
     }
 
-    /// Of each block, whether it belongs to the head of a test above it; a new page without head ends that.
+    /// Of each block, whether it belongs to the head of a test, or a heading of level 1, above it; a new page
+    /// without head ends that.
     static std::vector<bool> inTest(const std::vector<Block> &blocks) {
         std::vector<bool> result;
         bool within = false;
         for (const Block &block : blocks) {
             if (std::holds_alternative<PageBreak>(block))
                 within = false;
-            else if (std::holds_alternative<TestHead>(block))
+            else if (const auto *heading = std::get_if<Heading>(&block);
+                     std::holds_alternative<TestHead>(block) || (heading && heading->level == 1))
                 within = true;
             result.push_back(within);
         }

@@ -18,7 +18,7 @@ struct PagePart {
     std::function<void(QPainter &, QPointF)> draw;
 };
 
-/// The beginning of a test (level 0, also what stands behind the last test) or of a section in it (1).
+/// The beginning of a test or of a part over all tests (level 0) or of a section in it (1).
 struct Bookmark {
     int level = 0;
     QString title;

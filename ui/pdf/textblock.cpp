@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -49,6 +51,8 @@ const Face &face(const TextRun &run, const TextStyle &style) {
 }
 
 thread_local std::size_t measured = 0; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): a count
+/// Kept only where somebody asks.
+thread_local std::optional<std::vector<QRectF>> foreignPlaces; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 bool needsOtherFont(const QString &text) {
     constexpr char16_t endOfLatin = 0x370;
@@ -104,6 +108,9 @@ void drawRun(QPainter &painter, QPointF at, const TextRun &run, const TextStyle 
     for (const Piece &piece : piecesOf(run.text)) {
         const double width = widthOf(piece, run, style) * tenths;
         const double needed = piece.foreign == 0 ? 0 : own.metrics.horizontalAdvance(piece.text);
+        if (foreignPlaces && piece.foreign != 0)
+            foreignPlaces->push_back(painter.combinedTransform().mapRect(
+                QRectF(at.x(), at.y() - own.metrics.ascent(), width, own.metrics.height())));
         if (needed > width && width > 0) {
             painter.save();
             painter.translate(at);
@@ -143,7 +150,7 @@ bool isSpace(QChar c) {
 }
 
 /// Whether a line must not end at this space: before and after "=", between a number and its unit, between
-/// "ISO", "page" and their number.
+/// the name of a standard, "page" and their like and their number or letter ("l’ISO 230-2", "(clause 3").
 bool joinsWords(QStringView text, qsizetype space) {
     const auto isEnd = [&](qsizetype at) {
         return at < 0 || at >= text.size() || isSpace(text[at]) || text[at] == u'\n';
@@ -154,22 +161,32 @@ bool joinsWords(QStringView text, qsizetype space) {
     qsizetype end = space + 1;
     while (!isEnd(end))
         ++end;
-    const QStringView before = text.mid(from, space - from);
+    QStringView before = text.mid(from, space - from);
     QStringView after = text.mid(space + 1, end - space - 1);
     if (before.isEmpty() || after.isEmpty())
         return false;
     if (before == u"=" || after == u"=")
         return true;
-    static constexpr std::array<QStringView, 7> numbered{u"ISO", u"page",   u"pages",  u"n°",
-                                                         u"No.", u"clause", u"article"};
-    if (after[0].isDigit() && std::ranges::find(numbered, before) != numbered.end())
+    static constexpr std::array<QStringView, 18> numbered{
+        u"ISO",   u"VDI/DGQ", u"GB/T",    u"page",    u"pages",      u"n°",
+        u"No.",   u"clause",  u"clauses", u"article", u"articles",   u"annexe",
+        u"Annex", u"test",    u"Test",    u"essai",   u"paragraphe", u"paragraphes"};
+    for (qsizetype i = before.size(); i > 0; --i) {
+        if (QStringView(u"’'(«“[\u00A0\u202F").contains(before[i - 1])) {
+            before = before.mid(i);
+            break;
+        }
+    }
+    const bool isNumber =
+        after[0].isDigit() || (after[0].isUpper() && (after.size() == 1 || !after[1].isLetter()));
+    if (isNumber && std::ranges::find(numbered, before) != numbered.end())
         return true;
     while (!after.isEmpty() && QStringView(u",;:.)").contains(after.back()))
         after.chop(1);
     static constexpr std::array<QStringView, 17> units{
         u"mm",  u"µm", u"m", u"nm",  u"°",      u"″",     u"°C",    u"°C/h",     u"h",
         u"min", u"s",  u"%", u"hPa", u"mm/min", u"m/min", u"°/min", u"µm/(m·°C)"};
-    return before.back().isDigit() && std::ranges::find(units, after) != units.end();
+    return !before.isEmpty() && before.back().isDigit() && std::ranges::find(units, after) != units.end();
 }
 
 std::vector<Word> words(const RichText &text) {
@@ -444,6 +461,18 @@ TextBlock elided(const QString &text, const TextStyle &style, double width) {
     while (count > 0 && cut(count).width() > width)
         count = rest.before(count);
     return cut(count);
+}
+
+ForeignPlaces::ForeignPlaces() {
+    foreignPlaces.emplace();
+}
+
+ForeignPlaces::~ForeignPlaces() {
+    foreignPlaces.reset();
+}
+
+std::vector<QRectF> ForeignPlaces::take() { // NOLINT(readability-convert-member-functions-to-static)
+    return std::exchange(*foreignPlaces, {});
 }
 
 std::size_t charactersMeasured() {

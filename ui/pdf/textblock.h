@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPointF>
+#include <QRectF>
 #include <QRgb>
 #include <QString>
 #include <vector>
@@ -91,6 +92,18 @@ private:
 
 /// A text on one line, cut at its end to what fits.
 [[nodiscard]] TextBlock elided(const QString &text, const TextStyle &style, double width);
+
+/// While it lives: where this thread draws characters that the font of paper lacks, in units of the device.
+class ForeignPlaces {
+public:
+    ForeignPlaces();
+    ~ForeignPlaces();
+    ForeignPlaces(const ForeignPlaces &) = delete;
+    ForeignPlaces &operator=(const ForeignPlaces &) = delete;
+
+    /// Those since the last time.
+    [[nodiscard]] std::vector<QRectF> take();
+};
 
 /// Characters measured by this thread so far: the work of laying out, for those who watch that it does not
 /// grow faster than the text.

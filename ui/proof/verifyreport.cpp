@@ -7,13 +7,18 @@
 #include "proof/deviation.h"
 #include "report/composereport.h"
 #include "report/formula.h"
+#include "report/pagetext.h"
 #include "report/printednumbers.h"
 #include "report/wording.h"
+#include "ui/pdf/pages.h"
+#include "ui/pdf/textblock.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/proof/pdfpages.h"
 
 #include <QBuffer>
+#include <QPainter>
 #include <algorithm>
+#include <string>
 
 namespace palmer::ui {
 
@@ -45,43 +50,59 @@ QString wordsIn(const PrintedWords &words, const QRectF &area) {
 
 constexpr QChar replacement(u'\uFFFD');
 
-bool isForeign(const QString &text) {
-    return text.contains(replacement) || !notOnPaper(text).empty();
-}
-
-/// Where words stand with characters that the font of paper lacks: another font drew them, or none.
-std::vector<QRectF> foreignAreas(const PrintedWords &a, const PrintedWords &b) {
-    std::vector<QRectF> areas;
-    for (const PrintedWords *words : {&a, &b}) {
-        for (const PrintedWord &word : *words) {
-            if (isForeign(word.text))
-                areas.push_back(word.area);
-        }
+/// Where the report has characters that the font of paper lacks, page by page; empty: nowhere. Another
+/// program does not know the place of each: some glyphs say of no character that they are it.
+std::vector<std::vector<QRectF>> foreignPlaces(const Report &report) {
+    std::vector<std::vector<QRectF>> result;
+    if (notOnPaper(pageText(report)).empty())
+        return result;
+    ForeignPlaces places;
+    for (const PrintedPage &page : layoutPages(report)) {
+        QImage nowhere(1, 1, QImage::Format_RGB32);
+        QPainter painter(&nowhere);
+        drawPage(painter, page);
+        result.push_back(places.take());
     }
-    return areas;
+    return result;
 }
 
-/// All words of a page without such characters and without the gaps between them.
-QString ownText(const PrintedWords &words) {
-    QString result;
+/// What another font may cover where a character of it stands: such fonts are higher.
+QRectF coveredBy(const QRectF &foreign) {
+    const double above = foreign.height() / 2;
+    return foreign.adjusted(-2, -above, 2, above);
+}
+
+/// What a page says in the font of paper, in no order: another font beside it changes that of other readers.
+struct OwnText {
+    QStringList words;     ///< where no character of another font stands near, sorted
+    std::u32string beside; ///< characters of the other words, sorted
+
+    bool operator==(const OwnText &) const = default;
+};
+
+OwnText ownText(const PrintedWords &words, const std::vector<QRectF> &foreign) {
+    OwnText result;
     for (const PrintedWord &word : words) {
-        if (!isForeign(word.text)) {
-            result += word.text;
+        const bool isBeside = std::ranges::any_of(
+            foreign, [&](const QRectF &area) { return coveredBy(area).intersects(word.area); });
+        if (!isBeside) {
+            result.words << word.text;
             continue;
         }
         for (const char32_t character : word.text.toUcs4()) {
             if (isOnPaper(character) && character != replacement.unicode())
-                result += QString::fromUcs4(&character, 1);
+                result.beside += character;
         }
     }
+    result.words.sort();
+    std::ranges::sort(result.beside);
     return result;
 }
 
 /// A picture of 72 dots to the inch with these areas wiped out.
 QImage without(QImage picture, const std::vector<QRectF> &areas) {
     for (const QRectF &area : areas) {
-        const double above = area.height() / 2; // other fonts are higher
-        const QRect wiped = area.adjusted(-2, -above, 2, above).toAlignedRect() & picture.rect();
+        const QRect wiped = coveredBy(area).toAlignedRect() & picture.rect();
         for (int y = wiped.top(); y <= wiped.bottom(); ++y) {
             // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): pixels, as QImage has it
             auto *line = reinterpret_cast<QRgb *>(picture.scanLine(y));
@@ -146,6 +167,7 @@ public:
         , m_language(language)
         , m_printed(report.pdf)
         , m_follows(pdf)
+        , m_foreign(foreignPlaces(composed))
         , m_result(result) {}
 
     void run(bool sameProgram) {
@@ -192,10 +214,12 @@ private:
             words << word.text;
         m_result.fingerprintPrinted &= words.join(u' ').contains(m_fingerprint);
         // What another font drew, or none, is no part of the proof.
-        const std::vector<QRectF> foreign = foreignAreas(printed, follows);
-        const std::vector<Difference> found = !foreign.empty() && ownText(printed) == ownText(follows)
-                                                  ? std::vector<Difference>()
-                                                  : compareWords(printed, follows, page + 1);
+        const auto index = static_cast<std::size_t>(page);
+        const std::vector<QRectF> foreign =
+            index < m_foreign.size() ? m_foreign[index] : std::vector<QRectF>();
+        const bool same = !foreign.empty() && ownText(printed, foreign) == ownText(follows, foreign);
+        const std::vector<Difference> found =
+            same ? std::vector<Difference>() : compareWords(printed, follows, page + 1);
         const bool sameLayout = printed.size() == follows.size() && found.size() <= fewDifferences;
         for (const Difference &difference : found) {
             const bool counts = sameProgram || (sameLayout && isSerious(difference));
@@ -249,6 +273,7 @@ private:
     const Language &m_language;
     PdfPages m_printed;
     PdfPages m_follows;
+    std::vector<std::vector<QRectF>> m_foreign; ///< by page
     Verification &m_result;
 };
 

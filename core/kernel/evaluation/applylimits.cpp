@@ -39,14 +39,27 @@ void note(TestEvaluation &evaluation, const char *id, Source source, Message mes
     evaluation.findings.push_back(std::move(finding));
 }
 
-void findSecondLimit(TestEvaluation &evaluation, const Parameter &p, const std::string &other, bool worse) {
-    note(evaluation, "limits", Source::program,
-         {worse
-              ? REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
-                                      "%2, which has the worse verdict.")
-              : REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
-                                      "%2, which is the tighter one."),
-          {plainSymbol(p), p.limitOf, other}});
+/// Why of two limits one rules.
+enum class Rules { worseVerdict, tighter, alike };
+
+void findSecondLimit(TestEvaluation &evaluation, const Parameter &p, const std::string &other, Rules why) {
+    Text text;
+    switch (why) {
+    case Rules::worseVerdict:
+        text = REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
+                                     "%2, which has the worse verdict.");
+        break;
+    case Rules::tighter:
+        text = REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
+                                     "%2, which is the tighter one.");
+        break;
+    case Rules::alike:
+        text =
+            REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3, which are equal: its row "
+                                  "shows that of %2.");
+        break;
+    }
+    note(evaluation, "limits", Source::program, {text, {plainSymbol(p), p.limitOf, other}});
 }
 
 /// Puts the limit of `key` and its verdict into the row, unless the one that stands there rules. A limit for
@@ -57,6 +70,10 @@ void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &
     std::string other = p.limitOf;
     const std::optional<Verdict> before = p.verdict;
     const bool first = !p.limit;
+    const Rules why = first || verdict != *before ? Rules::worseVerdict
+                      : judgedLimit(*limit.value, judged.bound) == judgedLimit(*p.limit->value, p.bound)
+                          ? Rules::alike
+                          : Rules::tighter;
     if (first || verdict > *before ||
         (verdict == *before && room(p, *limit.value, judged.bound) <= room(p, *p.limit->value, p.bound))) {
         p.limit = limit;
@@ -67,7 +84,7 @@ void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &
         other = key;
     }
     if (!first)
-        findSecondLimit(evaluation, p, other, verdict != *before);
+        findSecondLimit(evaluation, p, other, why);
 }
 
 /// Said even where the edition allows for the temperature: the decision rule does not.

@@ -144,6 +144,11 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
             note(evaluation, "monteCarlo",
                  {REPORT_TEXT("report", "The Monte Carlo simulation that is to give the uncertainty was not "
                                         "run.")});
+        else if (simulationDecides && !missing.empty())
+            note(evaluation, "monteCarlo",
+                 {REPORT_TEXT("report", "The Monte Carlo simulation that is to give the uncertainty cannot be "
+                                        "run: it takes all results at once, and of some the budget lacks an "
+                                        "input.")});
         return;
     }
     if (uncertainty.outdated)

@@ -640,7 +640,8 @@ private slots:
         const QString all = pageText(composed);
         QCOMPARE(all.count("Warm-up  "), qsizetype(1));
         QCOMPARE(headingsOf(composed).count("Points to be agreed"), qsizetype(1));
-        QCOMPARE(headingsOf(composed).count("Conditions of all tests"), qsizetype(1));
+        QCOMPARE(headingsOf(composed).count("Test conditions"), qsizetype(1));
+        QCOMPARE(headingsOf(composed).count("Limits and decision rule"), qsizetype(1));
         QVERIFY(all.contains("As for test 1: "));
         QCOMPARE(headingsOf(composed).count("Readings"), qsizetype(1)); // the same readings
         QCOMPARE(headingsOf(composed).count("Findings"), qsizetype(2)); // each verdict points to its own

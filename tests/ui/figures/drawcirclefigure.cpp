@@ -3,6 +3,7 @@
 #include "ui/figures/drawfigure.h"
 #include "ui/figures/exportfigure.h"
 #include "ui/figures/recordedtexts.h"
+#include "ui/figures/style.h"
 
 #include <QImage>
 #include <QPainter>
@@ -10,6 +11,7 @@
 #include <QXmlStreamReader>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -235,6 +237,104 @@ private slots:
         QVERIFY(!pdf.contains("/Subtype /Image"));
         QVERIFY2(pdf.size() < 1000000, qPrintable(QString::number(pdf.size())));
         QVERIFY(pdf.size() > 50000); // the paths are in it
+    }
+
+    /// Whatever the paths and the limit: its ticks stand on the ends of its line, and its text on no path.
+    void theLimitIsWholeAndCanBeRead() {
+        std::mt19937 random(1);
+        const auto between = [&](double from, double to) {
+            return std::uniform_real_distribution<double>(from, to)(random);
+        };
+        int limits = 0;
+        int beside = 0;
+        constexpr int figures = 150;
+        for (int i = 0; i < figures; ++i) {
+            const double size = std::pow(10, between(-0.5, 1.5)); // µm
+            std::vector<Arc> arcs;
+            for (const Sense sense : {Sense::counterclockwise, Sense::clockwise}) {
+                const int lobes = static_cast<int>(between(2, i % 3 == 0 ? 90 : 12));
+                const double phase = between(0, 6);
+                const double spike = i % 4 == 0 ? size : 0;
+                arcs.push_back(pathOf(sense, 720, [=](double angle) {
+                    return size * std::sin(lobes * angle + phase) + (std::cos(angle) > 0.99 ? spike : 0);
+                }));
+            }
+            Test test = circularTest(std::move(arcs));
+            test.limits["G(b)"].value = size * between(0.5, 6) / 1000;
+            const CircleFigure figure = figureOf(test);
+            if (!figure.envelope || !figure.envelope->limit)
+                continue; // said below the figure
+            ++limits;
+            const QSizeF area = printedSize(figure) * pointsPerMillimetre;
+            TextRecorder recorder(area.toSize());
+            QPainter painter(&recorder);
+            const FigureTransform transform =
+                drawFigure(painter, {QPointF(0, 0), area}, figure, Medium::paper);
+            painter.end();
+            std::vector<QPolygonF> ofLimit;
+            const QPen pen = figurePen(FigureRole::limit, Medium::paper);
+            for (const RecordedLine &line : recorder.lines) {
+                if (std::abs(line.pen.widthF() - pen.widthF()) < 1e-9 && line.pen.style() == Qt::SolidLine &&
+                    line.points.size() == 2 && line.pen.color() == pen.color())
+                    ofLimit.push_back(line.points);
+            }
+            QVERIFY(ofLimit.size() >= 3); // the line, then its ticks; the star of the key is like them
+            for (const std::size_t tick : {1, 2}) {
+                const QPointF middle = (ofLimit[tick][0] + ofLimit[tick][1]) / 2;
+                const double away =
+                    std::min(QLineF(middle, ofLimit[0][0]).length(), QLineF(middle, ofLimit[0][1]).length());
+                QVERIFY2(away < 0.05, qPrintable(u"figure %1: a tick %2 points away"_s.arg(i).arg(away)));
+            }
+            const auto label =
+                std::ranges::find(recorder.texts, figure.envelope->limitLabel, &RecordedText::text);
+            QVERIFY2(label != recorder.texts.end(), qPrintable(u"figure %1 without its limit"_s.arg(i)));
+            beside += label->box.width() > 1 && label->outline.boundingRect().height() < 8 ? 1 : 0;
+            for (const CircleTrace &trace : figure.traces) {
+                for (const TracePoint &point : trace.points) {
+                    const double angle = point.angle * std::numbers::pi / 180;
+                    const double radius = figure.radius(point.deviation);
+                    const QPointF at = transform.map(radius * std::cos(angle), radius * std::sin(angle));
+                    QVERIFY2(!label->outline.containsPoint(at, Qt::OddEvenFill),
+                             qPrintable(u"figure %1: %2 on a path"_s.arg(i).arg(label->text)));
+                }
+            }
+        }
+        QVERIFY(limits > figures / 2);
+        QVERIFY(beside > 0); // where there is no room along the line
+    }
+
+    /// Of a quarter of a circle, wherever it lies, the frame shows nothing but that quarter.
+    void aQuarterFillsItsFrame() {
+        for (int from = 0; from < 360; from += 15) {
+            Arc arc = pathOf(Sense::counterclockwise, 360, [](double) { return 0.0; });
+            arc.angles.clear();
+            arc.radialDeviations.clear();
+            for (int i = 0; i <= 90; ++i) {
+                arc.angles.push_back(from + i);
+                arc.radialDeviations.push_back(0.002 * std::sin(i / 7.0));
+            }
+            CircleFigureOptions options;
+            options.fillFrame = true;
+            const CircleFigure figure = figureOf(circularTest({arc}), options);
+            QVERIFY(figure.sector);
+            TextRecorder recorder((printedSize(figure) * pointsPerMillimetre).toSize());
+            QPainter painter(&recorder);
+            const QRectF area(QPointF(0, 0), printedSize(figure) * pointsPerMillimetre);
+            const FigureTransform transform = drawFigure(painter, area, figure, Medium::paper);
+            painter.end();
+            QRectF taken(transform.map(0, 0), QSizeF(0.01, 0.01)); // with its centre
+            for (const TracePoint &point : figure.traces.front().points) {
+                const double angle = point.angle * std::numbers::pi / 180;
+                const double radius = figure.radius(point.deviation);
+                taken |= QRectF(transform.map(radius * std::cos(angle), radius * std::sin(angle)),
+                                QSizeF(0.01, 0.01));
+            }
+            QVERIFY2(area.contains(taken), qPrintable(QString::number(from)));
+            // Of the drawing 112 × 105 mm; a whole circle of it would show the quarter 34 mm wide.
+            const double fill = std::max(taken.width() / (112 * pointsPerMillimetre),
+                                         taken.height() / (105 * pointsPerMillimetre));
+            QVERIFY2(fill > 0.55, qPrintable(u"from %1°: %2"_s.arg(from).arg(fill)));
+        }
     }
 
     void tooSmallDrawsNothingBad() {

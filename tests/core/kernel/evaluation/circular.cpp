@@ -547,6 +547,17 @@ void Circular::rowsAndTestAgreeUnderAllPairsOfLimits() {
     measurement(test).centring = Centring::instrument;
     test.limits = {{"F", {0.004, {}, ""}}, {"Fmax", {0.004, {}, ""}}};
     QCOMPARE(parameter(evaluated(test), "Fmax_XY")->limitOf, "Fmax");
+    const auto says = [&](const char *words) {
+        const TestEvaluation e = evaluated(test);
+        const Finding *said = finding(e, "limits");
+        return said && std::string_view(said->message.text.source).find(words) != std::string_view::npos;
+    };
+    QVERIFY(says("which are equal"));
+    QVERIFY(!says("tighter"));
+    test.limits["Fmax"].value = std::nextafter(0.004, 0);
+    QVERIFY(says("tighter"));
+    test.limits["Fmax"].value = std::nextafter(0.004, 1);
+    QVERIFY(says("tighter"));
 }
 
 /// Deviations of ± half the limit, four times around: G and Fmax are exactly known whatever the radius, whose

@@ -25,6 +25,7 @@ private slots:
     void statedOfCircles();
     void largeShiftGivesTheBudget();
     void simulationNotRun();
+    void aCircleSaysWhyItIsNotSimulated();
     void simulationOfAnotherEdition();
     void outdatedSimulationIsProvisional();
     void fewTrialsNeverDecide_data();
@@ -155,6 +156,35 @@ void DecidingUncertainty::simulationNotRun() {
     QVERIFY(!parameter(evaluation, "A")->expandedUncertainty);
     QVERIFY(evaluation.uncertainty.wantsSimulation());
     QVERIFY(!finding(evaluated(worked(UncertaintyMethod::budget)), "monteCarlo"));
+}
+
+/// F lacks a temperature: nothing is simulated, not even G, whose own inputs are all there.
+void DecidingUncertainty::aCircleSaysWhyItIsNotSimulated() {
+    Test test = circularTest(36);
+    circle(test).uncertainty.expansionStandardUncertainty = {0.5, 0.5};
+    circle(test).uncertainty.displacement.expanded = 1;
+    test.limits["G"].value = 0.010;
+    test.decisionRule = {Rule::iso14253_1, 1};
+    const auto verdict = [&](UncertaintyMethod method) {
+        circle(test).uncertainty.method = method;
+        return *evaluated(test).verdict;
+    };
+    QCOMPARE(verdict(UncertaintyMethod::budget), Verdict::conforms);
+    QVERIFY(!finding(evaluated(test), "monteCarlo"));
+    QCOMPARE(verdict(UncertaintyMethod::monteCarlo), Verdict::notProven);
+    const TestEvaluation evaluation = evaluated(test);
+    QVERIFY(!evaluation.uncertainty.wantsSimulation());
+    QVERIFY(finding(evaluation, "sensors")); // which input it is
+    const Finding *why = finding(evaluation, "monteCarlo");
+    QVERIFY(why);
+    QVERIFY(std::string_view(why->message.text.source).find("cannot be run") != std::string_view::npos);
+    // With the temperatures there is nothing to explain but that it was not run.
+    circle(test).conditions.common.sensors = {{SensorMeasures::machine, "", 21.0, 21.0, std::nullopt},
+                                              {SensorMeasures::instrument, "", 21.0, 21.0, std::nullopt}};
+    const TestEvaluation complete = evaluated(test);
+    QVERIFY(complete.uncertainty.wantsSimulation());
+    QVERIFY(std::string_view(finding(complete, "monteCarlo")->message.text.source).find("was not run") !=
+            std::string_view::npos);
 }
 
 void DecidingUncertainty::simulationOfAnotherEdition() {

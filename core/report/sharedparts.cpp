@@ -1,0 +1,586 @@
+#include "report/sharedparts.h"
+
+#include "document/testsofverdict.h"
+#include "report/conditionparts.h"
+#include "report/dataparts.h"
+#include "report/printednumbers.h"
+#include "report/resultparts.h"
+#include "report/resulttable.h"
+#include "report/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace palmer {
+
+namespace {
+
+constexpr double testsWidth = 16; ///< mm, of the numbers of tests
+constexpr int temperatureDecimals = 1;
+constexpr int expansionDecimals = 1;
+
+struct TableOfTest {
+    int test = 1;
+    Table table;
+};
+
+/// Tables of the same columns as one: rows whose first `keys` cells are the same stand below each other, with
+/// the numbers of the tests that state the rest. What several tests state stands once.
+class MergedTable {
+public:
+    MergedTable(const Writer &write, int count, std::size_t keys)
+        : m_write(write)
+        , m_count(count)
+        , m_keys(keys) {}
+
+    void add(const TableOfTest &source) {
+        if (m_columns.empty())
+            m_columns = source.table.columns;
+        std::size_t at = m_subjects.size(); // new subjects stand behind the one before
+        for (const std::vector<Cell> &row : source.table.rows) {
+            const auto own = [&](const Subject &subject) {
+                return std::equal(subject.key.begin(), subject.key.end(), row.begin());
+            };
+            auto subject = std::ranges::find_if(m_subjects, own);
+            if (subject == m_subjects.end()) {
+                const auto end = row.begin() + static_cast<std::ptrdiff_t>(m_keys);
+                subject = m_subjects.insert(m_subjects.begin() + static_cast<std::ptrdiff_t>(at),
+                                            {{row.begin(), end}, {}});
+            }
+            at = static_cast<std::size_t>(subject - m_subjects.begin()) + 1;
+            addStatement(*subject, row, source.test);
+        }
+    }
+
+    /// Without rows where there was nothing to add.
+    [[nodiscard]] Table take() const {
+        Table table;
+        if (m_subjects.empty())
+            return table;
+        table.columns = m_columns;
+        const auto tests = static_cast<std::ptrdiff_t>(m_keys);
+        std::ranges::find_if(table.columns, &Column::flexible)->width -= testsWidth; // there is one
+        table.columns.insert(
+            table.columns.begin() + tests,
+            {m_write.text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, testsWidth});
+        for (const Subject &subject : m_subjects) {
+            if (!table.rows.empty())
+                table.rulesAfter.push_back(table.rows.size() - 1);
+            for (const Statement &statement : subject.statements) {
+                std::vector<Cell> row(m_keys, blankCell());
+                if (&statement == &subject.statements.front()) {
+                    row = subject.key;
+                    for (Cell &cell : row)
+                        cell.rows = subject.statements.size();
+                }
+                row.emplace_back(testNumbers(m_write, statement.tests, m_count));
+                row.insert(row.end(), statement.cells.begin(), statement.cells.end());
+                table.rows.push_back(std::move(row));
+            }
+        }
+        return table;
+    }
+
+private:
+    struct Statement {
+        std::vector<Cell> cells;
+        std::vector<int> tests;
+    };
+    struct Subject {
+        std::vector<Cell> key;
+        std::vector<Statement> statements;
+    };
+
+    void addStatement(Subject &subject, const std::vector<Cell> &row, int test) const {
+        std::vector<Cell> cells(row.begin() + static_cast<std::ptrdiff_t>(m_keys), row.end());
+        const auto same = std::ranges::find(subject.statements, cells, &Statement::cells);
+        if (same == subject.statements.end())
+            subject.statements.push_back({std::move(cells), {test}});
+        else if (same->tests.back() != test)
+            same->tests.push_back(test);
+    }
+
+    const Writer &m_write;
+    int m_count;
+    std::size_t m_keys;
+    std::vector<Column> m_columns;
+    std::vector<Subject> m_subjects;
+};
+
+Table conditionTable(const TestPart &part) {
+    Table table;
+    table.columns = {
+        {part.write.text(REPORT_TEXT_FOR("report", "Condition", "of a test")),
+         {},
+         Alignment::left,
+         false,
+         42},
+        {part.write.text(REPORT_TEXT_FOR("report", "Stated", "condition")), {}, Alignment::left, true, 133}};
+    QStringList missing;
+    for (const KeyValue &row : conditionRows(part).rows) {
+        if (row.value.isEmpty())
+            missing << row.key;
+        else
+            table.rows.push_back({row.key, row.value});
+    }
+    if (const QString correction = correctionOf(part); !correction.isEmpty())
+        table.rows.push_back({part.write.text(REPORT_TEXT("report", "Correction to 20 °C")), correction});
+    if (!missing.isEmpty()) // in one row, for the dashes would take a line each
+        table.rows.push_back({part.write.text(REPORT_TEXT_FOR("report", "Not stated", "conditions")),
+                              missing.join(part.write.semicolon())});
+    return table;
+}
+
+const Conditions &conditionsOf(const TestPart &part) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
+        return positioning->conditions.common;
+    return std::get<CircularMeasurement>(part.test.measurement).conditions.common;
+}
+
+/// Temperatures and what else is stated of the environment, a row a test.
+class EnvironmentOfTests {
+public:
+    explicit EnvironmentOfTests(const Writer &write)
+        : m_write(write) {
+        const auto column = [&](const Text &title, Quantity unit, double width) {
+            return Column{write.text(title), write.language().unit(unit), Alignment::decimal, false, width};
+        };
+        m_table.columns = {{write.text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, 9}};
+        for (const SensorMeasures what : measured) {
+            m_table.spanners.push_back({m_table.columns.size(), 2, write.text(sensorText(what))});
+            m_table.columns.push_back(column(REPORT_TEXT("report", "Start"), Quantity::temperature, 12));
+            m_table.columns.push_back(column(REPORT_TEXT("report", "End"), Quantity::temperature, 12));
+        }
+        m_table.columns.push_back(column(REPORT_TEXT("report", "Air pressure"), Quantity::pressure, 17));
+        m_table.columns.push_back(column(REPORT_TEXT("report", "Relative humidity"), Quantity::percent, 17));
+        m_table.columns.push_back(
+            column(REPORT_TEXT("report", "Temperature gradient"), Quantity::gradient, 21));
+        m_table.columns.push_back(column(REPORT_TEXT("report", "α machine"), Quantity::expansion, 19));
+        m_table.columns.push_back(column(REPORT_TEXT("report", "α instrument"), Quantity::expansion, 19));
+    }
+
+    void add(const TestPart &part) {
+        if (!statesTemperatures(part))
+            return;
+        const Conditions &conditions = conditionsOf(part);
+        std::vector<Cell> row{QString::number(part.number)};
+        for (const SensorMeasures what : measured) {
+            const Temperatures temperatures = temperaturesOf(conditions, what);
+            row.push_back(shown(temperatures.start, Quantity::temperature, temperatureDecimals));
+            row.push_back(shown(temperatures.end, Quantity::temperature, temperatureDecimals));
+        }
+        const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
+        if (positioning) {
+            const PositioningConditions &own = positioning->conditions;
+            row.push_back(shown(own.airPressure, Quantity::pressure));
+            row.push_back(shown(own.airHumidity, Quantity::percent));
+            row.push_back(shown(own.gradientPerHour, Quantity::gradient));
+        } else {
+            row.insert(row.end(), 3, blankCell()); // nobody asks for them
+        }
+        const bool expands = !positioning || positioning->axis.motion == Motion::linear;
+        row.push_back(expands ? shown(conditions.expansion.machine, Quantity::expansion, expansionDecimals)
+                              : blankCell());
+        row.push_back(expands ? shown(conditions.expansion.instrument, Quantity::expansion, expansionDecimals)
+                              : blankCell());
+        m_table.rows.push_back(std::move(row));
+    }
+
+    [[nodiscard]] Table take() {
+        constexpr std::size_t behindTemperatures = 7;
+        for (std::size_t i = m_table.columns.size(); i-- > behindTemperatures;) {
+            const auto isBlank = [i](const std::vector<Cell> &row) { return row[i].blank; };
+            if (std::ranges::all_of(m_table.rows, isBlank)) // what is asked for and missing is a dash
+                leaveOutEmptyColumns(m_table, i, i);
+        }
+        // What is left over stands behind them.
+        m_table.columns.push_back({QString(), {}, Alignment::left, true, 1});
+        for (std::vector<Cell> &row : m_table.rows)
+            row.push_back(blankCell());
+        return std::move(m_table);
+    }
+
+private:
+    static constexpr std::array measured{SensorMeasures::machine, SensorMeasures::instrument,
+                                         SensorMeasures::air};
+
+    [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals = -1) const {
+        return {value ? m_write.language().number(*value, quantity, decimals) : QString()};
+    }
+
+    const Writer &m_write;
+    Table m_table;
+};
+
+/// What some of the tests say alike.
+struct TextOfTests {
+    QString text;
+    std::vector<int> tests;
+};
+using TextsOfTests = std::vector<TextOfTests>;
+
+void addText(TextsOfTests &texts, const QString &text, int test) {
+    const auto same = std::ranges::find(texts, text, &TextOfTests::text);
+    if (same == texts.end())
+        texts.push_back({text, {test}});
+    else
+        same->tests.push_back(test);
+}
+
+QString ofTests(const Writer &write, const std::vector<int> &numbers, const QString &text) {
+    if (numbers.size() == 1)
+        return write.say(REPORT_TEXT("report", "Test %1: %2"),
+                         {std::to_string(numbers.front()), text.toStdString()});
+    return write.say(REPORT_TEXT("report", "Tests %1: %2"),
+                     {testNumbers(write, numbers, 0).toStdString(), text.toStdString()});
+}
+
+/// Results under several editions, as many tests beside each other as find room.
+class EditionsOfTests {
+public:
+    /// False, and nothing added, where there is no room left.
+    bool add(const TestPart &part, const Table &editions) {
+        constexpr std::size_t mostColumns = 15;
+        const std::size_t count = editions.columns.size() - 1;
+        if (!m_table.spanners.empty() && m_table.columns.size() - 1 + count > mostColumns)
+            return false;
+        if (m_table.columns.empty())
+            m_table.columns.push_back({QString(), {}, Alignment::left, false, symbolWidth});
+        const std::size_t first = m_table.columns.size();
+        m_table.spanners.push_back({first, count, title(part, editions.columns.front().unit)});
+        for (std::size_t i = 1; i <= count; ++i) {
+            m_table.columns.push_back(editions.columns[i]);
+            m_table.columns.back().gapBefore = i == 1 && first > 1 ? gap : 0;
+        }
+        for (std::vector<Cell> &row : m_table.rows)
+            row.resize(first + count);
+        for (const std::vector<Cell> &row : editions.rows) {
+            auto own = std::ranges::find_if(
+                m_table.rows, [&](const std::vector<Cell> &known) { return known.front() == row.front(); });
+            if (own == m_table.rows.end()) {
+                m_table.rows.emplace_back(first + count).front() = row.front();
+                own = m_table.rows.end() - 1;
+            }
+            std::copy(row.begin() + 1, row.end(), own->begin() + static_cast<std::ptrdiff_t>(first));
+        }
+        return true;
+    }
+
+    [[nodiscard]] Table take() {
+        constexpr double textWidth = 175;
+        constexpr double widest = 20;
+        const auto columns = static_cast<double>(m_table.columns.size() - 1);
+        const auto gaps = gap * static_cast<double>(m_table.spanners.size() - 1);
+        for (Column &column : m_table.columns) {
+            if (column.width <= 0)
+                column.width = std::min(widest, (textWidth - symbolWidth - gaps - 1) / columns);
+        }
+        m_table.columns.push_back({QString(), {}, Alignment::left, true, 1}); // what is left over
+        for (std::vector<Cell> &row : m_table.rows)
+            row.push_back(blankCell());
+        m_table.unbroken = true;
+        return std::exchange(m_table, {});
+    }
+
+    [[nodiscard]] bool empty() const { return m_table.rows.empty(); }
+
+private:
+    static constexpr double symbolWidth = 14; ///< mm
+    static constexpr double gap = 2.5;        ///< mm, between tests
+
+    static Phrase title(const TestPart &part, const QString &unit) {
+        return Phrase({{part.write.say(REPORT_TEXT("report", "Test %1"), QString::number(part.number))},
+                       {QStringLiteral(", ") + unit, false, false, true}});
+    }
+
+    Table m_table;
+};
+
+/// Lines that a text takes in a column of a width, mm: enough to balance columns by.
+std::size_t linesOf(const QString &text, double width) {
+    constexpr double letter = 1.55; // mm, of 8.5 pt
+    std::size_t lines = 0;
+    for (const QString &line : text.split(u'\n'))
+        lines += 1 + static_cast<std::size_t>(static_cast<double>(line.size()) * letter / width);
+    return lines;
+}
+
+/// A table as two halves beside each other, where these find room on a page; else as it is. Rows that a cell
+/// stands beside stay together.
+void addInHalves(std::vector<Block> &blocks, Table table) {
+    constexpr std::size_t mostLines = 44; // of a half
+    constexpr double textWidth = 40;      // mm, there
+    std::vector<std::size_t> above{0};    // lines above each row
+    for (const std::vector<Cell> &row : table.rows)
+        above.push_back(above.back() + linesOf(row.back().text.plain(), textWidth));
+    std::size_t cut = 0;
+    for (const std::size_t end : table.rulesAfter) {
+        if (2 * above[end + 1] <= above.back() + 1)
+            cut = end + 1;
+    }
+    if (cut == 0 || above.back() - above[cut] > mostLines) {
+        blocks.emplace_back(std::move(table));
+        return;
+    }
+    constexpr std::array widths{32.0, 10.0, 41.0};
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        table.columns[i].width = widths.at(i);
+    Table second = table;
+    second.rows.erase(second.rows.begin(), second.rows.begin() + static_cast<std::ptrdiff_t>(cut));
+    std::erase_if(second.rulesAfter, [&](std::size_t row) { return row < cut; });
+    for (std::size_t &row : second.rulesAfter)
+        row -= cut;
+    table.rows.resize(cut);
+    std::erase_if(table.rulesAfter, [&](std::size_t row) { return row + 1 >= cut; });
+    SideBySide both;
+    both.left.emplace_back(std::move(table));
+    both.right.emplace_back(std::move(second));
+    blocks.emplace_back(std::move(both));
+}
+
+/// What two tests of the same gave, quantity by quantity.
+class BeforeAndAfter {
+public:
+    BeforeAndAfter(const TestPart &before, const TestPart &after)
+        : m_before(before)
+        , m_after(after)
+        , m_write(after.write) {
+        addColumns();
+        for (const Parameter &parameter : after.evaluation.parameters) {
+            const auto &others = before.evaluation.parameters;
+            const auto same = std::ranges::find_if(
+                others, [&](const Parameter &p) { return parameterId(p) == parameterId(parameter); });
+            if (isPrinted(parameter, after.head()) && same != others.end())
+                addRow(*same, parameter);
+        }
+    }
+
+    [[nodiscard]] Table take() { return std::move(m_table); }
+
+private:
+    void addColumns() {
+        const auto &parameters = m_after.evaluation.parameters;
+        const QString unit =
+            parameters.empty() ? QString() : m_write.language().unit(parameters.front().term.quantity);
+        const auto number = [&](const Text &title, double width) {
+            return Column{m_write.text(title), unit, Alignment::decimal, false, width};
+        };
+        Column quantity{m_write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 15};
+        quantity.titleSpan = 2;
+        m_table.columns = {quantity, {QString(), {}, Alignment::left, true, 44}};
+        for (const TestPart *part : {&m_before, &m_after}) {
+            const Text role = roleText(part->test.role);
+            m_table.spanners.push_back(
+                {m_table.columns.size(), 3,
+                 m_write.text(role) + QStringLiteral(" (") + QString::number(part->number) + u')'});
+            m_table.columns.push_back(number(REPORT_TEXT("report", "Value"), 14));
+            m_table.columns.push_back({QStringLiteral("U"), unit, Alignment::decimal, false, 12});
+            m_table.columns.push_back(
+                {m_write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, 22});
+        }
+        m_table.columns.push_back(number(REPORT_TEXT("report", "Change"), 20));
+        m_table.unbroken = true;
+    }
+
+    void addSide(std::vector<Cell> &row, const TestPart &part, const Parameter &parameter) const {
+        const PrintedNumbers numbers =
+            printedNumbers(parameter, part.test.decisionRule, finestResolution(part.document(), part.test),
+                           m_write.language());
+        row.emplace_back(numbers.value);
+        row.emplace_back(numbers.uncertainty);
+        row.push_back(verdictCell(m_write, parameter));
+    }
+
+    void addRow(const Parameter &before, const Parameter &after) {
+        Cell symbol(symbolPhrase(after.term.symbol, after.index));
+        symbol.bold = true;
+        std::vector<Cell> row{symbol, m_write.text(briefName(after, m_after.evaluation))};
+        addSide(row, m_before, before);
+        addSide(row, m_after, after);
+        constexpr int decimals = 1;
+        row.emplace_back(
+            before.value && after.value
+                ? m_write.language().number(*after.value - *before.value, after.term.quantity, decimals)
+                : QString());
+        m_table.rows.push_back(std::move(row));
+    }
+
+    const TestPart &m_before;
+    const TestPart &m_after;
+    const Writer &m_write;
+    Table m_table;
+};
+
+} // namespace
+
+void addRemarksOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const TestPart &first = parts.front();
+    std::vector<Block> remarks;
+    if (const std::string &ofReport = first.head().remarks; !ofReport.empty())
+        remarks.emplace_back(Paragraph{QString::fromStdString(ofReport)});
+    TextsOfTests texts;
+    for (const TestPart &part : parts) {
+        if (!part.test.remarks.empty())
+            addText(texts, QString::fromStdString(part.test.remarks), part.number);
+    }
+    for (const TextOfTests &text : texts)
+        remarks.emplace_back(Paragraph{ofTests(first.write, text.tests, text.text)});
+    if (remarks.empty())
+        return;
+    addHeading(blocks, first.write.text(REPORT_TEXT("report", "Remarks")));
+    blocks.insert(blocks.end(), remarks.begin(), remarks.end());
+}
+
+QString testNumbers(const Writer &write, const std::vector<int> &numbers, int count) {
+    if (static_cast<int>(numbers.size()) == count)
+        return write.text(REPORT_TEXT_FOR("report", "all", "tests"));
+    QStringList texts;
+    for (std::size_t i = 0; i < numbers.size();) {
+        std::size_t end = i + 1;
+        while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1)
+            ++end;
+        const QString first = QString::number(numbers[i]);
+        const QString last = QString::number(numbers[end - 1]);
+        if (end - i > 2)
+            texts << first + QStringLiteral("–") + last;
+        else
+            texts << (end - i == 2 ? first + QStringLiteral(", ") + last : first);
+        i = end;
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
+void addConditionsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const Writer &write = parts.front().write;
+    const int count = static_cast<int>(parts.size());
+    MergedTable conditions(write, count, 1);
+    EnvironmentOfTests environment(write);
+    constexpr std::size_t sensorAndPlace = 2;
+    MergedTable sensors(write, count, sensorAndPlace);
+    for (const TestPart &part : parts) {
+        conditions.add({part.number, conditionTable(part)});
+        environment.add(part);
+        if (auto table = sensorTable(part))
+            sensors.add({part.number, std::move(*table)});
+    }
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Test conditions")));
+    addInHalves(blocks, conditions.take());
+    if (Table table = environment.take(); !table.rows.empty()) {
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Environment")));
+        blocks.emplace_back(std::move(table));
+    }
+    if (Table table = sensors.take(); !table.rows.empty()) {
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Temperature sensors")));
+        blocks.emplace_back(std::move(table));
+    }
+}
+
+void addAgreedPointsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    struct Group {
+        AgreedPoints points; ///< of its first test
+        std::vector<TableOfTest> tests;
+    };
+    const auto samePoints = [](const AgreedPoints &a, const AgreedPoints &b) {
+        const auto sameKeys = [&](const std::vector<Cell> &x, const std::vector<Cell> &y) {
+            return std::equal(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(a.keys), y.begin());
+        };
+        return a.note == b.note && a.keys == b.keys &&
+               std::ranges::equal(a.table.rows, b.table.rows, sameKeys);
+    };
+    std::vector<Group> groups;
+    for (const TestPart &part : parts) {
+        auto points = agreedPointsOf(part);
+        if (!points)
+            continue;
+        auto group =
+            std::ranges::find_if(groups, [&](const Group &each) { return samePoints(each.points, *points); });
+        if (group == groups.end())
+            group = groups.insert(group, {*points, {}});
+        group->tests.push_back({part.number, std::move(points->table)});
+    }
+    for (const Group &group : groups) {
+        MergedTable table(parts.front().write, static_cast<int>(parts.size()), group.points.keys);
+        for (const TableOfTest &test : group.tests)
+            table.add(test);
+        addHeading(blocks, parts.front().write.text(REPORT_TEXT("report", "Points to be agreed")),
+                   group.points.note);
+        blocks.emplace_back(table.take());
+    }
+}
+
+void addLimitsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const Writer &write = parts.front().write;
+    TextsOfTests rules;
+    MergedTable limits(write, static_cast<int>(parts.size()), 1);
+    for (const TestPart &part : parts) {
+        Table table = limitsTable(part);
+        if (table.rows.empty())
+            continue;
+        limits.add({part.number, std::move(table)});
+        addText(rules, decisionText(part), part.number);
+    }
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")));
+    if (rules.empty()) {
+        blocks.emplace_back(Paragraph{
+            write.text(REPORT_TEXT("report", "No limit was agreed: the results have no verdict."))});
+        return;
+    }
+    blocks.emplace_back(limits.take());
+    for (const TextOfTests &rule : rules)
+        blocks.emplace_back(Paragraph{rules.size() == 1 ? rule.text : ofTests(write, rule.tests, rule.text),
+                                      TextSize::small});
+}
+
+void addBeforeAndAfter(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const Writer &write = parts.front().write;
+    bool any = false;
+    for (const TestPart &after : parts) {
+        const auto found = testAsFound(after.document(), after.index);
+        const auto before =
+            std::ranges::find_if(parts, [&](const TestPart &part) { return found == part.index; });
+        if (!found || before == parts.end())
+            continue;
+        Table table = BeforeAndAfter(*before, after).take();
+        if (table.rows.empty())
+            continue;
+        if (!any) {
+            addHeading(blocks, write.text(REPORT_TEXT("report", "Before and after adjustment")));
+            if (const std::string &made = after.head().adjustments; !made.empty())
+                blocks.emplace_back(Paragraph{QString::fromStdString(made)});
+        }
+        any = true;
+        blocks.emplace_back(Heading{3, testName(write, after.test), QString::fromUtf8(after.edition().word)});
+        blocks.emplace_back(std::move(table));
+    }
+}
+
+void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    std::vector<Block> tables;
+    bool factors = false;
+    for (const Kind kind : {Kind::positioning, Kind::circular}) {
+        EditionsOfTests beside;
+        for (const TestPart &part : parts) {
+            const auto table = part.edition().kind == kind ? editionsTable(part, true) : std::nullopt;
+            if (!table)
+                continue;
+            factors = factors || std::ranges::any_of(std::span(table->columns).subspan(1),
+                                                     [](const Column &c) { return !c.unit.isEmpty(); });
+            if (!beside.add(part, *table)) {
+                tables.emplace_back(beside.take());
+                beside.add(part, *table);
+            }
+        }
+        if (!beside.empty())
+            tables.emplace_back(beside.take());
+    }
+    if (tables.empty())
+        return;
+    const Writer &write = parts.front().write;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Comparison of editions")),
+               factors ? write.text(REPORT_TEXT("report", "c: factor of s")) : QString());
+    blocks.insert(blocks.end(), std::make_move_iterator(tables.begin()),
+                  std::make_move_iterator(tables.end()));
+}
+
+} // namespace palmer
