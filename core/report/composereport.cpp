@@ -6,6 +6,7 @@
 #include "report/closingparts.h"
 #include "report/conditionparts.h"
 #include "report/dataparts.h"
+#include "report/diagnosisparts.h"
 #include "report/headparts.h"
 #include "report/pagetext.h"
 #include "report/resultparts.h"
@@ -86,6 +87,7 @@ void addCircular(std::vector<Block> &blocks, const TestPart &test, const Circula
     addRepetitions(blocks, part);
     addImports(blocks, part);
     addEditionsAndRemarks(blocks, part, remarksBeside(part));
+    addDiagnosis(blocks, part);
 }
 
 /// Paper shows no more of a figure; and a report is copied with its figures.

@@ -336,6 +336,7 @@ void ReportDialog::addChoices(QVBoxLayout *column) {
     part("partSignatures", QT_TR_NOOP("Signatures"), ReportPart::signatures);
     extra("extraReadingMarks", QT_TR_NOOP("Single readings in the figure"), ReportExtra::readingMarks);
     extra("extraAllReadings", QT_TR_NOOP("All readings (over 2000 rows)"), ReportExtra::allReadings);
+    extra("extraDiagnosis", QT_TR_NOOP("Diagnosis of circles"), ReportExtra::diagnosis);
     extra("extraMeanRepeatability", QT_TR_NOOP("Mean repeatability (1988)"), ReportExtra::meanRepeatability);
     m_signaturesTitle = new QLabel(this);
     m_signaturesTitle->setFont(themeFont(TextSize::small));
