@@ -67,9 +67,11 @@ void FeedsView::drawKey(QPainter &painter, const std::vector<CircleLegendEntry> 
         painter.setPen(layerPen(entries[i].layer, medium));
         painter.drawLine(place.topLeft() + QPointF(2, 3), place.topRight() + QPointF(-4, 3));
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(
-            place.adjusted(2, 5, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-            painter.fontMetrics().elidedText(entries[i].text, Qt::ElideRight, static_cast<int>(part) - 4));
+        // The unit stands once where it has no room each time.
+        const QString text = i > 0 && painter.fontMetrics().horizontalAdvance(entries[i].text) > part - 4
+                                 ? entries[i].text.section(u'\u00A0', 0, 0)
+                                 : entries[i].text;
+        painter.drawText(place.adjusted(2, 5, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
     }
 }
 

@@ -31,7 +31,7 @@ constexpr double pointsPerPixel = 72.0 / 96;
 constexpr double ticksOfWidth = 90; ///< pixels a tick of x needs
 constexpr double ticksOfHeight = 28;
 constexpr std::size_t fewPoints = 12; ///< that are marked one by one
-constexpr double markerSize = 6;
+constexpr double markerSize = 4;
 constexpr std::size_t leastParts = 200; ///< of a line that is drawn
 
 Medium mediumOf(const QPalette &palette) {

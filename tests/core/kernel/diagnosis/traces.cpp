@@ -235,9 +235,12 @@ void Traces::manyPointsOfAnyNumber() {
     asked.points = 99'991; // a prime
     asked.feed = 3000;
     asked.vibration = {5e-4, 226 * 3000.0 / 60 / (2 * std::numbers::pi * 150)};
+    asked.noise = {5e-4, 0, 0, 4};
     const Made made(asked);
     const auto rest = unexplained(made.circle, made.diagnosis);
     const auto lines = spectrum(made.circle, 0, rest[0]);
+    // Means of neighbours are fitted, but the rest is that of the readings.
+    QVERIFY(std::abs(made.diagnosis.residual - 5e-4 * std::sqrt(1.5)) < 5e-6);
     QVERIFY(lines.size() > 49'000);
     const auto largest = std::ranges::max_element(lines, {}, &SpectralLine::amplitude);
     QVERIFY(std::abs(largest->perTurn - 226) < 0.5);
