@@ -5239,10 +5239,6 @@
         <translation>De ces sources seule la somme est connue&#xa0;: %1 = %2&#xa0;%4, u = %3&#xa0;%4.</translation>
     </message>
     <message>
-        <source>an influence, in the units of the diagnosis (µm, µm/m, µrad, ms); after @ the pitch of cyclic in mm (10), the width of reversalSpike in degrees (1.5), the expansion of temperature in µm/(m·°C) (11.7)</source>
-        <translation>une influence, dans les unités du diagnostic (µm, µm/m, µrad, ms)&#x202f;; après @ le pas de cyclic en mm (10), la largeur de reversalSpike en degrés (1,5), la dilatation de temperature en µm/(m·°C) (11,7)</translation>
-    </message>
-    <message>
         <source>circular: the plane, first and second axis</source>
         <translation>circular&#xa0;: le plan, premier et second axe</translation>
     </message>
@@ -7294,6 +7290,225 @@
     <message>
         <source>--set %1 is a choice of the import, and this is a test file; its fields have paths, as tests[0].title</source>
         <translation>--set %1 est un choix de l’import, et ceci est un fichier d’essai&#x202f;; ses champs ont des chemins, comme tests[0].title</translation>
+    </message>
+    <message>
+        <source>synthetic path</source>
+        <translation>tracé synthétique</translation>
+    </message>
+    <message>
+        <source>measured, anticlockwise %1</source>
+        <translation>mesuré, sens antihoraire %1</translation>
+    </message>
+    <message>
+        <source>measured, clockwise %1</source>
+        <translation>mesuré, sens horaire %1</translation>
+    </message>
+    <message>
+        <source>Measured and synthetic path</source>
+        <translation>Tracé mesuré et tracé synthétique</translation>
+    </message>
+    <message>
+        <source>about the fitted centre and radius</source>
+        <translation>autour du centre et du rayon ajustés</translation>
+    </message>
+    <message>
+        <source>synthetic: %1</source>
+        <translation>synthétique&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <comment>what no source explains</comment>
+        <translation>reste</translation>
+    </message>
+    <message>
+        <source>Spectrum of the rest</source>
+        <translation>Spectre du reste</translation>
+    </message>
+    <message>
+        <source>waves a turn</source>
+        <translation>ondes par tour</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <source>Circles at several feeds</source>
+        <translation>Cercles à plusieurs avances</translation>
+    </message>
+    <message>
+        <source>each about its own fitted centre</source>
+        <translation>chacun autour de son propre centre ajusté</translation>
+    </message>
+    <message>
+        <source>± 2 u</source>
+        <translation>± 2 u</translation>
+    </message>
+    <message>
+        <source>source 1</source>
+        <translation>source 1</translation>
+    </message>
+    <message>
+        <source>sources 1 to %1</source>
+        <translation>sources 1 à %1</translation>
+    </message>
+    <message>
+        <source>synthetic, %1</source>
+        <comment>sources 1 to 4</comment>
+        <translation>synthétique, %1</translation>
+    </message>
+    <message>
+        <source>%1 per division</source>
+        <translation>%1 par division</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>Senses</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>both together</source>
+        <translation>les deux ensemble</translation>
+    </message>
+    <message>
+        <source>Told apart</source>
+        <translation>Séparés</translation>
+    </message>
+    <message>
+        <source>Rest, std. deviation</source>
+        <translation>Reste, écart-type</translation>
+    </message>
+    <message>
+        <source>Fitted centre</source>
+        <translation>Centre ajusté</translation>
+    </message>
+    <message>
+        <source>Fitted radius</source>
+        <translation>Rayon ajusté</translation>
+    </message>
+    <message>
+        <source>What weighs</source>
+        <translation>Ce qui pèse</translation>
+    </message>
+    <message>
+        <source>No source stands out of the noise.</source>
+        <translation>Aucune source ne dépasse le bruit.</translation>
+    </message>
+    <message>
+        <source>Source 1 makes most of the path by itself.</source>
+        <translation>La source 1 explique à elle seule l’essentiel du tracé.</translation>
+    </message>
+    <message>
+        <source>Sources 1 to %1 make most of the path.</source>
+        <translation>Les sources 1 à %1 expliquent l’essentiel du tracé.</translation>
+    </message>
+    <message>
+        <source>%1, measured</source>
+        <translation>%1, mesuré</translation>
+    </message>
+    <message>
+        <source>%1 without them</source>
+        <translation>%1 sans elles</translation>
+    </message>
+    <message>
+        <source>The parts do not add up: they do not reach their maximum at the same angle.</source>
+        <translation>Les parts ne s’additionnent pas&#xa0;: elles n’atteignent pas leur maximum au même angle.</translation>
+    </message>
+    <message>
+        <source>Meaning, and what to look at on the machine</source>
+        <translation>Sens, et que regarder sur la machine</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Sources</translation>
+    </message>
+    <message>
+        <source>the part of %1 is what the source would make alone; bars from 0 to %2, full where traced</source>
+        <translation>la part de %1 est ce que la source donnerait seule&#x202f;; barres de 0 à %2, pleines pour les sources tracées</translation>
+    </message>
+    <message>
+        <source>Stated by the instrument’s program</source>
+        <translation>Indiqué par le programme de l’instrument</translation>
+    </message>
+    <message>
+        <source>Positive here means</source>
+        <translation>Sens d’une valeur positive ici</translation>
+    </message>
+    <message>
+        <source>Beside the instrument’s own diagnosis</source>
+        <translation>À côté du diagnostic de l’instrument</translation>
+    </message>
+    <message>
+        <source>its file states no sign convention: opposite signs throughout may mean the opposite one</source>
+        <translation>son fichier n’indique pas de convention de signe&#xa0;: des signes tous opposés peuvent venir de la convention opposée</translation>
+    </message>
+    <message>
+        <source>measured minus all sources, over the angle; colours as above</source>
+        <translation>mesuré moins toutes les sources, selon l’angle&#x202f;; couleurs comme ci-dessus</translation>
+    </message>
+    <message>
+        <source>The rest holds vibration, noise and what is none of these sources. Centre and radius, taken out before the path is drawn, have no part in G(b).</source>
+        <translation>Le reste contient les vibrations, le bruit et ce qui n’est aucune de ces sources. Centre et rayon, retirés avant le tracé, n’ont pas d’effet sur G(b).</translation>
+    </message>
+    <message>
+        <source>Diagnosis of the circle (interpretation)</source>
+        <translation>Diagnostic du cercle (interprétation)</translation>
+    </message>
+    <message>
+        <source>not a result of ISO 230-4</source>
+        <translation>pas un résultat de l’ISO 230-4</translation>
+    </message>
+    <message>
+        <source>This diagnosis is no result of the test and no part of the verdict. It takes the measured path apart into known faults of machines; u is the standard uncertainty of the fit alone, without that of the instrument.</source>
+        <translation>Ce diagnostic n’est pas un résultat d’essai et n’entre pas dans le verdict. Il décompose le tracé mesuré en défauts connus des machines&#x202f;; u est l’incertitude type de l’ajustement seul, sans celle de l’instrument.</translation>
+    </message>
+    <message>
+        <source>The evaluated points are too few for a diagnosis.</source>
+        <translation>Les points évalués sont trop peu nombreux pour un diagnostic.</translation>
+    </message>
+    <message>
+        <source>These arcs tell the sum alone, not how it is shared out.</source>
+        <translation>Ces arcs ne donnent que la somme, pas sa répartition.</translation>
+    </message>
+    <message>
+        <source>A full circle in both senses tells more of them apart.</source>
+        <translation>Un cercle complet dans les deux sens en sépare davantage.</translation>
+    </message>
+    <message>
+        <source>These arcs do not tell it from: %1.</source>
+        <translation>Ces arcs ne la distinguent pas de&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>an influence, in the units of the diagnosis (µm, µm/m, µrad, ms); after @ the pitch of cyclic in mm (10), the width of reversalSpike in degrees (1.5), the expansion of temperature in µm/(m·°C) (11.7), the frequency of vibration in Hz (10)</source>
+        <translation>une influence, dans les unités du diagnostic (µm, µm/m, µrad, ms)&#x202f;; après @ le pas de cyclic en mm (10), la largeur de reversalSpike en degrés (1,5), la dilatation de temperature en µm/(m·°C) (11,7), la fréquence de vibration en Hz (10)</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <comment>of a fit</comment>
+        <translation>Conditionnement</translation>
+    </message>
+    <message>
+        <source>source 1 alone</source>
+        <translation>source 1 seule</translation>
+    </message>
+    <message>
+        <source>sources 1 to %1 alone</source>
+        <translation>sources 1 à %1 seules</translation>
+    </message>
+    <message>
+        <source>%1 without it</source>
+        <translation>%1 sans elle</translation>
+    </message>
+    <message>
+        <source>one wave a turn is %1 Hz</source>
+        <translation>une onde par tour fait %1 Hz</translation>
     </message>
     <message>
         <source>%1 is held against the limits of %2 and of %3, which are equal: its row shows that of %2.</source>

@@ -397,6 +397,10 @@
             <numerusform>%1 · %n arcs, %2 points</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Diagnosis: vibration in the rest</source>
+        <translation>Diagnostic&#xa0;: vibration dans le reste</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::AgreedPointsPage</name>
@@ -1723,6 +1727,122 @@
     <message>
         <source>Correction to 20 °C: %1.</source>
         <translation>Correction à 20 °C&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::DiagnosisPage</name>
+    <message>
+        <source>The evaluated points are too few for a diagnosis.</source>
+        <translation>Les points évalués sont trop peu nombreux pour un diagnostic.</translation>
+    </message>
+    <message>
+        <source>The circle is being diagnosed…</source>
+        <translation>Diagnostic du cercle en cours…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parameters told apart · condition %3</source>
+        <translation>%1 paramètres sur %2 séparés · conditionnement %3</translation>
+    </message>
+    <message>
+        <source>Trace: %1</source>
+        <translation>Tracer&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>part of G(b), µm</source>
+        <translation>part de G(b), µm</translation>
+    </message>
+    <message>
+        <source>The instrument’s program states %1 = %2 %3; here: %4. Positive here: %5</source>
+        <translation>Le programme de l’instrument indique %1 = %2 %3&#x202f;; ici&#xa0;: %4. Positif ici&#xa0;: %5</translation>
+    </message>
+    <message>
+        <source>Its file states no sign convention: opposite signs throughout may mean the opposite one.</source>
+        <translation>Son fichier n’indique pas de convention de signe&#xa0;: des signes tous opposés peuvent venir de la convention opposée.</translation>
+    </message>
+    <message>
+        <source>No single circle tells it.</source>
+        <translation>Aucun cercle seul ne le dit.</translation>
+    </message>
+    <message>
+        <source>measured minus all sources; standard deviation %1</source>
+        <translation>mesuré moins toutes les sources&#x202f;; écart-type %1</translation>
+    </message>
+    <message>
+        <source>one wave a turn is %1 Hz</source>
+        <translation>une onde par tour fait %1 Hz</translation>
+    </message>
+    <message>
+        <source>the frequency needs the contouring feed</source>
+        <translation>la fréquence demande l’avance de contournage</translation>
+    </message>
+    <message>
+        <source>This circle</source>
+        <translation>Ce cercle</translation>
+    </message>
+    <message>
+        <source>All feeds</source>
+        <translation>Toutes les avances</translation>
+    </message>
+    <message>
+        <source>What this circle says by itself</source>
+        <translation>Ce que ce cercle dit à lui seul</translation>
+    </message>
+    <message>
+        <source>What the tests of this plane at several feeds say together</source>
+        <translation>Ce que disent ensemble les essais de ce plan à plusieurs avances</translation>
+    </message>
+    <message>
+        <source>Trace the ticked sources</source>
+        <translation>Tracer les sources cochées</translation>
+    </message>
+    <message>
+        <source>Draw the path that the ticked sources make over the measured one</source>
+        <translation>Dessiner sur le tracé mesuré celui des sources cochées</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spectre</translation>
+    </message>
+    <message>
+        <source>What no source explains, over the angle</source>
+        <translation>Ce qu’aucune source n’explique, selon l’angle</translation>
+    </message>
+    <message>
+        <source>What no source explains, by its waves: a vibration stands out</source>
+        <translation>Ce qu’aucune source n’explique, par ses ondes&#xa0;: une vibration ressort</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Sources</translation>
+    </message>
+    <message>
+        <source>Circles at several feeds</source>
+        <translation>Cercles à plusieurs avances</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Plus and minus zoom, arrows move, 0 shows the whole; a rectangle drawn with the mouse is zoomed into</source>
+        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre le tout&#x202f;; un rectangle tracé à la souris est agrandi</translation>
+    </message>
+    <message>
+        <source>%1: %2 ± %3 %4</source>
+        <comment>source, value, u, unit</comment>
+        <translation>%1&#xa0;: %2 ± %3 %4</translation>
     </message>
 </context>
 <context>
@@ -3246,6 +3366,10 @@
         <translation>&amp;Validation</translation>
     </message>
     <message>
+        <source>D&amp;iagnosis</source>
+        <translation>&amp;Diagnostic</translation>
+    </message>
+    <message>
         <source>%1 is read-only: changes can be saved under another name.</source>
         <translation>%1 est en lecture seule&#xa0;: les modifications peuvent être enregistrées sous un autre nom.</translation>
     </message>
@@ -4233,6 +4357,10 @@
     <message>
         <source>Open the &amp;folder</source>
         <translation>Ouvrir le &amp;dossier</translation>
+    </message>
+    <message>
+        <source>Diagnosis of circles</source>
+        <translation>Diagnostic des cercles</translation>
     </message>
     <message numerus="yes">
         <source>All readings (about %n more page(s))</source>
@@ -5319,6 +5447,10 @@
     <message>
         <source>U&amp;ncertainty</source>
         <translation>Incer&amp;titude</translation>
+    </message>
+    <message>
+        <source>Dia&amp;gnosis</source>
+        <translation>Dia&amp;gnostic</translation>
     </message>
 </context>
 <context>

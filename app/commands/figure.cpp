@@ -9,6 +9,7 @@
 #include "figures/budgetfigure.h"
 #include "figures/circlefigure.h"
 #include "figures/deviationfigure.h"
+#include "figures/diagnosisfigure.h"
 #include "figures/driftfigure.h"
 #include "figures/figuredata.h"
 #include "ui/figures/exportfigure.h"
@@ -33,7 +34,7 @@ constexpr std::array options{
     Option{asOption, "svg|png|pdf|csv",
            REPORT_TEXT("report", "the kind of picture; without it the ending of OUT says which")},
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
-    Option{"figure", "deviation|circle|counterclockwise|clockwise|budget",
+    Option{"figure", "deviation|circle|counterclockwise|clockwise|budget|diagnosis",
            REPORT_TEXT("report", "which figure; without it that of the test")},
     jobsOption,
     preparationOptions[0],
@@ -44,6 +45,7 @@ constexpr std::array options{
 
 constexpr const char *deviationWord = "deviation";
 constexpr const char *budgetWord = "budget";
+constexpr const char *diagnosisWord = "diagnosis";
 
 struct CircleWord {
     const char *word = nullptr;
@@ -67,8 +69,17 @@ struct NamedFigure {
 }
 
 /// The figure asked for; without a word that of the kind of test.
-NamedFigure figureOf(const Test &test, const TestEvaluation &evaluation, std::size_t index,
+NamedFigure figureOf(const EvaluatedDocument &evaluated, std::size_t index,
                      const std::optional<QString> &asked, const Language &language) {
+    const Test &test = *evaluated.document->tests[index];
+    const TestEvaluation &evaluation = *evaluated.tests[index];
+    if (asked && *asked == QLatin1StringView(diagnosisWord)) {
+        const auto diagnosed = diagnosedTest(evaluated, index);
+        if (!diagnosed)
+            throwHasNoFigure(index, diagnosisWord); // no circle, or too few points of one
+        CircleFigure figure = diagnosisFigure(*diagnosed, language);
+        return {figure, figure.title};
+    }
     if (asked && *asked == QLatin1StringView(budgetWord)) {
         BarFigure figure = budgetFigure(test, evaluation, language);
         if (figure.bars.empty())
@@ -149,8 +160,7 @@ int run(const Invocation &invocation) {
         const EvaluatedDocument evaluated =
             evaluate(std::make_shared<const Document>(std::move(document)), nullptr, {});
         const std::size_t index = testIndex(invocation, evaluated.tests.size());
-        const Test &test = *evaluated.document->tests[index];
-        const NamedFigure named = figureOf(test, *evaluated.tests[index], index, wanted, invocation.language);
+        const NamedFigure named = figureOf(evaluated, index, wanted, invocation.language);
         const QString target = outputs.at(static_cast<qsizetype>(&input - inputs.list.data()));
         try {
             if (inputs.several)

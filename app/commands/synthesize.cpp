@@ -25,7 +25,8 @@ constexpr std::array options{
     Option{"source", "ID[:AXIS]=VALUE[@SHAPE]",
            REPORT_TEXT("report", "an influence, in the units of the diagnosis (µm, µm/m, µrad, ms); after @ "
                                  "the pitch of cyclic in mm (10), the width of reversalSpike in degrees "
-                                 "(1.5), the expansion of temperature in µm/(m·°C) (11.7)"),
+                                 "(1.5), the expansion of temperature in µm/(m·°C) (11.7), the frequency of "
+                                 "vibration in Hz (10)"),
            true},
     Option{"plane", "XY", REPORT_TEXT("report", "circular: the plane, first and second axis"), false,
            "circular"},
@@ -213,8 +214,15 @@ CircularSynthesis circular(const Invocation &invocation) {
         if (!(extent > 0 && extent <= 360) || std::abs(asked.arc.from) > largest)
             refuse("arc", *arc, "FROM:TO");
     }
-    for (const GivenSource &given : givenSources(invocation))
-        asked.sources.push_back(circularSource(given, asked.plane, invocation));
+    for (const GivenSource &given : givenSources(invocation)) {
+        if (given.id != QLatin1StringView("vibration")) {
+            asked.sources.push_back(circularSource(given, asked.plane, invocation));
+            continue;
+        }
+        if (!given.axis.isEmpty())
+            refuseSource(invocation, given.whole);
+        asked.vibration = {given.value / micrometres, given.shape.value_or(asked.vibration.frequency)};
+    }
     asked.noise = noise(invocation);
     return asked;
 }

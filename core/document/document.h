@@ -26,7 +26,8 @@ enum class ReportExtra {
     readingMarks,
     meanRepeatability,
     repetitions,
-    allReadings ///< tables of readings and targets however many rows they have
+    allReadings, ///< tables of readings and targets however many rows they have
+    diagnosis    ///< of circles: a page of interpretation
 };
 enum class CircleFigures { combined, separate };
 

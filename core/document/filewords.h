@@ -139,7 +139,8 @@ inline constexpr auto fileWords<ReportExtra> =
     std::to_array<FileWord<ReportExtra>>({{ReportExtra::readingMarks, "readingMarks"},
                                           {ReportExtra::meanRepeatability, "meanRepeatability"},
                                           {ReportExtra::repetitions, "repetitions"},
-                                          {ReportExtra::allReadings, "allReadings"}});
+                                          {ReportExtra::allReadings, "allReadings"},
+                                          {ReportExtra::diagnosis, "diagnosis"}});
 template <>
 inline constexpr auto fileWords<ReportPart> =
     std::to_array<FileWord<ReportPart>>({{ReportPart::readings, "readings"},

@@ -189,6 +189,9 @@ private:
             look(value);
     }
     void look(const Point3 &) {}
+    void look(const std::vector<ReportExtra> &extras) {
+        m_found = m_found || std::ranges::find(extras, ReportExtra::diagnosis) != extras.end();
+    }
 
     bool m_found = false;
 };

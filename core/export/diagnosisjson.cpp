@@ -1,12 +1,12 @@
 #include "export/diagnosisjson.h"
 
+#include "document/diagnosedtest.h"
 #include "document/filewords.h"
 #include "document/json.h"
 #include "kernel/diagnosis/sourcewords.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace palmer {
@@ -88,15 +88,6 @@ Json toJson(const Diagnosis &diagnosis, const Language &language) {
             {"remarks", std::move(remarks)}};
 }
 
-/// The circular test as the diagnosis sees it; null for another one.
-std::optional<DiagnosedCircle> circleOf(const Test &test, const TestEvaluation &evaluation) {
-    const auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
-    const auto *results = std::get_if<CircularResults>(&evaluation.results);
-    if (!measurement || !results || results->paths.empty())
-        return std::nullopt;
-    return diagnosedCircle(*measurement, *results);
-}
-
 Json noiseJson(const SynthesizedNoise &noise) {
     return {{"deviation", noise.deviation * micrometres},
             {"correlation", noise.correlation},
@@ -121,35 +112,17 @@ Json diagnosisJson(const Test &test, const TestEvaluation &evaluation, const Lan
 }
 
 Json feedDiagnosesJson(const EvaluatedDocument &evaluated, const Language &language) {
-    std::vector<std::pair<std::size_t, DiagnosedCircle>> circles;
-    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
-        if (auto circle = circleOf(*evaluated.document->tests[i], *evaluated.tests[i]))
-            circles.emplace_back(i, std::move(*circle));
-    }
     Json result = Json::array();
-    std::vector<bool> taken(circles.size());
-    for (std::size_t first = 0; first < circles.size(); ++first) {
-        if (taken[first])
-            continue;
-        Json tests = Json::array();
+    for (const std::vector<std::size_t> &tests : testsAtSeveralFeeds(evaluated)) {
+        Json numbers = Json::array();
         std::vector<DiagnosedCircle> group;
-        for (std::size_t k = first; k < circles.size(); ++k) {
-            const DiagnosedCircle &one = circles[first].second;
-            const DiagnosedCircle &other = circles[k].second;
-            const bool alike = one.first == other.first && one.second == other.second &&
-                               one.feedback == other.feedback && other.feed &&
-                               std::abs(one.nominalRadius - other.nominalRadius) <= 1e-6;
-            if (taken[k] || !alike)
-                continue;
-            taken[k] = true;
-            tests.push_back(circles[k].first + 1);
-            group.push_back(other);
+        for (const std::size_t test : tests) {
+            numbers.push_back(test + 1);
+            group.push_back(*circleOf(*evaluated.document->tests[test], *evaluated.tests[test]));
         }
-        if (!areSeveralFeeds(group))
-            continue;
         Json diagnosis = toJson(diagnose(group), language);
         if (!diagnosis.is_null())
-            result.push_back({{"tests", std::move(tests)}, {"diagnosis", std::move(diagnosis)}});
+            result.push_back({{"tests", std::move(numbers)}, {"diagnosis", std::move(diagnosis)}});
     }
     return result;
 }
@@ -180,6 +153,12 @@ QByteArray truthJson(const CircularSynthesis &asked, std::span<const double> fee
             one["width"] = source.shape;
         sources.push_back(std::move(one));
     }
+    if (asked.vibration.amplitude != 0)
+        sources.push_back({{"id", "vibration"},
+                           {"axis", nullptr},
+                           {"value", asked.vibration.amplitude * micrometres},
+                           {"unit", "µm"},
+                           {"frequency", asked.vibration.frequency}});
     truth["sources"] = std::move(sources);
     truth["noise"] = noiseJson(asked.noise);
     return printed(truth);

@@ -463,7 +463,7 @@ void addRadialDeviations(CircleFigure &figure, const CircleSource &source, const
 void addContacts(CircleFigure &figure, std::span<const PathProfile> profiles, double deviation, bool outer) {
     std::vector<ContactMark> found;
     for (const PathProfile &profile : profiles) {
-        if (profile.repetition)
+        if (!profile.isEvaluated())
             continue;
         for (std::size_t i = 0; i < profile.deviations.size() && found.size() < mostContacts; ++i) {
             if (std::abs(profile.deviations[i] - deviation) > contactTolerance)
@@ -480,6 +480,16 @@ void addContacts(CircleFigure &figure, std::span<const PathProfile> profiles, do
     figure.contacts.insert(figure.contacts.end(), found.begin(), found.end());
 }
 
+double figureRadius(const QSizeF &size) {
+    return std::max(smallestRadius, std::min(size.width() / 2 - sideMargin, size.height() / 2 - topMargin));
+}
+
+QString captionOf(const CircleFigure &figure, const Language &language) {
+    return language.sentence({REPORT_TEXT("report", "magnification %1, %2 per division"),
+                              {figure.ratio.toStdString(), figure.divisionLabel.toStdString()},
+                              {}});
+}
+
 QString senseText(Sense sense, const std::string &index, const Language &language) {
     return language.sentence({sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise, %1")
                                                                : REPORT_TEXT("report", "clockwise, %1"),
@@ -493,15 +503,19 @@ void addLegend(CircleFigure &figure, const CircleSource &source, std::span<const
         figure.legend.push_back({sample, text});
     };
     bool repeated = false;
+    bool synthetic = false;
     for (const PathProfile &profile : profiles) {
         repeated |= profile.repetition;
-        if (!profile.repetition)
+        synthetic |= profile.synthetic;
+        if (profile.isEvaluated())
             add(profile.sense == Sense::counterclockwise ? CircleLegendSample::counterclockwise
                                                          : CircleLegendSample::clockwise,
                 senseText(profile.sense, profile.index, language));
     }
     if (repeated)
         add(CircleLegendSample::repetitions, language.text(REPORT_TEXT("report", "repetitions")));
+    if (synthetic)
+        add(CircleLegendSample::synthetic, language.text(REPORT_TEXT("report", "synthetic path")));
     add(CircleLegendSample::nominal, language.text(REPORT_TEXT("report", "nominal circle")));
     if (figure.envelope && figure.envelope->dimension) {
         const Text text = source.measurement.referenceCircle == ReferenceCircle::minimumZone
@@ -520,9 +534,7 @@ void addLegend(CircleFigure &figure, const CircleSource &source, std::span<const
         add(CircleLegendSample::start, language.text(REPORT_TEXT("report", "starting point")));
     if (!figure.contacts.empty())
         add(CircleLegendSample::contacts, language.text(REPORT_TEXT("report", "ruling points")));
-    figure.keyColumns = figure.size.width() >= threeColumns ? 3 : 2;
-    figure.keyHeight =
-        keyGap + keyRow * std::ceil(static_cast<double>(figure.legend.size()) / figure.keyColumns);
+    setLegend(figure, std::move(figure.legend), figure.size.width() >= threeColumns ? 3 : 2);
 }
 
 Text titleText(const CircleSource &source, std::size_t paths) {
@@ -581,6 +593,37 @@ CircleScale circleScale(const Interval &deviations, double figureRadius) {
             moved};
 }
 
+std::vector<PathProfile> profilesOfPaths(const Test &test, const TestEvaluation &evaluation,
+                                         const CircleFigureOptions &options, std::span<const Points> paths) {
+    const CircleSource source(test, evaluation, options);
+    const CircleResult *circle = source.circle();
+    std::vector<PathProfile> result;
+    for (std::size_t i = 0; i < source.results.paths.size() && i < paths.size(); ++i) {
+        const EvaluatedPath &path = source.results.paths[i];
+        if (!source.shows(path.sense) || path.source.empty())
+            continue;
+        result.push_back(profile(source.measurement.arcs[path.arc], path.source, paths[i].view(),
+                                 circle ? circle->centre : Point{}, source.measurement.nominalRadius));
+        finish(result.back(), source, path.arc);
+    }
+    return result;
+}
+
+std::vector<PathProfile> profilesAbout(const CircularMeasurement &measurement, const CircularResults &results,
+                                       std::span<const Points> paths, Point centre, double radius) {
+    std::vector<PathProfile> result;
+    for (std::size_t i = 0; i < results.paths.size() && i < paths.size(); ++i) {
+        const EvaluatedPath &path = results.paths[i];
+        result.push_back(profile(measurement.arcs[path.arc], path.source, paths[i].view(), centre, radius));
+        result.back().arc = path.arc;
+        result.back().index = path.index;
+        const auto &angles = result.back().angles;
+        result.back().ordered =
+            std::ranges::is_sorted(angles) || std::ranges::is_sorted(angles, std::greater<>());
+    }
+    return result;
+}
+
 std::vector<PathProfile> pathProfiles(const Test &test, const TestEvaluation &evaluation,
                                       const CircleFigureOptions &options) {
     return profilesOf(CircleSource(test, evaluation, options));
@@ -614,15 +657,14 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
     figure.secondAxis = QString::fromStdString(source.measurement.plane.second);
     figure.size = options.size;
     figure.pointStep = options.pointStep;
-    figure.figureRadius = std::max(smallestRadius, std::min(options.size.width() / 2 - sideMargin,
-                                                            options.size.height() / 2 - topMargin));
+    figure.figureRadius = figureRadius(options.size);
     if (const auto sector = sectorOf(profiles); options.fillFrame && sector)
         fillFrame(figure, *sector);
     addEnvelope(figure, source, language);
     QStringList beyond;
     addRadialDeviations(figure, source, test, profiles, language, beyond);
     for (const PathProfile &profile : profiles) {
-        if (profile.repetition)
+        if (!profile.isEvaluated())
             continue;
         figure.starts.push_back({profile.sense, profile[0]});
         figure.arrows.push_back({profile.sense, QString::fromStdString(profile.index)});
@@ -641,8 +683,7 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
         beyond << figure.envelope->limitLabel;
     }
 
-    const auto paths =
-        static_cast<std::size_t>(std::ranges::count(profiles, false, &PathProfile::repetition));
+    const auto paths = static_cast<std::size_t>(std::ranges::count_if(profiles, &PathProfile::isEvaluated));
     const std::string name = paths == 0 ? std::string() : profiles.front().index;
     figure.title = language.sentence({titleText(source, paths), {name}, {}});
     figure.centre = language.sentence(centreText(source));
@@ -650,12 +691,38 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
     const Visible inView = visible(figure);
     addRings(figure, deviations, inView, language);
     addTraces(figure, profiles, inView);
-    figure.caption = language.sentence({REPORT_TEXT("report", "magnification %1, %2 per division"),
-                                        {figure.ratio.toStdString(), figure.divisionLabel.toStdString()},
-                                        {}});
+    figure.caption = captionOf(figure, language);
     nameBeyond(figure, beyond, language);
     addLegend(figure, source, profiles, language);
     return figure;
+}
+
+CircleFigure pathsFigure(std::span<const PathProfile> profiles, const Plane &plane, const Language &language,
+                         const CircleFigureOptions &options) {
+    CircleFigure figure;
+    figure.firstAxis = QString::fromStdString(plane.first);
+    figure.secondAxis = QString::fromStdString(plane.second);
+    figure.size = options.size;
+    figure.pointStep = options.pointStep;
+    figure.figureRadius = figureRadius(options.size);
+    if (const auto sector = sectorOf(profiles); options.fillFrame && sector)
+        fillFrame(figure, *sector);
+    const Interval deviations = reach(figure, profiles);
+    const CircleScale scale = circleScale(deviations, figure.figureRadius);
+    figure.plotRadius = scale.plotRadius;
+    figure.magnification = scale.magnification;
+    figure.ratio = ratio(figure.magnification, language);
+    const Visible inView = visible(figure);
+    addRings(figure, deviations, inView, language);
+    addTraces(figure, profiles, inView);
+    figure.caption = captionOf(figure, language);
+    return figure;
+}
+
+void setLegend(CircleFigure &figure, std::vector<CircleLegendEntry> entries, int columns) {
+    figure.legend = std::move(entries);
+    figure.keyColumns = columns;
+    figure.keyHeight = keyGap + keyRow * std::ceil(static_cast<double>(figure.legend.size()) / columns);
 }
 
 std::vector<CircleFigureOptions> separateCircleFigures(const Test &test, const TestEvaluation &evaluation) {

@@ -56,6 +56,14 @@ struct CircleFigureOptions {
 [[nodiscard]] CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
                                         const Language &language, const CircleFigureOptions &options = {});
 
+/// Paths alone, about the centre their profiles are made about, on the scale that circleFigure() would take:
+/// axes, rings and traces, without circle, marks, arrows, title and legend.
+[[nodiscard]] CircleFigure pathsFigure(std::span<const PathProfile> profiles, const Plane &plane,
+                                       const Language &language, const CircleFigureOptions &options);
+
+/// Puts the legend below a figure, in 1, 2 or 3 columns, and makes room for it on paper.
+void setLegend(CircleFigure &figure, std::vector<CircleLegendEntry> entries, int columns);
+
 /// The figures of the standard one by one: G(b), G of each path, F of each path, as far as there are values.
 [[nodiscard]] std::vector<CircleFigureOptions> separateCircleFigures(const Test &test,
                                                                      const TestEvaluation &evaluation);
@@ -66,6 +74,18 @@ struct CircleFigureOptions {
 /// The points behind a figure, made once for many views of it: 10⁶ points take about 0.1 s.
 [[nodiscard]] std::vector<PathProfile> pathProfiles(const Test &test, const TestEvaluation &evaluation,
                                                     const CircleFigureOptions &options = {});
+
+/// Other points in the place of those of the evaluated paths (one list a path of the results, one point a
+/// point, mm about the programmed centre), about the centre of the figure: to be drawn with its profiles.
+[[nodiscard]] std::vector<PathProfile> profilesOfPaths(const Test &test, const TestEvaluation &evaluation,
+                                                       const CircleFigureOptions &options,
+                                                       std::span<const Points> paths);
+
+/// The same about any centre, as deviations from any radius (mm).
+[[nodiscard]] std::vector<PathProfile> profilesAbout(const CircularMeasurement &measurement,
+                                                     const CircularResults &results,
+                                                     std::span<const Points> paths, Point centre,
+                                                     double radius);
 
 /// A whole arc with what of it is not evaluated, about the least squares centre of the paths of its sense
 /// (the programmed centre where there is none), as the unwrapped curve over the angle shows it. `arc` is an

@@ -135,7 +135,17 @@ struct CurveFigure {
 };
 
 /// What a line of a line figure shows; what that looks like is the business of who draws.
-enum class LineRole { measuredUp, measuredDown, predictedUp, predictedDown, machine, instrument, air };
+enum class LineRole {
+    measuredUp,
+    measuredDown,
+    predictedUp,
+    predictedDown,
+    machine,
+    instrument,
+    air,
+    counterclockwise,
+    clockwise
+};
 
 struct FigureLine {
     LineRole role = LineRole::machine;
@@ -146,7 +156,8 @@ struct FigureLine {
     bool operator==(const FigureLine &) const = default;
 };
 
-/// Lines over one axis: temperatures over time, means before and after a compensation.
+/// Lines over one axis: temperatures over time, means before and after a compensation, what a diagnosis
+/// leaves over the angle. An axis without quantity has no title, lines without names no legend.
 struct LineFigure {
     QString title;
     FigureAxis x;
@@ -171,6 +182,8 @@ struct CircleTrace {
     Sense sense = Sense::counterclockwise;
     bool repetition = false;
     std::vector<TracePoint> points;
+    bool synthetic = false;   ///< what sources of a diagnosis make, not measured
+    std::optional<int> layer; ///< of several tests over one another: which, from 0
 
     bool operator==(const CircleTrace &) const = default;
 };
@@ -231,12 +244,16 @@ enum class CircleLegendSample {
     centre,
     start,
     contacts,
-    repetitions
+    repetitions,
+    synthetic,
+    layer,
+    continued ///< the text goes on
 };
 
 struct CircleLegendEntry {
     CircleLegendSample sample = CircleLegendSample::nominal;
     QString text;
+    int layer = 0;
 
     bool operator==(const CircleLegendEntry &) const = default;
 };

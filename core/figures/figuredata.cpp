@@ -98,8 +98,9 @@ void add(PointTable &table, const CircleFigure &figure) {
         const QString sense =
             trace.sense == Sense::counterclockwise ? QStringLiteral("↺") : QStringLiteral("↻");
         ++number;
+        const QString made = trace.synthetic ? QStringLiteral(" *") : QString();
         for (const TracePoint &point : trace.points)
-            table.point(QStringLiteral("%1 %2").arg(number).arg(sense), point.angle, point.deviation);
+            table.point(QStringLiteral("%1 %2%3").arg(number).arg(sense, made), point.angle, point.deviation);
     }
 }
 

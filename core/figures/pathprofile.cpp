@@ -83,7 +83,8 @@ private:
                 greatest = next;
         }
         if (!m_open)
-            m_traces.push_back({m_profile.sense, m_profile.repetition, {}});
+            m_traces.push_back(
+                {m_profile.sense, m_profile.repetition, {}, m_profile.synthetic, m_profile.layer});
         m_open = true;
         std::vector<TracePoint> &points = m_traces.back().points;
         if (next - first <= 4) {

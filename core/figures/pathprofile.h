@@ -26,7 +26,11 @@ struct PathProfile {
     std::vector<std::size_t> source;      ///< of each point: its index in the arc
     bool ordered = true;                  ///< the angles never turn back
     std::optional<double> sampleInterval; ///< s
+    bool synthetic = false;               ///< what sources of a diagnosis make, not measured
+    std::optional<int> layer = {};        ///< of several tests over one another: which, from 0
 
+    /// Results are of it.
+    [[nodiscard]] bool isEvaluated() const { return !repetition && !synthetic; }
     [[nodiscard]] TracePoint operator[](std::size_t i) const { return {angles[i], deviations[i]}; }
 
     bool operator==(const PathProfile &) const = default;

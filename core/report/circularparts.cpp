@@ -25,26 +25,8 @@ constexpr int circleDecimals = 2;    ///< of centres and radii in their table, �
 constexpr int angleDecimals = 1;
 constexpr int timeDecimals = 1;
 
-/// "+10.1": centres say on which side they are.
-QString signedNumber(const Writer &write, double value, Quantity quantity, int decimals) {
-    const QString number = write.language().number(value, quantity, decimals);
-    return number.startsWith(u'−') || value == 0 ? number : u'+' + number;
-}
-
 QString axisName(const std::string &name) {
     return QString::fromStdString(name.empty() ? "–" : name);
-}
-
-/// "X −14.9; Y +10.1 µm".
-QString centreText(const CircularPart &part, Point centre, int decimals) {
-    const Writer &write = part.write;
-    const auto coordinate = [&](const std::string &axis, double value) {
-        return axisName(axis) + QStringLiteral("\u00A0") +
-               signedNumber(write, value, Quantity::deviation, decimals);
-    };
-    return coordinate(part.measurement.plane.first, centre.x) + write.semicolon() +
-           coordinate(part.measurement.plane.second, centre.y) + QStringLiteral("\u00A0") +
-           write.language().unit(Quantity::deviation);
 }
 
 // ---- The parameters of the test --------------------------------------------------------------------------
@@ -352,6 +334,22 @@ KeyValues centreRows(const CircularPart &part, const CircleFigureOptions &option
 }
 
 } // namespace
+
+QString signedNumber(const Writer &write, double value, Quantity quantity, int decimals) {
+    const QString number = write.language().number(value, quantity, decimals);
+    return number.startsWith(u'−') || value == 0 ? number : u'+' + number;
+}
+
+QString centreText(const CircularPart &part, Point centre, int decimals) {
+    const Writer &write = part.write;
+    const auto coordinate = [&](const std::string &axis, double value) {
+        return axisName(axis) + QStringLiteral("\u00A0") +
+               signedNumber(write, value, Quantity::deviation, decimals);
+    };
+    return coordinate(part.measurement.plane.first, centre.x) + write.semicolon() +
+           coordinate(part.measurement.plane.second, centre.y) + QStringLiteral("\u00A0") +
+           write.language().unit(Quantity::deviation);
+}
 
 void addActualPaths(std::vector<Block> &blocks, const CircularPart &part) {
     const Writer &write = part.write;

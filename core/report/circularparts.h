@@ -21,4 +21,10 @@ void addCircles(std::vector<Block> &blocks, const CircularPart &part);
 /// G of the further arcs of each sense, beside that of the first; only where the report asks for it.
 void addRepetitions(std::vector<Block> &blocks, const CircularPart &part);
 
+/// "+10.1": centres say on which side they are.
+[[nodiscard]] QString signedNumber(const Writer &write, double value, Quantity quantity, int decimals);
+
+/// "X −14.9; Y +10.1 µm".
+[[nodiscard]] QString centreText(const CircularPart &part, Point centre, int decimals);
+
 } // namespace palmer

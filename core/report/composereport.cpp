@@ -6,6 +6,7 @@
 #include "report/closingparts.h"
 #include "report/conditionparts.h"
 #include "report/dataparts.h"
+#include "report/diagnosisparts.h"
 #include "report/headparts.h"
 #include "report/pagetext.h"
 #include "report/resultparts.h"
@@ -105,6 +106,7 @@ void addDetails(std::vector<Block> &blocks, const CircularPart &part) {
     addCorrection(blocks, part);
     addRepetitions(blocks, part);
     addImports(blocks, part);
+    addDiagnosis(blocks, part);
 }
 
 /// Paper shows no more of a figure; and a report is copied with its figures.

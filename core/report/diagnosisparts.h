@@ -3,6 +3,7 @@
 #include "kernel/diagnosis/diagnosis.h"
 #include "language/language.h"
 #include "report/report.h"
+#include "report/testpart.h"
 
 namespace palmer {
 
@@ -11,7 +12,8 @@ namespace palmer {
 /// means, remarks. Nothing for a circle that gives no diagnosis.
 [[nodiscard]] std::vector<Block> diagnosisParts(const Diagnosis &diagnosis, const Language &language);
 
-/// Digits after the point of a value with that standard uncertainty: two significant ones of u; 0 … 4.
-[[nodiscard]] int decimalsOfEstimate(double standardUncertainty);
+/// The page of a report that says the same with figures: measured and synthetic path, the sources with what
+/// to look at on the machine, what they leave. Nothing unless the report asks for it.
+void addDiagnosis(std::vector<Block> &blocks, const CircularPart &part);
 
 } // namespace palmer

@@ -114,8 +114,9 @@ private:
     }
 
     void axis(const FigureAxis &axis) {
-        cells(
-            {axis.quantity + u' ' + axis.symbol + axis.subscript + QStringLiteral(" (") + axis.unit + u')'});
+        if (!axis.quantity.isEmpty())
+            cells({axis.quantity + u' ' + axis.symbol + axis.subscript +
+                   (axis.unit.isEmpty() ? QString() : QStringLiteral(" (") + axis.unit + u')')});
         QStringList labels;
         for (const Tick &tick : axis.ticks)
             labels << tick.label;

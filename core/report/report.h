@@ -82,6 +82,7 @@ struct Cell {
     Mark mark = Mark::none; ///< before the text
     std::optional<Guard> guard = {};
     std::optional<double> bar = {}; ///< a bar from the left, part of the width of its column, 0 … 1
+    bool hollow = false;            ///< of a bar: its outline alone
     bool pale = false;              ///< grey, with its mark and picture: for information only
     std::size_t rows = 1;           ///< it stands beside; these are never split
     std::size_t columns = 1;        ///< its text stands in; the cells of the others are blank

@@ -58,6 +58,13 @@ private slots:
                                   << QByteArrayList{};
         QTest::newRow("counterclockwise") << QStringList{"--figure", "counterclockwise"}
                                           << QByteArrayList{"anticlockwise, ZX"} << QByteArrayList{"XZ"};
+        QTest::newRow("diagnosis") << QStringList{"--figure", "diagnosis"}
+                                   << QByteArrayList{"measured, anticlockwise ZX", "measured, clockwise XZ",
+                                                     "synthetic: ", "stroke-dasharray"}
+                                   << QByteArrayList{"minimum zone"};
+        QTest::newRow("diagnosis in French") << QStringList{"--figure", "diagnosis", "--language", "fr"}
+                                             << QByteArrayList{"mesuré, sens horaire XZ", "synthétique"}
+                                             << QByteArrayList{"measured", "synthetic"};
         QTest::newRow("clockwise in French")
             << QStringList{"--figure", "clockwise", "--language", "fr"}
             << QByteArrayList{"sens horaire, XZ", "zone minimale, G", "point de départ"}
@@ -89,6 +96,27 @@ private slots:
             QCOMPARE(result.code, 0);
             QVERIFY(contents(m_folder.filePath(name)).startsWith(begins));
         }
+    }
+
+    void theDiagnosisIsWrittenInEveryFormat() {
+        for (const auto &[name, begins] :
+             {std::pair("d.pdf", QByteArray("%PDF-")), std::pair("d.png", QByteArray("\x89PNG")),
+              std::pair("d.csv", QByteArray("# Measured and synthetic path"))}) {
+            const palmer::testdata::CliResult result =
+                run({"figure", m_folder.filePath("both.palmer"), "--figure", "diagnosis", "-o",
+                     m_folder.filePath(name)});
+            QCOMPARE(result.err, QByteArray());
+            QCOMPARE(result.code, 0);
+            QVERIFY(contents(m_folder.filePath(name)).startsWith(begins));
+        }
+    }
+
+    void aPositioningTestHasNoDiagnosis() {
+        const palmer::testdata::CliResult result =
+            run({"figure", EXAMPLES "iso230-2-1988-example.palmer", "--figure", "diagnosis", "-o",
+                 m_folder.filePath("x.svg")});
+        QCOMPARE(result.code, 2);
+        QVERIFY2(result.err.contains("the test 1 has no figure diagnosis"), result.err);
     }
 
     void saysWhichFigureATestDoesNotHave_data() {

@@ -42,6 +42,7 @@ private slots:
     void sumOfWhatCannotBeTold();
     void teachingExamples_data();
     void teachingExamples();
+    void vibrationStaysInTheRest();
     void positioning();
     void sameSeedSameFile();
     void wrongUsage_data();
@@ -219,6 +220,26 @@ void SynthesizeCommandTest::teachingExamples() {
                      qPrintable(source[u"id"].toString()));
     }
     QCOMPARE(known, 1);
+}
+
+/// A vibration is no source that is fitted: it is left, at its frequency.
+void SynthesizeCommandTest::vibrationStaysInTheRest() {
+    const QJsonObject results =
+        jsonOf(runCli({"evaluate", EXAMPLES "teaching-13-vibration.palmer", "--json"}).out);
+    const QJsonObject diagnosis = results[u"tests"].toArray().first()[u"diagnosis"].toObject();
+    // 0.8 µm · sin: 0.57 µm of standard deviation.
+    QVERIFY(std::abs(diagnosis[u"residual"].toDouble() * 1e3 - 0.8 / std::sqrt(2.0)) < 0.02);
+    for (const QJsonValue source : diagnosis[u"sources"].toArray())
+        QVERIFY2(std::abs(source[u"value"].toDouble()) < 5 * source[u"u"].toDouble(),
+                 qPrintable(source[u"id"].toString()));
+    QCOMPARE(runCli({"synthesize", "circular", "--source", "vibration=0.8@12", "--feed", "3000", "--points",
+                     "720", "--truth", path("v.json"), "-o", path("v.palmer")})
+                 .code,
+             0);
+    const QJsonObject truth = jsonOf(contents(path("v.json")))[u"sources"].toArray().first().toObject();
+    QCOMPARE(truth[u"id"].toString(), QString("vibration"));
+    QCOMPARE(truth[u"value"].toDouble(), 0.8);
+    QCOMPARE(truth[u"frequency"].toDouble(), 12.0);
 }
 
 void SynthesizeCommandTest::positioning() {

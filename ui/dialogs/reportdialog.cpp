@@ -338,6 +338,7 @@ void ReportDialog::addChoices(QVBoxLayout *column) {
     extra("extraReadingMarks", QT_TR_NOOP("Single readings in the figure"), ReportExtra::readingMarks);
     extra("extraAllReadings", QT_TR_NOOP("All readings (over 2000 rows)"), ReportExtra::allReadings);
     m_allReadings = m_choices.back().box;
+    extra("extraDiagnosis", QT_TR_NOOP("Diagnosis of circles"), ReportExtra::diagnosis);
     extra("extraMeanRepeatability", QT_TR_NOOP("Mean repeatability (1988)"), ReportExtra::meanRepeatability);
     m_signaturesTitle = new QLabel(this);
     m_signaturesTitle->setFont(themeFont(TextSize::small));

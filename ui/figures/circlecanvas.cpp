@@ -70,9 +70,14 @@ void CircleCanvas::show(const EvaluatedDocument &evaluated, std::size_t test,
     const auto samePaths = [](const CircleFigureOptions &a, const CircleFigureOptions &b) {
         return a.of == b.of && a.subject == b.subject && a.repetitions == b.repetitions;
     };
-    if (m_profilesOf != evaluation || !samePaths(m_content.options, content.options))
+    const bool others = m_profilesOf != evaluation || !samePaths(m_content.options, content.options);
+    if (others)
         m_profiles = pathProfiles(*evaluated.document->tests[test], *evaluation, content.options);
     m_profilesOf = evaluation;
+    if (others || m_content.synthetic != content.synthetic) {
+        m_content.options = content.options;
+        addSynthetic(*evaluated.document->tests[test], content.synthetic);
+    }
     m_evaluated = evaluated;
     m_test = test;
     m_content = content;
@@ -80,6 +85,16 @@ void CircleCanvas::show(const EvaluatedDocument &evaluated, std::size_t test,
     m_whole.reset();
     m_drawn = {};
     update();
+}
+
+void CircleCanvas::addSynthetic(const Test &test, const SyntheticPaths &synthetic) {
+    std::erase_if(m_profiles, &PathProfile::synthetic);
+    if (synthetic.of != m_profilesOf || !synthetic.paths)
+        return;
+    for (PathProfile &profile : profilesOfPaths(test, *m_profilesOf, m_content.options, *synthetic.paths)) {
+        profile.synthetic = true;
+        m_profiles.push_back(std::move(profile));
+    }
 }
 
 void CircleCanvas::clear() {
@@ -210,8 +225,9 @@ std::optional<CircleCanvas::ProfilePoint> CircleCanvas::nearest(QPointF at) cons
         }
     };
     for (std::size_t k = 0; k < m_profiles.size(); ++k) {
-        if (shows(m_profiles[k].sense) && !m_profiles[k].angles.empty())
-            visitNear(m_profiles[k], direction, window, [&](std::size_t i) { look(k, i); });
+        const PathProfile &profile = m_profiles[k];
+        if (shows(profile.sense) && !profile.angles.empty() && !profile.synthetic)
+            visitNear(profile, direction, window, [&](std::size_t i) { look(k, i); });
     }
     return found;
 }
@@ -219,7 +235,7 @@ std::optional<CircleCanvas::ProfilePoint> CircleCanvas::nearest(QPointF at) cons
 std::optional<CircleCanvas::ProfilePoint> CircleCanvas::find(const ReadingPlace &place) const {
     for (std::size_t k = 0; k < m_profiles.size(); ++k) {
         const PathProfile &profile = m_profiles[k];
-        if (profile.arc != place.run || !shows(profile.sense))
+        if (profile.arc != place.run || profile.synthetic || !shows(profile.sense))
             continue;
         const auto found = std::ranges::lower_bound(profile.source, place.target);
         if (found != profile.source.end() && *found == place.target)
@@ -232,7 +248,7 @@ std::optional<CircleCanvas::ProfilePoint> CircleCanvas::find(const ReadingPlace 
 std::optional<CircleCanvas::ProfilePoint> CircleCanvas::pointOf(const RulingPoint &ruling) const {
     for (std::size_t k = 0; k < m_profiles.size(); ++k) {
         const PathProfile &profile = m_profiles[k];
-        if (profile.repetition || profile.index != ruling.path.toStdString() || !shows(profile.sense))
+        if (!profile.isEvaluated() || profile.index != ruling.path.toStdString() || !shows(profile.sense))
             continue;
         const auto away = [&](double angle) { return std::abs(std::remainder(angle - ruling.angle, 360.0)); };
         const auto found = std::ranges::min_element(profile.angles, {}, away);

@@ -9,16 +9,26 @@
 
 #include <QPixmap>
 #include <QWidget>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace palmer::ui {
+
+/// Paths to be drawn over the measured ones: what sources of a diagnosis make.
+struct SyntheticPaths {
+    TestEvaluationPointer of;                         ///< whose paths they are
+    std::shared_ptr<const std::vector<Points>> paths; ///< see profilesOfPaths; null: none
+
+    bool operator==(const SyntheticPaths &) const = default;
+};
 
 /// What of a circle figure is shown, whatever the test.
 struct CircleCanvasContent {
     CircleFigureOptions options; ///< size: that of the canvas counts
     bool counterclockwise = true;
     bool clockwise = true;
+    SyntheticPaths synthetic = {}; ///< of another evaluation: not shown
 
     bool operator==(const CircleCanvasContent &) const = default;
 };
@@ -73,6 +83,7 @@ private:
     };
 
     void drawAnew();
+    void addSynthetic(const Test &test, const SyntheticPaths &synthetic);
     void zoom(double factor, QPointF about);
     void pan(QPointF by);
     [[nodiscard]] static CircleView within(CircleView view, const CircleFigure &figure);

@@ -142,6 +142,13 @@ void CircleFigureView::setContacts(bool shown) {
     refresh();
 }
 
+void CircleFigureView::setSynthetic(const SyntheticPaths &paths) {
+    if (m_synthetic == paths)
+        return;
+    m_synthetic = paths;
+    refresh();
+}
+
 void CircleFigureView::setMarking(const QString &label, const std::vector<RulingPoint> &points) {
     for (CircleCanvas *canvas : m_canvases)
         canvas->setMarking(label, points);
@@ -231,6 +238,7 @@ void CircleFigureView::refresh() {
         content.options.repetitions = m_repetitions->isChecked() && !results.repetitions.empty();
         content.counterclockwise = m_counterclockwise->isChecked();
         content.clockwise = m_clockwise->isChecked();
+        content.synthetic = m_synthetic;
         m_canvases[i]->show(m_evaluated, m_test, content, m_language);
     }
     if (!m_current->isVisibleTo(this))

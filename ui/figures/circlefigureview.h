@@ -4,6 +4,7 @@
 #include "figures/circlefigure.h"
 #include "language/language.h"
 #include "report/explanation.h"
+#include "ui/figures/circlecanvas.h"
 #include "ui/model/selection.h"
 
 #include <QWidget>
@@ -17,8 +18,6 @@ class QToolButton;
 
 namespace palmer::ui {
 
-class CircleCanvas;
-
 /// The figures of a circular test: which of them is shown (combined, one of those of the standard, or G(b)
 /// and both G side by side), what of it, and the surface.
 class CircleFigureView : public QWidget {
@@ -31,6 +30,7 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
     void setContacts(bool shown);
+    void setSynthetic(const SyntheticPaths &paths);
     void setMarking(const QString &label, const std::vector<RulingPoint> &points);
     void clear();
     void fit();
@@ -59,6 +59,7 @@ private:
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
     bool m_contacts = true;
+    SyntheticPaths m_synthetic;
     std::vector<CircleFigureOptions> m_separate; ///< those of the standard that the test has
     QComboBox *m_choice;
     QToolButton *m_counterclockwise;

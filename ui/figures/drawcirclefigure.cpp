@@ -135,6 +135,7 @@ public:
         drawEnvelope();
         for (const bool repetitions : {true, false})
             drawTraces(repetitions);
+        drawSyntheticTraces();
         drawStarts();
         drawContacts();
         drawCentre();
@@ -329,14 +330,33 @@ private:
     void drawTraces(bool repetitions) {
         p.setBrush(Qt::NoBrush);
         for (const CircleTrace &trace : m_figure.traces) {
-            if (trace.repetition != repetitions)
+            if (trace.repetition != repetitions || trace.synthetic)
                 continue;
-            QPen line = pen(roleOf(trace.sense));
+            QPen line = trace.layer ? layerPen(*trace.layer, m_medium) : pen(roleOf(trace.sense));
+            if (trace.layer && trace.sense == Sense::clockwise)
+                line.setWidthF(line.widthF() / 2);
             if (repetitions) {
                 line.setColor(blend(line.color(), colour(FigureRole::background), repetitionStrength));
                 line.setWidthF(line.widthF() / 2);
             }
             drawTrace(trace.points, line);
+        }
+    }
+
+    void drawSyntheticTraces() {
+        p.setBrush(Qt::NoBrush);
+        for (const CircleTrace &trace : m_figure.traces) {
+            if (!trace.synthetic)
+                continue;
+            p.setPen(pen(FigureRole::synthetic));
+            QPolygonF chain;
+            chain.reserve(static_cast<qsizetype>(trace.points.size()));
+            for (const TracePoint &point : trace.points)
+                chain << place(point);
+            if (whole())
+                p.drawPolyline(chain);
+            else
+                drawChain(chain);
         }
     }
 
@@ -785,7 +805,7 @@ private:
         }
     }
 
-    void drawSample(const QRectF &box, CircleLegendSample sample) {
+    void drawSample(const QRectF &box, const CircleLegendEntry &entry) {
         const QPointF middle = box.center();
         const auto line = [&](FigureRole role) {
             QPen ink = pen(role);
@@ -793,7 +813,7 @@ private:
             p.setPen(ink);
             p.drawLine(QPointF(box.left(), middle.y()), QPointF(box.right(), middle.y()));
         };
-        switch (sample) {
+        switch (entry.sample) {
         case CircleLegendSample::counterclockwise:
             return line(FigureRole::counterclockwise);
         case CircleLegendSample::clockwise:
@@ -804,6 +824,13 @@ private:
             return line(FigureRole::envelope);
         case CircleLegendSample::limit:
             return line(FigureRole::limit);
+        case CircleLegendSample::synthetic:
+            return line(FigureRole::synthetic);
+        case CircleLegendSample::layer:
+            p.setPen(layerPen(entry.layer, m_medium));
+            return p.drawLine(QPointF(box.left(), middle.y()), QPointF(box.right(), middle.y()));
+        case CircleLegendSample::continued:
+            return;
         case CircleLegendSample::centre:
             return drawPlus(middle);
         case CircleLegendSample::start:
@@ -837,7 +864,7 @@ private:
                                                            : thirdColumn;
             const double row = keyTop + (static_cast<double>(i / columns) + 0.5) * keyRow;
             const QPointF at(m_plot.left() + left * m_unit, m_plot.bottom() + row * m_unit);
-            drawSample(QRectF(at.x(), at.y() - mm, sampleWidth * mm, 2 * mm), m_figure.legend[i].sample);
+            drawSample(QRectF(at.x(), at.y() - mm, sampleWidth * mm, 2 * mm), m_figure.legend[i]);
             drawText(p, at + QPointF(sampleText * mm, 0), m_figure.legend[i].text, colour(FigureRole::text));
         }
     }
@@ -849,7 +876,9 @@ private:
         for (const CircleLegendEntry &entry : m_figure.legend) {
             const bool path = entry.sample == CircleLegendSample::counterclockwise ||
                               entry.sample == CircleLegendSample::clockwise ||
-                              entry.sample == CircleLegendSample::repetitions;
+                              entry.sample == CircleLegendSample::repetitions ||
+                              entry.sample == CircleLegendSample::synthetic ||
+                              entry.sample == CircleLegendSample::layer;
             (path ? paths : others).push_back(&entry);
         }
         double y = m_plot.top() + screenRow;
@@ -879,7 +908,7 @@ private:
         } else {
             p.fillRect(box, colour(FigureRole::background));
         }
-        drawSample(QRectF(left, y - mm, screenSample, 2 * mm), entry.sample);
+        drawSample(QRectF(left, y - mm, screenSample, 2 * mm), entry);
         drawText(p, {left + screenSample + screenSampleGap, y}, entry.text, colour(FigureRole::text));
     }
 

@@ -37,6 +37,10 @@ FigureRole penRole(LineRole role) {
     case LineRole::predictedDown:
     case LineRole::instrument:
         return FigureRole::down;
+    case LineRole::counterclockwise:
+        return FigureRole::counterclockwise;
+    case LineRole::clockwise:
+        return FigureRole::clockwise;
     case LineRole::air:
         break;
     }
@@ -57,6 +61,9 @@ public:
         const double room = area.width() - left - rightMargin;
         double used = 0;
         for (const FigureLine &line : figure.lines) {
+            if (line.name.isEmpty())
+                continue;
+            m_hasLegend = true;
             const double width = sampleWidth + sampleGap + textWidth(nameOf(line)) + entryGap;
             if (used > 0 && used + width > room) {
                 ++m_rows;
@@ -64,7 +71,10 @@ public:
             }
             used += width;
         }
-        const double bottom = legendRow + m_rows * legendPitch;
+        const double title = figure.x.quantity.isEmpty() ? legendRow - titleRow : 0;
+        const double bottom =
+            (m_hasLegend ? legendRow + m_rows * legendPitch : titleRow + titleCentre) - title;
+        m_legendRow = legendRow - title;
         m_plot = QRectF(area.left() + left, area.top() + topMargin, room, area.height() - topMargin - bottom);
     }
 
@@ -102,6 +112,7 @@ private:
                (value - m_figure.y.from) / (m_figure.y.to - m_figure.y.from) * m_plot.height();
     }
     [[nodiscard]] QPen pen(FigureRole role) const { return figurePen(role, m_medium); }
+    [[nodiscard]] QPen penOf(const FigureLine &line) const { return linePen(line.role, m_medium); }
     [[nodiscard]] QColor text() const { return figureColor(FigureRole::text, m_medium); }
 
     void drawGrid() {
@@ -117,7 +128,7 @@ private:
         for (const QPointF &point : line.points)
             points.append({x(point.x()), y(point.y())});
         p.setBrush(Qt::NoBrush);
-        p.setPen(pen(penRole(line.role)));
+        p.setPen(penOf(line));
         p.drawPolyline(points);
     }
 
@@ -164,9 +175,11 @@ private:
             drawText(p, {m_plot.left() - tickLength - tickGap - textWidth(tick.label), y(tick.value)},
                      tick.label, text());
         }
-        const TextLine across = titleOf(m_figure.x);
-        drawText(p, {m_plot.center().x() - textWidth(across) / 2, m_plot.bottom() + titleRow}, across,
-                 text());
+        if (!m_figure.x.quantity.isEmpty()) {
+            const TextLine across = titleOf(m_figure.x);
+            drawText(p, {m_plot.center().x() - textWidth(across) / 2, m_plot.bottom() + titleRow}, across,
+                     text());
+        }
         const TextLine along = titleOf(m_figure.y);
         p.save();
         p.translate(m_area.left() + titleCentre, m_plot.center().y());
@@ -176,21 +189,23 @@ private:
     }
 
     [[nodiscard]] static TextLine titleOf(const FigureAxis &axis) {
-        return {{axis.quantity + QLatin1Char(' ') + axis.symbol},
+        return {{axis.symbol.isEmpty() ? axis.quantity : axis.quantity + QLatin1Char(' ') + axis.symbol},
                 {axis.subscript, true},
-                {QStringLiteral(" (") + axis.unit + QLatin1Char(')')}};
+                {axis.unit.isEmpty() ? QString() : QStringLiteral(" (") + axis.unit + QLatin1Char(')')}};
     }
 
     void drawLegend() {
         double left = m_plot.left();
-        double row = m_plot.bottom() + legendRow - 0.5 * mm;
+        double row = m_plot.bottom() + m_legendRow - 0.5 * mm;
         for (const FigureLine &line : m_figure.lines) {
+            if (line.name.isEmpty())
+                continue;
             const double width = sampleWidth + sampleGap + textWidth(nameOf(line)) + entryGap;
             if (left > m_plot.left() && left + width > m_plot.right()) {
                 left = m_plot.left();
                 row += legendPitch;
             }
-            p.setPen(pen(penRole(line.role)));
+            p.setPen(penOf(line));
             p.drawLine(QPointF(left, row), QPointF(left + sampleWidth, row));
             drawText(p, {left + sampleWidth + sampleGap, row}, nameOf(line), text());
             left += width;
@@ -203,9 +218,18 @@ private:
     QRectF m_area;
     QRectF m_plot;
     int m_rows = 1;
+    bool m_hasLegend = false;
+    double m_legendRow = legendRow;
 };
 
 } // namespace
+
+QPen linePen(LineRole role, Medium medium) {
+    QPen pen = figurePen(penRole(role), medium);
+    if (role == LineRole::counterclockwise || role == LineRole::clockwise)
+        pen.setWidthF(figurePen(FigureRole::residual, medium).widthF());
+    return pen;
+}
 
 FigureTransform drawLineFigure(QPainter &painter, const QRectF &area, const LineFigure &figure,
                                Medium medium) {

@@ -9,4 +9,7 @@ namespace palmer::ui {
 FigureTransform drawLineFigure(QPainter &painter, const QRectF &area, const LineFigure &figure,
                                Medium medium);
 
+/// Colour, width (points) and dashes of a line.
+[[nodiscard]] QPen linePen(LineRole role, Medium medium);
+
 } // namespace palmer::ui

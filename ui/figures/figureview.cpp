@@ -183,6 +183,10 @@ void FigureView::setLanguage(const Language &language) {
     retranslate();
 }
 
+void FigureView::setSynthetic(const SyntheticPaths &paths) {
+    m_circles->setSynthetic(paths);
+}
+
 void FigureView::standAlone() {
     setWindowFlag(Qt::Window);
     setAttribute(Qt::WA_DeleteOnClose);

@@ -15,6 +15,7 @@ class QToolButton;
 namespace palmer::ui {
 
 class CircleFigureView;
+struct SyntheticPaths;
 class FigureCanvas;
 
 /// The figure of the test in view: reads values under the pointer, zooms, pans, copies and saves. Follows the
@@ -30,6 +31,8 @@ public:
 
     /// The figure of a positioning test as it is shown, with the ranges zoomed to; nothing for other tests.
     [[nodiscard]] std::optional<CurveFigure> figure() const;
+    /// Draws these over the paths of the circular test they belong to.
+    void setSynthetic(const SyntheticPaths &paths);
     void fit();
     /// Makes it a window of its own, which goes away when it is closed.
     void standAlone();

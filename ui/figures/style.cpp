@@ -59,6 +59,8 @@ constexpr std::array table{
     Row{FigureRole::trialMean,        0.3,   {{0.9, 0.7}},            0xff000000, 0xff202428, 0xffe6e8ea},
     Row{FigureRole::guardBand,        0.13,  solid,                   0xff555555, 0xff59626b, 0xffa4acb3},
     Row{FigureRole::guardFill,        0,     solid,                   0xffe4e4e4, 0xffe4e6e8, 0xff3a4046},
+    Row{FigureRole::synthetic,        0.3,   {{1.6, 0.9}},            0xff000000, 0xff7a3e9d, 0xffc79ae6},
+    Row{FigureRole::residual,         0.24,  solid,                   0xff000000, 0xff202428, 0xffe6e8ea},
 };
 // clang-format on
 
@@ -66,6 +68,23 @@ constexpr double bandOpacity = 0.12;
 
 /// A line thinner than this fades on a screen, mm (0.75 pixels of 96 to the inch).
 constexpr double thinnestOnScreen = 0.2;
+
+/// Width and dashes, mm.
+void setLine(QPen &pen, double width, const Dashes &dashes) {
+    pen.setWidthF(width * pointsPerMillimetre);
+    pen.setJoinStyle(Qt::RoundJoin);
+    // Qt Charts draws a solid curve piece by piece: round ends close its corners.
+    pen.setCapStyle(Qt::RoundCap);
+    QList<double> pattern; // in widths of the pen, as Qt wants it
+    for (const double length : dashes.lengths) {
+        if (length > 0)
+            pattern.append(length / width);
+    }
+    if (!pattern.isEmpty()) {
+        pen.setCapStyle(Qt::FlatCap);
+        pen.setDashPattern(pattern);
+    }
+}
 
 const Row &row(FigureRole role) {
     return table[static_cast<std::size_t>(role)];
@@ -98,20 +117,22 @@ QPen figurePen(FigureRole role, Medium medium) {
     const Row &found = row(role);
     const double width = medium == Medium::paper ? found.width : std::max(found.width, thinnestOnScreen);
     QPen pen(figureColor(role, medium));
-    pen.setWidthF(width * pointsPerMillimetre);
-    pen.setJoinStyle(role == FigureRole::reading || role == FigureRole::downMarker ? Qt::MiterJoin
-                                                                                   : Qt::RoundJoin);
-    // Qt Charts draws a solid curve piece by piece: round ends close its corners.
-    pen.setCapStyle(Qt::RoundCap);
-    QList<double> pattern; // in widths of the pen, as Qt wants it
-    for (const double length : found.dashes.lengths) {
-        if (length > 0)
-            pattern.append(length / width);
-    }
-    if (!pattern.isEmpty()) {
-        pen.setCapStyle(Qt::FlatCap);
-        pen.setDashPattern(pattern);
-    }
+    setLine(pen, width, found.dashes);
+    if (role == FigureRole::reading || role == FigureRole::downMarker)
+        pen.setJoinStyle(Qt::MiterJoin);
+    return pen;
+}
+
+QPen layerPen(int layer, Medium medium) {
+    // From slow to fast; after the last colour they begin anew.
+    constexpr std::array light{0xff004488U, 0xff2f8f6bU, 0xff7a3e9dU, 0xffb35c00U, 0xffb3261eU, 0xff59626bU};
+    constexpr std::array dark{0xff78aef0U, 0xff6bc48bU, 0xffc79ae6U, 0xfff0a040U, 0xfff28e86U, 0xffa4acb3U};
+    constexpr std::array<Dashes, 3> patterns{{{}, {{2.4, 0.7}}, {{2.4, 0.7, 0.5, 0.7}}}};
+    const auto place = static_cast<std::size_t>(std::max(0, layer));
+    constexpr double width = 0.36; // mm
+    QPen pen(QColor::fromRgb(medium == Medium::screenDark ? dark[place % dark.size()]
+                                                          : light[place % light.size()]));
+    setLine(pen, width, patterns[place % patterns.size()]);
     return pen;
 }
 

@@ -47,6 +47,8 @@ enum class FigureRole {
     trialMean,     ///< mean of the trials
     guardBand,     ///< outline of the band about a limit
     guardFill,
+    synthetic, ///< what sources of a diagnosis make
+    residual,  ///< lines that lie on one another: the width
 };
 
 constexpr double pointsPerMillimetre = 72 / 25.4;
@@ -54,6 +56,9 @@ constexpr double pointsPerMillimetre = 72 / 25.4;
 /// Colour, width and dashes of a role; widths in points.
 [[nodiscard]] QPen figurePen(FigureRole role, Medium medium);
 [[nodiscard]] QColor figureColor(FigureRole role, Medium medium);
+
+/// Of test `layer` among several over one another: colours and dashes tell them apart.
+[[nodiscard]] QPen layerPen(int layer, Medium medium);
 
 /// `colour` laid over `ground` with an opacity of `strength`, 0 … 1; opaque.
 [[nodiscard]] QColor blend(const QColor &colour, const QColor &ground, double strength);

@@ -16,7 +16,8 @@ enum class Page {
     conditions,
     agreedPoints,
     limits,
-    uncertainty
+    uncertainty,
+    diagnosis ///< of circles: an interpretation
 };
 
 /// Where that of which a finding speaks is shown and will be edited.

@@ -18,6 +18,7 @@ constexpr double haloWidth = 0.2 * mm;
 constexpr double zeroTick = 1.2 * mm;
 constexpr double barHeight = 1.9 * mm;
 constexpr double barAxis = 2.9 * mm;
+constexpr double hollowOutline = 0.2;
 constexpr QColor barColour(0x00, 0x44, 0x88);
 
 QPen line(double width, const QColor &colour = Qt::black) {
@@ -115,11 +116,15 @@ void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard, co
     drawDiamond(painter, {x(guard.value), middle}, ink);
 }
 
-void drawBar(QPainter &painter, QPointF left, double length) {
+void drawBar(QPainter &painter, QPointF left, double length, bool hollow) {
     if (length > 0) {
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(barColour);
-        painter.drawRect(QRectF(left.x(), left.y() - barHeight / 2, length, barHeight));
+        const QPen outline = line(hollowOutline, barColour);
+        painter.setPen(hollow ? outline : QPen(Qt::NoPen));
+        painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(barColour));
+        const double inset = hollow ? outline.widthF() / 2 : 0; // as high and long as a full one
+        painter.drawRect(QRectF(left.x(), left.y() - barHeight / 2, length, barHeight)
+                             .adjusted(0, inset, -std::min(inset, length), -inset));
+        painter.setBrush(Qt::NoBrush);
     }
     painter.setPen(line(0.2));
     painter.drawLine(left - QPointF(0, barAxis / 2), left + QPointF(0, barAxis / 2));

@@ -21,8 +21,9 @@ constexpr double guardPictureHeight = 3.1; ///< mm
 /// The limit stands at 60 % of the width in every picture; what lies outside is put on the end.
 void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard, const QColor &ink = Qt::black);
 
-/// A bar of a table from its zero line on; `left` is the middle of that, `length` in points.
-void drawBar(QPainter &painter, QPointF left, double length);
+/// A bar of a table from its zero line on, full or its outline; `left` is the middle of that line, `length`
+/// in points.
+void drawBar(QPainter &painter, QPointF left, double length, bool hollow = false);
 
 /// The signs of a guard picture one by one, for its legend; around `centre`. Widths in mm.
 [[nodiscard]] double legendSignWidth(LegendSign sign);

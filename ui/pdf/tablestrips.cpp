@@ -127,6 +127,7 @@ struct Row {
         std::optional<Guard> guard;
         double x = 0;
         std::optional<double> bar = {}; ///< length of a bar, points
+        bool hollow = false;
         QColor ink = Qt::black;
         std::size_t line = 0;
     };
@@ -176,11 +177,12 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
         return;
     const QColor ink = QColor::fromRgb(cell.pale ? paleGrey : black);
     if (cell.guard) {
-        row.signs.push_back({Mark::none, cell.guard, place.left, {}, ink});
+        row.signs.push_back({Mark::none, cell.guard, place.left, {}, false, ink});
         return;
     }
     if (cell.bar) {
-        row.signs.push_back({Mark::none, {}, place.left, std::clamp(*cell.bar, 0.0, 1.0) * place.width});
+        row.signs.push_back(
+            {Mark::none, {}, place.left, std::clamp(*cell.bar, 0.0, 1.0) * place.width, cell.hollow});
         return;
     }
     const bool missing = cell.isMissing();
@@ -192,7 +194,7 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
     } else {
         const double before = cell.mark == Mark::none ? 0 : markWidth;
         if (cell.mark != Mark::none)
-            row.signs.push_back({cell.mark, {}, place.left, {}, ink});
+            row.signs.push_back({cell.mark, {}, place.left, {}, false, ink});
         placed = {TextBlock(text, style, place.width - before), place.left + before, place.width - before,
                   textAlignment(column.alignment)};
     }
@@ -203,7 +205,7 @@ void addCell(Row &row, const Cell &cell, const Column &column, const Place &plac
                               textSize * cellStyle.leading / noteSize};
         const double before = note.mark == Mark::none ? 0 : markWidth;
         if (note.mark != Mark::none)
-            row.signs.push_back({note.mark, {}, place.left, {}, ink, lines});
+            row.signs.push_back({note.mark, {}, place.left, {}, false, ink, lines});
         PlacedText below{TextBlock(note.text, small, place.width - before), place.left + before};
         below.line = lines;
         lines += below.block.lineCount();
@@ -222,7 +224,7 @@ void drawRow(QPainter &painter, QPointF at, const Row &row) {
     for (const Row::Sign &sign : row.signs) {
         const double middle = at.y() + (static_cast<double>(sign.line) + 0.5) * lineHeight;
         if (sign.bar)
-            drawBar(painter, {at.x() + sign.x, middle}, *sign.bar);
+            drawBar(painter, {at.x() + sign.x, middle}, *sign.bar, sign.hollow);
         else if (sign.guard)
             drawGuardPicture(painter, {at.x() + sign.x, middle - guardPictureHeight * mm / 2}, *sign.guard,
                              sign.ink);

@@ -36,6 +36,8 @@ QString FindingsModel::pageName(Page page) {
         return tr("Limits");
     case Page::uncertainty:
         return tr("Uncertainty");
+    case Page::diagnosis: // an interpretation: nothing is missing there
+        break;
     }
     return {};
 }

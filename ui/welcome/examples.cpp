@@ -42,6 +42,8 @@ const char *exampleName(const QString &baseName) {
          QT_TRANSLATE_NOOP("examples", "Diagnosis: common lag, three feeds")},
         {QStringLiteral("teaching-12-drift"),
          QT_TRANSLATE_NOOP("examples", "Diagnosis: drift of the radius")},
+        {QStringLiteral("teaching-13-vibration"),
+         QT_TRANSLATE_NOOP("examples", "Diagnosis: vibration in the rest")},
     };
     const auto found = names.find(baseName);
     return found == names.end() ? nullptr : found->second;

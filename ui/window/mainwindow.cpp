@@ -419,8 +419,8 @@ void MainWindow::connectParts() {
     connect(m_ownEditionAction, &QAction::triggered, this,
             [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
     connect(m_feedAction, &QAction::triggered, this, &MainWindow::showFeed);
-    constexpr std::array pages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits,
-                               Page::uncertainty};
+    constexpr std::array pages{Page::readings, Page::conditions,  Page::agreedPoints,
+                               Page::limits,   Page::uncertainty, Page::diagnosis};
     for (std::size_t i = 0; i < pages.size(); ++i)
         connect(m_pageActions[i], &QAction::triggered, this, [this, page = pages[i]] {
             m_workplace->showPage(page);
@@ -1363,6 +1363,7 @@ void MainWindow::retranslate() {
     m_pageActions[2]->setText(tr("&Agreed points"));
     m_pageActions[3]->setText(tr("&Limits"));
     m_pageActions[4]->setText(tr("Uncertaint&y"));
+    m_pageActions[5]->setText(tr("D&iagnosis"));
     m_nextMissingAction->setText(tr("&Next missing statement"));
     m_previousMissingAction->setText(tr("&Previous missing statement"));
     m_nextPaneAction->setText(tr("Ne&xt pane"));

@@ -211,7 +211,7 @@ private:
     QAction *m_setEditionAction;
     QAction *m_ownEditionAction;
     QAction *m_feedAction;
-    std::array<QAction *, 5> m_pageActions{};
+    std::array<QAction *, 6> m_pageActions{};
     QAction *m_nextMissingAction;
     QAction *m_previousMissingAction;
     QAction *m_nextPaneAction;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int tabHeight = 40;
 constexpr int padding = 4; ///< the line reaches this far beyond the word
-constexpr int space = 16;  ///< between two tabs
+constexpr int space = 10;  ///< between two tabs: six with their counts stand beside each other
 constexpr int badgeSize = 20;
 constexpr int badgeGap = 6;
 

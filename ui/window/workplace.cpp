@@ -5,6 +5,7 @@
 #include "kernel/measurement/readingsaside.h"
 #include "ui/circles/arctexts.h"
 #include "ui/circles/circlespage.h"
+#include "ui/diagnosis/diagnosispage.h"
 #include "ui/drift/driftpage.h"
 #include "ui/figures/figureview.h"
 #include "ui/forms/agreedpointspage.h"
@@ -59,8 +60,8 @@ constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
 constexpr int noKeysBelow = 740 - 99;
 
-constexpr std::array testPages{Page::readings, Page::conditions, Page::agreedPoints, Page::limits,
-                               Page::uncertainty};
+constexpr std::array testPages{Page::readings, Page::conditions,  Page::agreedPoints,
+                               Page::limits,   Page::uncertainty, Page::diagnosis};
 
 /// What of a pane the keyboard is for: its table, else what is no button, else its first button.
 QWidget *mainPart(QWidget *pane) {
@@ -195,9 +196,11 @@ QWidget *Workplace::makeCentre() {
     m_agreedPoints = new AgreedPointsPage(m_model, m_selection, m_pages);
     m_limits = new LimitsPage(m_model, m_selection, m_pages);
     m_uncertainty = new UncertaintyPage(m_model, m_evaluator, m_selection, m_pages);
+    m_diagnosis = new DiagnosisPage(m_pages);
     m_reportPages = new ReportPages(m_model, m_selection, m_pages);
-    for (QWidget *page : std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints,
-                                                          m_limits, m_uncertainty, m_reportPages})
+    for (QWidget *page :
+         std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints, m_limits,
+                                          m_uncertainty, m_diagnosis, m_reportPages})
         m_pages->addWidget(page);
     auto *card = new QFrame(centre);
     m_card = card;
@@ -269,6 +272,11 @@ void Workplace::connectParts() {
     for (Form *form : std::initializer_list<Form *>{m_conditions, m_limits, m_uncertainty})
         connect(form, &Form::nextWanted, this, [this] { showNextMissing(true); });
     connect(m_reportPages, &ReportPages::nextWanted, this, [this] { showNextMissing(true); });
+    connect(m_diagnosis, &DiagnosisPage::pathsWanted, this, [this](const SyntheticPaths &paths) {
+        m_figure->setSynthetic(paths);
+        if (m_detachedFigure)
+            m_detachedFigure->setSynthetic(paths);
+    });
     connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
     connect(m_figure, &FigureView::maximiseWanted, this, [this] { setFigureMaximised(!m_maximised); });
     for (QSplitter *splitter : {m_outer, m_inner})
@@ -288,7 +296,7 @@ void Workplace::show(const EvaluatedDocument &evaluated) {
 void Workplace::showPage(Page page) {
     if (tabOf(page) >= 0 && m_evaluated.tests.empty())
         return;
-    if (tabOf(page) > 0 && isDrift())
+    if ((tabOf(page) > 0 && isDrift()) || (page == Page::diagnosis && !isCircular()))
         page = Page::readings;
     commitTyping();
     m_selection.setPage(page);
@@ -407,13 +415,15 @@ void Workplace::presentTest() {
                                      : circular ? static_cast<QWidget *>(m_circlesPlace)
                                                 : m_readings);
     for (std::size_t i = 1; i < testPages.size(); ++i) // a drift test has readings and nothing else
-        m_tabs->setTabVisible(static_cast<int>(i), !drift);
-    if (drift && tabOf(m_selection.page()) > 0)
+        m_tabs->setTabVisible(static_cast<int>(i),
+                              !drift && (testPages.at(i) != Page::diagnosis || circular));
+    if ((drift && tabOf(m_selection.page()) > 0) || (!circular && m_selection.page() == Page::diagnosis))
         m_selection.setPage(Page::readings);
     m_conditions->show(m_evaluated, test);
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
     m_uncertainty->show(m_evaluated, test);
+    m_diagnosis->show(m_evaluated, test);
     presentResults();
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->setCount(static_cast<int>(i), countMissing(m_evaluated, test, testPages.at(i)));
@@ -740,6 +750,7 @@ void Workplace::retranslate() {
     m_tabs->setTabText(2, tr("&Agreed points"));
     m_tabs->setTabText(3, tr("&Limits"));
     m_tabs->setTabText(4, tr("U&ncertainty"));
+    m_tabs->setTabText(5, tr("Dia&gnosis"));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
     m_circles->setLanguage(language);
@@ -748,6 +759,7 @@ void Workplace::retranslate() {
     m_agreedPoints->setLanguage(language);
     m_limits->setLanguage(language);
     m_uncertainty->setLanguage(language);
+    m_diagnosis->setLanguage(language);
     m_target->setLanguage(language);
     m_keys->setLanguage(language);
     m_explanation->setLanguage(language);

@@ -19,6 +19,7 @@ namespace palmer::ui {
 class AgreedPointsPage;
 class CirclesPage;
 class ConditionsPage;
+class DiagnosisPage;
 class DocumentModel;
 class DriftPage;
 class Evaluator;
@@ -136,6 +137,7 @@ private:
     AgreedPointsPage *m_agreedPoints;
     LimitsPage *m_limits;
     UncertaintyPage *m_uncertainty;
+    DiagnosisPage *m_diagnosis;
     DriftPage *m_drift;
     ReportPages *m_reportPages;
     QWidget *m_card;

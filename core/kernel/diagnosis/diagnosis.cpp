@@ -2,6 +2,7 @@
 
 #include "kernel/diagnosis/influencefit.h"
 #include "kernel/diagnosis/remarks.h"
+#include "kernel/diagnosis/traces.h"
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/numerics/minimumzone.h"
 #include "kernel/numerics/studentt.h"
@@ -174,6 +175,18 @@ double zoneOf(const PathRows &rows, std::size_t circle, const Vector &trace) {
     }
     const MinimumZone zone = minimumZone({x, y});
     return zone.valid() ? zone.width : 0;
+}
+
+/// Standard deviation of what no source explains of the readings themselves.
+double restOf(const DiagnosedCircle &circle, const Diagnosis &diagnosis) {
+    double squares = 0;
+    std::size_t count = 0;
+    for (const std::vector<double> &curve : unexplained(circle, diagnosis)) {
+        for (const double value : curve)
+            squares += value * value;
+        count += curve.size();
+    }
+    return std::sqrt(squares / static_cast<double>(count));
 }
 
 /// Makes the diagnosis of a finished fit.
@@ -530,6 +543,10 @@ Diagnosis diagnose(std::span<const DiagnosedCircle> circles, const DiagnosisOpti
     result.second = circles.front().second;
     result.lagAngle = lagAngle;
     result.pause = pause;
+    const bool fittedMeans =
+        std::ranges::any_of(rows.arcs(), [](const ArcRows &arc) { return arc.perRow > 1; });
+    if (fittedMeans && circles.size() == 1)
+        result.residual = restOf(circles.front(), result); // means scatter less
     result.remarks = diagnosisRemarks(circles, options, result);
     return result;
 }

@@ -98,6 +98,13 @@ Message sourceMeaning(const Diagnosis &diagnosis, const SourceEstimate &source) 
     return {negative ? row->negative : row->positive, axesOf(diagnosis.first, diagnosis.second, source.axis)};
 }
 
+Message positiveMeaning(const Diagnosis &diagnosis, const SourceEstimate &source) {
+    const Words *row = wordsOf(source.id);
+    if (!row)
+        return {};
+    return {row->positive, axesOf(diagnosis.first, diagnosis.second, source.axis)};
+}
+
 Message sourceAdvice(const Diagnosis &diagnosis, const SourceEstimate &source) {
     const Words *row = wordsOf(source.id);
     if (!row)

@@ -8,6 +8,8 @@ namespace palmer {
 [[nodiscard]] Message sourceName(const SourceEstimate &source);
 /// What it is, by its sign ("X loses motion at each reversal"); or why it has no value.
 [[nodiscard]] Message sourceMeaning(const Diagnosis &diagnosis, const SourceEstimate &source);
+/// What a positive value of a source means, whatever its value is; an empty text for centre and radius.
+[[nodiscard]] Message positiveMeaning(const Diagnosis &diagnosis, const SourceEstimate &source);
 /// What to look at on the machine; an empty text for centre and radius.
 [[nodiscard]] Message sourceAdvice(const Diagnosis &diagnosis, const SourceEstimate &source);
 /// "squareness", "backlash:X": as scripts write it.

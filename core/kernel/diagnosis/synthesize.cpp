@@ -108,6 +108,9 @@ CircularMeasurement synthesizeCircular(const CircularSynthesis &asked) {
                 if (source.id != InfluenceId::centre)
                     deviation += columnsOf(source, position);
             }
+            const double time = travelled * degree * asked.radius * secondsPerMinute / asked.feed;
+            deviation +=
+                asked.vibration.amplitude * std::sin(2 * std::numbers::pi * asked.vibration.frequency * time);
             const double r = asked.radius + deviation;
             const Point p{centre.x + r * u.x, centre.y + r * u.y};
             // The angle as seen from the programmed centre, near the one about the machine's own.

@@ -27,6 +27,13 @@ struct CircularSource {
     double phase = 0; ///< of a cyclic error in the centre, rad
 };
 
+/// A vibration between spindle and table as it shows in the radius: A·sin(2πft), t from the start of each
+/// arc.
+struct SynthesizedVibration {
+    double amplitude = 0;  ///< A, mm
+    double frequency = 10; ///< f, Hz
+};
+
 /// A circular test with known truth: the columns of the diagnosis, added up, and noise. Points are as the
 /// machine reaches them at equal angles about its own centre, half a step off the ends of the arc.
 struct CircularSynthesis {
@@ -38,6 +45,7 @@ struct CircularSynthesis {
     std::size_t points = 1800;                                            ///< each sense
     double pause = 0;                                                     ///< between the arcs, turns
     std::vector<CircularSource> sources;
+    SynthesizedVibration vibration;
     SynthesizedNoise noise;
 };
 

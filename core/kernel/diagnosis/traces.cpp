@@ -1,6 +1,7 @@
 #include "kernel/diagnosis/traces.h"
 
 #include "kernel/diagnosis/pathrows.h"
+#include "kernel/numerics/minimumzone.h"
 
 #include <unsupported/Eigen/FFT>
 
@@ -82,12 +83,187 @@ std::vector<std::vector<double>> unexplained(const DiagnosedCircle &circle, cons
     return result;
 }
 
+namespace {
+
+bool isFrame(const SourceEstimate &source) {
+    return source.id == InfluenceId::centre || source.id == InfluenceId::radius;
+}
+
+/// About the least squares centre.
+double meanRadius(const DiagnosedCircle &circle) {
+    const Point centre = centreOf(circle).value_or(Point{});
+    double sum = 0;
+    std::size_t count = 0;
+    for (const DiagnosedArc &arc : circle.arcs) {
+        for (std::size_t i = 0; i < arc.points.size(); ++i)
+            sum += std::hypot(arc.points.x[i] - centre.x, arc.points.y[i] - centre.y);
+        count += arc.points.size();
+    }
+    return count > 0 ? sum / static_cast<double>(count) : circle.nominalRadius;
+}
+
+/// Points of all arcs, every `stride`-th of each, at the distance `distanceAt(arc, point, r, trace)` from the
+/// centre in the direction in which they were measured.
+template <class F>
+double zoneWidth(const DiagnosedCircle &circle, const Diagnosis &diagnosis,
+                 std::span<const std::size_t> chosen, std::size_t stride, const F &distanceOf) {
+    const std::vector<Part> parts = partsOf(diagnosis, chosen);
+    const Point centre = centreOf(circle).value_or(Point{});
+    Points points;
+    for (std::size_t a = 0; a < circle.arcs.size(); ++a) {
+        const ArcWalk walk(circle, a, centre, diagnosis.lagAngle, diagnosis.pause);
+        const PointsView measured = circle.arcs[a].points;
+        PathPosition position;
+        for (std::size_t i = 0; i < walk.size(); i += stride) {
+            const double r = walk.at(i, position);
+            const double scale = r > 0 ? distanceOf(r, traceAt(parts, position)) / r : 0;
+            points.x.push_back((measured.x[i] - centre.x) * scale);
+            points.y.push_back((measured.y[i] - centre.y) * scale);
+        }
+    }
+    const MinimumZone zone = minimumZone(points.view());
+    return zone.valid() ? zone.width : 0;
+}
+
+/// Above three times its uncertainty, as one of a dozen: two would be chance. A lag whose feed is not stated
+/// has none.
+bool standsOut(const Diagnosis &diagnosis, const DiagnosedPart &part) {
+    constexpr double times = 3;
+    if (part.sum)
+        return std::abs(part.sum->value) > times * part.sum->u;
+    const SourceEstimate &source = diagnosis.sources[part.sources.front()];
+    return !source.value || !source.u || std::abs(*source.value) > times * *source.u;
+}
+
+double widthOf(const DiagnosedCircle &circle, const Diagnosis &diagnosis, std::span<const std::size_t> chosen,
+               std::size_t stride) {
+    return zoneWidth(circle, diagnosis, chosen, stride,
+                     [&](double, double trace) { return circle.nominalRadius + trace; });
+}
+
+} // namespace
+
+std::vector<Points> syntheticPath(const DiagnosedCircle &circle, const Diagnosis &diagnosis,
+                                  std::span<const std::size_t> chosen) {
+    // What of centre and radius cannot be told from others is drawn with these alone: its numbers mean
+    // nothing without theirs.
+    std::vector<std::size_t> all(chosen.begin(), chosen.end());
+    double radius = circle.nominalRadius;
+    for (std::size_t i = 0; i < diagnosis.sources.size(); ++i) {
+        const SourceEstimate &source = diagnosis.sources[i];
+        if (!isFrame(source) || std::ranges::find(chosen, i) != chosen.end())
+            continue;
+        if (source.separable)
+            all.push_back(i);
+        else if (source.id == InfluenceId::radius)
+            radius = meanRadius(circle);
+    }
+    const std::vector<Part> parts = partsOf(diagnosis, all);
+    const Point centre = centreOf(circle).value_or(Point{});
+    std::vector<Points> result(circle.arcs.size());
+    forEachPoint(circle, diagnosis,
+                 [&](std::size_t a, std::size_t i, double r, const PathPosition &position) {
+                     const PointsView measured = circle.arcs[a].points;
+                     const double scale = r > 0 ? (radius + traceAt(parts, position)) / r : 0;
+                     result[a].x.push_back(centre.x + (measured.x[i] - centre.x) * scale);
+                     result[a].y.push_back(centre.y + (measured.y[i] - centre.y) * scale);
+                 });
+    return result;
+}
+
+FittedCircle fittedCircle(const DiagnosedCircle &circle, const Diagnosis &diagnosis) {
+    FittedCircle fitted{centreOf(circle).value_or(Point{}), circle.nominalRadius};
+    for (const SourceEstimate &source : diagnosis.sources) {
+        if (source.id == InfluenceId::radius)
+            fitted.radius = source.separable ? circle.nominalRadius + source.fitted[0] : meanRadius(circle);
+        else if (source.id == InfluenceId::centre && source.separable)
+            (source.axis == PlaneAxis::first ? fitted.centre.x : fitted.centre.y) += source.fitted[0];
+    }
+    return fitted;
+}
+
+std::vector<DiagnosedPart> rankedParts(const Diagnosis &diagnosis) {
+    std::vector<DiagnosedPart> parts;
+    for (std::size_t i = 0; i < diagnosis.sources.size(); ++i) {
+        const SourceEstimate &source = diagnosis.sources[i];
+        if (source.contribution && !isFrame(source))
+            parts.push_back({{i}, nullptr, *source.contribution});
+    }
+    for (const SourceSum &sum : diagnosis.sums) {
+        const std::size_t first = sum.of.front().source;
+        DiagnosedPart part{diagnosis.sources[first].with, &sum, sum.contribution};
+        part.sources.push_back(first);
+        std::ranges::sort(part.sources);
+        parts.push_back(std::move(part));
+    }
+    std::ranges::stable_sort(parts, std::greater<>(), &DiagnosedPart::contribution);
+    return parts;
+}
+
+TracedWidths tracedWidths(const DiagnosedCircle &circle, const Diagnosis &diagnosis,
+                          std::span<const std::size_t> chosen) {
+    TracedWidths widths;
+    widths.measured = zoneWidth(circle, diagnosis, {}, 1, [](double r, double) { return r; });
+    widths.chosen = widthOf(circle, diagnosis, chosen, 1);
+    widths.without =
+        zoneWidth(circle, diagnosis, chosen, 1, [](double r, double trace) { return r - trace; });
+    return widths;
+}
+
+std::size_t prevailingParts(const DiagnosedCircle &circle, const Diagnosis &diagnosis) {
+    constexpr double most = 0.8;
+    constexpr std::size_t pointsLookedAt = 3600;
+    std::size_t longest = 0;
+    for (const DiagnosedArc &arc : circle.arcs)
+        longest = std::max(longest, arc.points.size());
+    const std::size_t stride = longest / pointsLookedAt + 1;
+    std::vector<DiagnosedPart> parts = rankedParts(diagnosis);
+    const auto hidden =
+        std::ranges::find_if(parts, [&](const DiagnosedPart &part) { return !standsOut(diagnosis, part); });
+    parts.erase(hidden, parts.end());
+    std::vector<std::size_t> chosen;
+    for (const DiagnosedPart &part : parts)
+        chosen.insert(chosen.end(), part.sources.begin(), part.sources.end());
+    const double all = widthOf(circle, diagnosis, chosen, stride);
+    chosen.clear();
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        chosen.insert(chosen.end(), parts[k].sources.begin(), parts[k].sources.end());
+        if (widthOf(circle, diagnosis, chosen, stride) >= most * all)
+            return k + 1;
+    }
+    return parts.size();
+}
+
+namespace {
+
+/// How many of `count` points are transformed: all, but of many whose number has a large prime factor, for
+/// which the time would grow with their square, as many as have none above 5.
+std::size_t transformLength(std::size_t count) {
+    constexpr std::size_t few = 4096;
+    constexpr std::size_t largestPrime = 97;
+    const auto without = [](std::size_t n, std::size_t most) {
+        for (std::size_t p = 2; p <= most; ++p) {
+            while (n % p == 0)
+                n /= p;
+        }
+        return n;
+    };
+    if (count <= few || without(count, largestPrime) == 1)
+        return count;
+    while (without(count, 5) != 1)
+        --count;
+    return count;
+}
+
+} // namespace
+
 std::vector<SpectralLine> spectrum(const DiagnosedCircle &circle, std::size_t arc,
                                    std::span<const double> curve) {
     constexpr std::size_t fewest = 16;
     if (arc >= circle.arcs.size() || curve.size() < fewest || circle.arcs[arc].angles.size() != curve.size())
         return {};
-    const std::vector<double> &angles = circle.arcs[arc].angles;
+    const std::span<const double> angles(circle.arcs[arc].angles.data(), transformLength(curve.size()));
+    curve = curve.first(angles.size());
     // As many steps as points: the arc goes on for a step beyond its last one.
     const auto n = static_cast<double>(curve.size());
     const double turns = std::abs(angles.back() - angles.front()) / 360 * n / (n - 1);

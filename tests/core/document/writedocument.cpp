@@ -132,6 +132,19 @@ private slots:
         QCOMPARE(writeDocument(readDocument(once)), once);
     }
 
+    /// Older programs refuse what they do not know: they are told by the version.
+    void aPageOfDiagnosisIsAskedForInVersionTwo() {
+        Document document;
+        QVERIFY(writeDocument(document).contains("\"version\": 1"));
+        document.report.include = {ReportExtra::readingMarks, ReportExtra::allReadings};
+        QVERIFY(writeDocument(document).contains("\"version\": 1"));
+        document.report.include.push_back(ReportExtra::diagnosis);
+        const QByteArray written = writeDocument(document);
+        QVERIFY(written.contains("\"version\": 2"));
+        QVERIFY(written.contains("\"allReadings\", \"diagnosis\""));
+        QVERIFY(readDocument(written) == document);
+    }
+
     /// Two spaces a level; small objects and lists of scalars on their line, longer ones filled below 100.
     void theFormIsThis() {
         const nlohmann::json value = nlohmann::json::parse(

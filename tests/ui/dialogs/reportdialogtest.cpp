@@ -66,6 +66,7 @@ private slots:
     void savesAFileForEachLanguage();
     void doesNotSpeakTheLanguageOfTheWindow();
     void choicesAreEditsOfTheDocument();
+    void aPageOfDiagnosisOnRequest();
     void printsTheFilesEditionAndNoView();
     void prints();
     void saysWhySavingFailed();
@@ -135,6 +136,23 @@ void ReportDialogTest::choicesAreEditsOfTheDocument() {
     window.window->model().undoStack()->undo();
     QVERIFY(*window.window->model().document() == *before);
     QCOMPARE(shown.dialog.pageCount(), pages);
+}
+
+void ReportDialogTest::aPageOfDiagnosisOnRequest() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("iso230-4-full-circles-xy"));
+    ShownDialog shown(window);
+    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
+    const int pages = shown.dialog.pageCount();
+    shown.click("extraDiagnosis");
+    QVERIFY(window.window->model().document()->report.include.back() == ReportExtra::diagnosis);
+    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
+    QVERIFY(shown.dialog.pageCount() > pages);
+    const QString file = folder.filePath(QStringLiteral("a.pdf"));
+    QVERIFY(!shown.dialog.saveTo(file).isEmpty());
+    const QString text = textOf(folder.filePath(QStringLiteral("a.fr.pdf"))); // of two languages
+    QVERIFY(text.contains("Diagnostic du cercle"));
+    QVERIFY(text.contains("pas un résultat de l’ISO 230-4"));
 }
 
 void ReportDialogTest::printsTheFilesEditionAndNoView() {

@@ -1,0 +1,210 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "core/madecircles.h"
+#include "report/composereport.h"
+#include "report/diagnosisrows.h"
+#include "report/pagetext.h"
+#include "report/statedsources.h"
+
+#include <QTest>
+
+using namespace palmer;
+using namespace palmer::testdata;
+
+namespace {
+
+Report composed(const Document &document, Language::Id id) {
+    return composeReport(evaluate(std::make_shared<const Document>(document)), Language(id), {});
+}
+
+/// The headings and tables of the page, from its own heading on; empty: it is not there.
+std::vector<Block> pageOf(const Report &report) {
+    std::vector<Block> page;
+    for (const Block &block : report.blocks) {
+        const auto *heading = std::get_if<Heading>(&block);
+        const bool begins = heading && heading->level == 1 &&
+                            (heading->text.startsWith("Diagnosis") || heading->text.startsWith("Diagnostic"));
+        if (begins || !page.empty())
+            page.push_back(block);
+    }
+    return page;
+}
+
+Document circleFile(const CircularSynthesis &asked, bool diagnosis) {
+    Document document = *madeCircles({asked});
+    if (diagnosis)
+        document.report.include.push_back(ReportExtra::diagnosis);
+    return document;
+}
+
+const Table *sourcesTable(const std::vector<Block> &page) {
+    for (const Block &block : page) {
+        if (const auto *table = std::get_if<Table>(&block); table && table->columns.size() == 8)
+            return table;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+/// The page of a report that says what the circle says about the machine.
+class DiagnosisPageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void standsOnRequestOnly() {
+        QVERIFY(pageOf(composed(circleFile(mixedCircle(), false), Language::Id::english)).empty());
+        const auto page = pageOf(composed(circleFile(mixedCircle(), true), Language::Id::english));
+        QVERIFY(!page.empty());
+        QCOMPARE(std::get<Heading>(page[0]).text, QString("Diagnosis of the circle (interpretation)"));
+        QCOMPARE(std::get<Heading>(page[0]).note.plain(), QString("not a result of ISO 230-4"));
+        QVERIFY(std::get<Paragraph>(page[1]).text.contains("no part of the verdict"));
+    }
+
+    void beginsAPageBehindTheTest() {
+        const Report report = composed(circleFile(mixedCircle(), true), Language::Id::french);
+        const auto page = pageOf(report);
+        const std::size_t at = report.blocks.size() - page.size();
+        QVERIFY(std::holds_alternative<PageBreak>(report.blocks[at - 1]));
+        QCOMPARE(std::get<Heading>(page[0]).text, QString("Diagnostic du cercle (interprétation)"));
+    }
+
+    void ranksSourcesWithTheirNumbers() {
+        const auto page = pageOf(composed(circleFile(mixedCircle(), true), Language::Id::english));
+        const Table *table = sourcesTable(page);
+        QVERIFY(table);
+        const auto text = [&](std::size_t row, std::size_t column) {
+            return table->rows[row][column].text.plain();
+        };
+        QCOMPARE(text(0, 1), QString("Scale mismatch X–Y"));
+        QVERIFY(std::abs(text(0, 2).toDouble() - 60) < 0.5);
+        QCOMPARE(text(0, 4), QString("µm/m"));
+        QCOMPARE(text(0, 5), QString("9.0")); // 60 µm/m of 150 mm
+        QCOMPARE(text(1, 1), QString("Servo mismatch X–Y"));
+        QCOMPARE(text(2, 1), QString("Backlash X"));
+        QVERIFY(text(0, 7).startsWith("X travels farther than Y"));
+        QVERIFY(text(0, 7).contains("Compare the scales"));
+        // 9 µm stands on a scale of 10 µm; those that are traced are full and come first.
+        QVERIFY(std::abs(*table->rows[0][6].bar - 0.9 * 18 / 18.5) < 0.01);
+        QVERIFY(!table->rows[0][6].hollow && table->rows[0][1].bold);
+        const auto isHollow = [](const std::vector<Cell> &row) { return row[6].hollow; };
+        QVERIFY(isHollow(table->rows.back()));
+        QVERIFY(std::ranges::is_sorted(table->rows, {}, isHollow));
+        for (const auto &row : table->rows)
+            QVERIFY(!row[1].text.plain().contains("Radius") && !row[1].text.plain().contains("Centre"));
+    }
+
+    void widthsAreThoseOfTheZones() {
+        const Document document = circleFile(mixedCircle(), true);
+        const auto page = pageOf(composed(document, Language::Id::english));
+        const auto both = std::ranges::find_if(
+            page, [](const Block &block) { return std::holds_alternative<SideBySide>(block); });
+        QVERIFY(both != page.end());
+        QString words;
+        for (const Part &part : std::get<SideBySide>(*both).right) {
+            if (const auto *values = std::get_if<KeyValues>(&part)) {
+                for (const KeyValue &row : values->rows)
+                    words += row.key + '=' + row.value + '\n';
+            }
+        }
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+        const double zone = std::get<CircularResults>(evaluated.tests[0]->results)
+                                .circle(CircleOf::both, ReferenceCircle::minimumZone)
+                                ->width;
+        const QString number = Language(Language::Id::english).quantity(zone, Quantity::deviation, 1);
+        QVERIFY2(words.contains("G(b), measured=" + number), qPrintable(words));
+        QVERIFY(words.contains("Fitted radius=+30.0"));
+        QVERIFY(words.contains("Points=2 × 360"));
+        QVERIFY(words.contains("Told apart=12 of 12"));
+    }
+
+    void whatIsNotToldSaysWhy() {
+        CircularSynthesis asked = mixedCircle();
+        asked.senses = {Sense::counterclockwise};
+        const auto page = pageOf(composed(circleFile(asked, true), Language::Id::english));
+        const Table *table = sourcesTable(page);
+        QVERIFY(table);
+        int sums = 0;
+        int notTold = 0;
+        for (const auto &row : table->rows) {
+            const QString name = row[1].text.plain();
+            if (row[7].text.plain().startsWith("These arcs tell the sum alone")) {
+                ++sums;
+                QVERIFY(name.contains(" + ") || name.contains(" − "));
+                QVERIFY(!row[2].isMissing());
+            }
+            if (row[7].text.plain().startsWith("These arcs do not tell it from: ")) {
+                ++notTold;
+                QVERIFY(row[2].isMissing() && row[1].pale);
+            }
+        }
+        QVERIFY(sums >= 1);
+        QVERIFY(notTold >= 2);
+    }
+
+    void tooFewPointsAreSaid() {
+        CircularSynthesis asked = mixedCircle();
+        asked.points = 8;
+        const auto page = pageOf(composed(circleFile(asked, true), Language::Id::english));
+        QVERIFY(std::get<Paragraph>(page[2]).text.contains("too few"));
+    }
+
+    void bothLanguagesAreWhole() {
+        const QString french = [&] {
+            Report report = composed(circleFile(mixedCircle(), true), Language::Id::french);
+            report.blocks = pageOf(report);
+            return pageText(report);
+        }();
+        QVERIFY2(french.contains("Différence d’échelle X–Y"), qPrintable(french));
+        for (const char *english : {"Fit", "What", "Rest", "measured", "alone", "bars"})
+            QVERIFY2(!french.contains(QRegularExpression(QStringLiteral("\\b%1\\b").arg(english))), english);
+    }
+
+    void theInstrumentStandsBesideOurs() {
+        Document document = circleFile(mixedCircle(), true);
+        palmer::Test test = *document.tests[0];
+        ImportedFile file;
+        file.fileName = "bar.b5r";
+        file.results = {{"Renishaw: AF_SQUARENESS", -12.5, "µm/m"},
+                        {"Renishaw: AF_SCALE_MISMATCH", 61, "µm/m"},
+                        {"AF_BACKLASH_X", 4.1, "µm"},
+                        {"AF_BACKLASH_Z", 4.1, "µm"}, // no axis of this plane
+                        {"AF_CIRCULARITY", 8.4, "µm"}};
+        test.imports = {file};
+        document.tests[0] = std::make_shared<const palmer::Test>(test);
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+        const Language language(Language::Id::english);
+        const auto stated = statedSources(test, diagnosedTest(evaluated, 0)->diagnosis, language);
+        QCOMPARE(stated.size(), std::size_t(3));
+        QCOMPARE(stated[0].stated, QString("−12.5"));
+        QCOMPARE(stated[0].source, QString("Squareness X–Y"));
+        QCOMPARE(stated[0].positive, QString("The angle from +X to +Y is larger than 90°."));
+        QVERIFY(std::abs(stated[1].here.toDouble() - 60) < 0.5);
+        QCOMPARE(stated[2].source, QString("Backlash X"));
+        QVERIFY(pageText(composed(document, Language::Id::english)).contains("states no sign convention"));
+        document.tests[0] = madeCircles({mixedCircle()})->tests[0];
+        QVERIFY(!pageText(composed(document, Language::Id::english)).contains("states no sign convention"));
+    }
+
+    void rowsHoldEachSourceOnce() {
+        const EvaluatedDocument evaluated = evaluate(madeCircles({mixedCircle()}));
+        const Diagnosis diagnosis = diagnosedTest(evaluated, 0)->diagnosis;
+        const auto rows = diagnosisRows(diagnosis, Language(Language::Id::english));
+        std::vector<int> times(diagnosis.sources.size());
+        for (const DiagnosisRow &row : rows) {
+            QCOMPARE(row.sources.size(), std::size_t(1));
+            ++times[row.sources.front()];
+            QVERIFY(!row.name.isEmpty() && !row.meaning.isEmpty());
+        }
+        QVERIFY(std::ranges::all_of(times, [](int n) { return n == 1; }));
+        QCOMPARE(int(rows.back().kind), int(DiagnosisRowKind::fitCircle));
+        // What is not seen needs no advice.
+        for (const DiagnosisRow &row : rows) {
+            if (row.meaning.startsWith("Not seen"))
+                QVERIFY(row.advice.isEmpty());
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(DiagnosisPageTest)
+#include "diagnosispagetest.moc"

@@ -1,0 +1,288 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/diagnosis/diagnosispage.h"
+
+#include "core/madecircles.h"
+#include "ui/diagnosis/feedsview.h"
+#include "ui/figures/linechart.h"
+#include "ui/uncertainty/rowtable.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+using namespace palmer;
+using namespace palmer::ui;
+using namespace palmer::testdata;
+
+namespace {
+
+/// The page with a file behind it.
+struct Shown {
+    explicit Shown(const std::vector<CircularSynthesis> &asked,
+                   Language::Id language = Language::Id::english) {
+        QObject::connect(&page, &DiagnosisPage::pathsWanted, &page,
+                         [this](const SyntheticPaths &wanted) { paths = wanted; });
+        page.resize(620, 640);
+        page.setLanguage(Language(language));
+        evaluated = evaluate(madeCircles(asked));
+        page.show(evaluated, 0);
+    }
+    /// Brings it into view and waits for its diagnosis.
+    void open() {
+        page.QWidget::show();
+        page.activateWindow();
+        finish();
+    }
+    void finish() const { QTRY_VERIFY_WITH_TIMEOUT(!page.isBusy(), 60'000); }
+
+    template <class Widget>
+    [[nodiscard]] Widget *find(const char *name) const {
+        auto *found = page.findChild<Widget *>(QLatin1StringView(name));
+        if (!found)
+            qFatal("no %s", name);
+        return found;
+    }
+    [[nodiscard]] RowTable &table() const { return *find<RowTable>("diagnosisTable"); }
+    [[nodiscard]] QString cell(int row, int column) const { return table().item(row, column)->text(); }
+    [[nodiscard]] int rowOf(const QString &name) const {
+        for (int row = 0; row < table().rowCount(); ++row) {
+            if (cell(row, 1) == name)
+                return row;
+        }
+        return -1;
+    }
+    [[nodiscard]] QCheckBox *box(int row) const {
+        return table().cellWidget(row, 0)->findChild<QCheckBox *>();
+    }
+    [[nodiscard]] LineChart &chart() const { return *find<LineChart>("diagnosisChart"); }
+
+    DiagnosisPage page;
+    EvaluatedDocument evaluated;
+    SyntheticPaths paths;
+};
+
+} // namespace
+
+/// What a circle says about the machine, in the window.
+class DiagnosisPageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void computesNothingOutOfView() {
+        Shown shown({mixedCircle()});
+        QVERIFY(!shown.page.isBusy());
+        shown.open();
+        QVERIFY(shown.table().rowCount() > 0);
+    }
+
+    void ranksSources() {
+        Shown shown({mixedCircle()});
+        shown.open();
+        QCOMPARE(shown.cell(0, 1), QString("Scale mismatch X–Y"));
+        QVERIFY(std::abs(shown.cell(0, 2).toDouble() - 60) < 0.5);
+        QCOMPARE(shown.cell(0, 4), QString("µm/m"));
+        QCOMPARE(shown.cell(0, 6), QString("9.0"));
+        QCOMPARE(shown.table().item(0, 5)->data(RowTable::barRole).toDouble(), 1.0);
+        QCOMPARE(shown.find<QLabel>("diagnosisSummary")->text().left(19), QString("12 of 12 parameters"));
+        // The first is in view: what it is and what to look at.
+        QVERIFY(shown.find<QLabel>("sourceTitle")->text().startsWith("Scale mismatch X–Y: "));
+        QVERIFY(shown.find<QLabel>("sourceText")->text().startsWith("X travels farther than Y"));
+        shown.table().setCurrentCell(shown.rowOf("Backlash X"), 1);
+        QVERIFY(shown.find<QLabel>("sourceText")->text().startsWith("X loses motion at each reversal."));
+    }
+
+    void readsFrench() {
+        Shown shown({mixedCircle()}, Language::Id::french);
+        shown.open();
+        QCOMPARE(shown.cell(0, 1), QString("Différence d’échelle X–Y"));
+        QVERIFY(shown.cell(0, 2).contains(','));
+        QCOMPARE(shown.cell(0, 6), QString("9,0"));
+    }
+
+    void tracesWhatIsTicked() {
+        Shown shown({mixedCircle()});
+        shown.open();
+        const QStringList first = shown.page.tracedNames();
+        QVERIFY(first.contains("Scale mismatch X–Y"));
+        QVERIFY(shown.paths.paths);
+        QVERIFY(shown.paths.of == shown.evaluated.tests[0]);
+        const std::vector<Points> before = *shown.paths.paths;
+        for (int row = 0; row < shown.table().rowCount(); ++row)
+            shown.box(row)->setChecked(false);
+        shown.finish();
+        QVERIFY(!shown.paths.paths);
+        QVERIFY(shown.page.tracedNames().isEmpty());
+        shown.box(shown.rowOf("Backlash X"))->click();
+        shown.finish();
+        QVERIFY(shown.paths.paths);
+        QVERIFY(*shown.paths.paths != before);
+        QCOMPARE(shown.page.tracedNames(), QStringList("Backlash X"));
+        // A step of 4 µm where X reverses, none elsewhere.
+        const Points &path = shown.paths.paths->front();
+        double largest = 0;
+        for (std::size_t i = 1; i < path.size(); ++i)
+            largest = std::max(largest, std::abs(std::hypot(path.x[i], path.y[i]) -
+                                                 std::hypot(path.x[i - 1], path.y[i - 1])));
+        QVERIFY(std::abs(largest - 0.004) < 2e-4);
+    }
+
+    void theSpaceBarTicks() {
+        Shown shown({mixedCircle()});
+        shown.open();
+        const int row = shown.rowOf("Squareness X–Y");
+        shown.table().setCurrentCell(row, 1);
+        const bool before = shown.box(row)->isChecked();
+        QTest::keyClick(&shown.table(), Qt::Key_Space);
+        QCOMPARE(shown.box(row)->isChecked(), !before);
+        QCOMPARE(shown.page.tracedNames().contains("Squareness X–Y"), !before);
+    }
+
+    void nothingIsTracedOutOfView() {
+        Shown shown({mixedCircle()});
+        shown.open();
+        QVERIFY(shown.paths.paths);
+        shown.page.hide();
+        QVERIFY(!shown.paths.paths);
+        shown.page.QWidget::show();
+        shown.finish();
+        QVERIFY(shown.paths.paths);
+    }
+
+    void theSwitchOfTraces() {
+        Shown shown({mixedCircle()});
+        shown.open();
+        shown.find<QToolButton>("traceSources")->click();
+        shown.finish();
+        QVERIFY(!shown.paths.paths);
+        shown.find<QToolButton>("traceSources")->click();
+        shown.finish();
+        QVERIFY(shown.paths.paths);
+    }
+
+    void whatIsNotToldIsGreyWithItsReason() {
+        CircularSynthesis asked = mixedCircle();
+        asked.senses = {Sense::clockwise};
+        Shown shown({asked});
+        shown.open();
+        int notTold = 0;
+        for (int row = 0; row < shown.table().rowCount(); ++row) {
+            const QString reason = shown.table().item(row, 1)->toolTip();
+            if (!reason.startsWith("These arcs do not tell it from: "))
+                continue;
+            ++notTold;
+            QVERIFY(!shown.box(row)->isEnabled());
+            QCOMPARE(shown.cell(row, 2), QString("–"));
+            QCOMPARE(shown.box(row)->toolTip(), reason);
+        }
+        QVERIFY(notTold >= 2);
+        QVERIFY(shown.find<QLabel>("diagnosisRemarks")->text().contains("One sense only"));
+    }
+
+    void ticksStayWhenTheTestIsEvaluatedAnew() {
+        Shown shown({mixedCircle()});
+        shown.open();
+        for (int row = 0; row < shown.table().rowCount(); ++row)
+            shown.box(row)->setChecked(row == shown.rowOf("Backlash X"));
+        shown.finish();
+        CircularSynthesis asked = mixedCircle();
+        asked.noise.seed = 9;
+        shown.evaluated = evaluate(madeCircles({asked}));
+        shown.page.show(shown.evaluated, 0);
+        shown.finish();
+        QCOMPARE(shown.page.tracedNames(), QStringList("Backlash X"));
+        QVERIFY(shown.paths.of == shown.evaluated.tests[0]);
+    }
+
+    void restAndSpectrum() {
+        CircularSynthesis asked = mixedCircle();
+        asked.vibration = {1e-3, 100 * asked.feed / 60 / (2 * std::acos(-1.0) * asked.radius)};
+        Shown shown({asked});
+        shown.open();
+        QCOMPARE(shown.chart().figure().title, QString("Rest"));
+        shown.find<QToolButton>("showSpectrum")->click();
+        QCOMPARE(shown.chart().figure().title, QString("Spectrum of the rest"));
+        QVERIFY(shown.find<QLabel>("chartNote")->text().startsWith("one wave a turn is 0.0177"));
+        shown.chart().grab(); // lays it out
+        const FigureLine &line = shown.chart().figure().lines[0];
+        const auto highest =
+            std::ranges::max_element(line.points, {}, [](const QPointF &p) { return p.y(); });
+        const QRectF plot = shown.chart().chart()->plotArea();
+        const QRectF range = shown.chart().range();
+        const QPointF at(plot.left() + (highest->x() - range.left()) / range.width() * plot.width(),
+                         plot.bottom() - (highest->y() - range.top()) / range.height() * plot.height());
+        QVERIFY2(shown.chart().readOutAt(at).startsWith("n = 100.0  1.77"),
+                 qPrintable(shown.chart().readOutAt(at)));
+    }
+
+    void severalFeedsHaveAView() {
+        Shown shown(threeFeeds());
+        shown.open();
+        QVERIFY(!shown.find<QToolButton>("diagnosisOfFeeds")->isHidden());
+        QCOMPARE(shown.rowOf("Common lag X–Y"), -1);
+        shown.find<QToolButton>("diagnosisOfFeeds")->click();
+        const int lag = shown.rowOf("Common lag X–Y");
+        QVERIFY(lag >= 0);
+        QVERIFY(std::abs(shown.cell(lag, 2).toDouble() - 20) < 0.5); // ms
+        QVERIFY(!shown.find<FeedsView>("feedsView")->isHidden());
+        QCOMPARE(shown.find<FeedsView>("feedsView")->figure().legend.size(), std::size_t(3));
+        shown.table().setCurrentCell(shown.rowOf("Servo mismatch X–Y"), 1);
+        QCOMPARE(shown.chart().figure().title, QString("Servo mismatch X–Y"));
+        QCOMPARE(shown.chart().figure().lines[0].points.size(), std::size_t(3));
+        shown.table().setCurrentCell(lag, 1); // shows in the radius of each
+        QCOMPARE(shown.chart().figure().title, QString("Radius, mean scale"));
+    }
+
+    void oneFeedHasNoSuchView() {
+        Shown shown({mixedCircle()});
+        shown.open();
+        QVERIFY(shown.find<QToolButton>("diagnosisOfFeeds")->isHidden());
+    }
+
+    void tooFewPointsAreSaid() {
+        CircularSynthesis asked = mixedCircle();
+        asked.points = 8;
+        Shown shown({asked});
+        shown.open();
+        QCOMPARE(shown.find<QLabel>("diagnosisEmpty")->text(),
+                 QString("The evaluated points are too few for a diagnosis."));
+        QVERIFY(shown.find<QLabel>("diagnosisEmpty")->isVisible());
+        QVERIFY(!shown.table().isVisible());
+        QVERIFY(!shown.paths.paths);
+    }
+
+    void theChartZooms() {
+        Shown shown({mixedCircle()});
+        shown.open();
+        LineChart &chart = shown.chart();
+        chart.grab();
+        const QRectF whole = chart.range();
+        QCOMPARE(whole.width(), 360.0);
+        chart.setFocus();
+        QTest::keyClick(&chart, Qt::Key_Plus);
+        QVERIFY(chart.range().width() < whole.width());
+        QVERIFY(whole.contains(chart.range()));
+        QTest::keyClick(&chart, Qt::Key_0);
+        QCOMPARE(chart.range(), whole);
+        const QRectF plot = chart.chart()->plotArea();
+        const auto at = [&](double x, double y) {
+            return (plot.topLeft() + QPointF(plot.width() * x, plot.height() * y)).toPoint();
+        };
+        QTest::mousePress(chart.viewport(), Qt::LeftButton, {}, at(0.25, 0.25));
+        QTest::mouseMove(chart.viewport(), at(0.4, 0.5));
+        QMouseEvent move(QEvent::MouseMove, at(0.5, 0.75), chart.viewport()->mapToGlobal(at(0.5, 0.75)),
+                         Qt::LeftButton, Qt::LeftButton, {});
+        QApplication::sendEvent(chart.viewport(), &move);
+        QTest::mouseRelease(chart.viewport(), Qt::LeftButton, {}, at(0.5, 0.75));
+        QVERIFY(std::abs(chart.range().left() - 90) < 2); // a pixel
+        QVERIFY(std::abs(chart.range().right() - 180) < 2);
+        QTest::mouseDClick(chart.viewport(), Qt::LeftButton, {}, at(0.5, 0.5));
+        QCOMPARE(chart.range(), whole);
+    }
+};
+
+QTEST_MAIN(DiagnosisPageTest)
+#include "diagnosispage.moc"

@@ -1,0 +1,88 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/diagnosis/diagnosispage.h"
+#include "ui/figures/circlecanvas.h"
+#include "ui/window/pagetabs.h"
+#include "ui/window/shownwindow.h"
+
+#include <QTest>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+namespace {
+
+bool isSyntheticDrawn(const ShownWindow &shown) {
+    const auto figure = shown.window->findChild<CircleCanvas *>()->paperFigure();
+    return figure && std::ranges::any_of(figure->traces, &CircleTrace::synthetic);
+}
+
+} // namespace
+
+/// The tab of the diagnosis and the figure beside it.
+class DiagnosisWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareApplication(); }
+    void init() { setWindowLanguage(Language::Id::english); }
+
+    void theFigureShowsWhatIsTickedWhileTheTabIsInView() {
+        const ShownWindow shown(examplePath("iso230-4-full-circles-xy"));
+        auto &workplace = shown.window->workplace();
+        QTRY_VERIFY(shown.window->findChild<CircleCanvas *>()->paperFigure());
+        QVERIFY(!isSyntheticDrawn(shown));
+        workplace.showPage(Page::diagnosis);
+        auto *page = shown.find<DiagnosisPage>("diagnosisPage");
+        QVERIFY(page->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+        QVERIFY(!page->tracedNames().isEmpty());
+        const auto figure = *shown.window->findChild<CircleCanvas *>()->paperFigure();
+        QVERIFY(std::ranges::any_of(figure.legend, [](const CircleLegendEntry &entry) {
+            return entry.sample == CircleLegendSample::synthetic && entry.text == "synthetic path";
+        }));
+        // The measured paths keep their marks and results.
+        QCOMPARE(figure.arrows.size(), std::size_t(2));
+        QCOMPARE(figure.starts.size(), std::size_t(2));
+        workplace.showPage(Page::limits);
+        QVERIFY(!isSyntheticDrawn(shown));
+    }
+
+    void theSyntheticPathIsNotPointedAt() {
+        const ShownWindow shown(examplePath("iso230-4-full-circles-xy"));
+        auto &workplace = shown.window->workplace();
+        workplace.showPage(Page::diagnosis);
+        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+        auto *canvas = shown.window->findChild<CircleCanvas *>();
+        const QString text = canvas->readOut({0, 0});
+        QVERIFY(text.startsWith("XY"));
+        workplace.showPage(Page::readings);
+        QCOMPARE(canvas->readOut({0, 0}), text);
+    }
+
+    void onlyCirclesHaveTheTab() {
+        const ShownWindow shown(examplePath("iso230-2-1988-example"));
+        auto *tabs = shown.find<PageTabs>("pageTabs");
+        QVERIFY(!tabs->isTabVisible(5));
+        shown.window->workplace().showPage(Page::diagnosis); // the shortcut
+        QCOMPARE(shown.window->workplace().selection().page(), Page::readings);
+        const ShownWindow circle(examplePath("iso230-4-full-circles-xy"));
+        QVERIFY(circle.find<PageTabs>("pageTabs")->isTabVisible(5));
+    }
+
+    void anEditIsDiagnosedAnew() {
+        const ShownWindow shown(examplePath("iso230-4-full-circles-xy"));
+        shown.window->workplace().showPage(Page::diagnosis);
+        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+        Document changed = *shown.window->model().document();
+        palmer::Test test = *changed.tests[0];
+        std::get<CircularMeasurement>(test.measurement).arcs[0].radialDeviations[10] += 1e-3;
+        changed.tests[0] = std::make_shared<const palmer::Test>(std::move(test));
+        shown.window->model().setDocument(std::move(changed), {});
+        // The path of before belongs to another evaluation: not drawn until there is one of this.
+        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+    }
+};
+
+QTEST_MAIN(DiagnosisWindowTest)
+#include "diagnosiswindow.moc"

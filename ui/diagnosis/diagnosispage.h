@@ -1,0 +1,102 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "language/language.h"
+#include "report/diagnosisrows.h"
+#include "ui/diagnosis/diagnoser.h"
+
+#include <QWidget>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+class QLabel;
+class QScrollArea;
+class QToolButton;
+
+namespace palmer::ui {
+
+class FeedsView;
+class LineChart;
+class RowTable;
+
+/// The page "Diagnosis" of a circular test: what the circle says about the machine, an interpretation.
+/// Sources by their part of G(b) with what to look at; those that are ticked are traced over the measured
+/// path; what none explains as a curve and as a spectrum. Where tests of the plane have several feeds, a
+/// second view shows what they say together. Diagnoses only while it is in view.
+class DiagnosisPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DiagnosisPage(QWidget *parent = nullptr);
+
+    /// Shows a circular test; nothing for any other.
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    void setLanguage(const Language &language);
+
+    /// Names of the sources that are traced.
+    [[nodiscard]] QStringList tracedNames() const;
+    [[nodiscard]] bool isBusy() const { return m_diagnoser.isBusy(); }
+
+signals:
+    /// What to draw over the measured path: nothing while the page is out of view.
+    void pathsWanted(const palmer::ui::SyntheticPaths &paths);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    QToolButton *addSegment(const char *segment, const char *name);
+    QWidget *makeBar();
+    QWidget *makeBelow();
+    void want();
+    void refresh();
+    void fillTable();
+    void fillBelow();
+    [[nodiscard]] QStringList statedTexts() const;
+    void fillChart();
+    void tick(std::size_t row, bool on);
+    void trace();
+    void showRow(int row);
+    void retranslate();
+    [[nodiscard]] bool isTicked(const DiagnosisRow &row) const;
+    [[nodiscard]] bool canBeTraced(const DiagnosisRow &row) const;
+    [[nodiscard]] bool isOfFeeds() const;
+    [[nodiscard]] const Diagnosis *diagnosis() const; ///< of the view
+    [[nodiscard]] QString idOf(std::size_t source) const;
+    [[nodiscard]] std::optional<std::size_t> currentRow() const;
+
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    std::string m_testId;
+    Language m_language{Language::Id::english};
+    Diagnoser m_diagnoser;
+    std::vector<DiagnosisRow> m_rows;
+    std::optional<std::set<QString>>
+        m_ticked;      ///< ids of sources; null: nobody has chosen, those that prevail
+    QString m_current; ///< id of the source in view
+
+    QLabel *m_summary;
+    QToolButton *m_circle;
+    QToolButton *m_feeds;
+    QToolButton *m_trace;
+    QLabel *m_empty;
+    QScrollArea *m_area;
+    QWidget *m_content;
+    RowTable *m_table;
+    QLabel *m_title;
+    QLabel *m_text;
+    QToolButton *m_rest;
+    QToolButton *m_spectrum;
+    QLabel *m_chartNote;
+    QWidget *m_chartBar;
+    FeedsView *m_overlay;
+    LineChart *m_chart;
+    QLabel *m_remarks;
+};
+
+} // namespace palmer::ui
