@@ -1,6 +1,7 @@
 #include "windowoptions.h"
 
 #include "ui/fonts.h"
+#include "ui/register/openregister.h"
 #include "ui/settings.h"
 #include "ui/standardbuttons.h"
 #include "ui/theme.h"
@@ -48,5 +49,6 @@ int main(int argc, char *argv[]) {
     for (const QString &file : files)
         window->openFile(file);
     window->offerRecoveries();
+    startRegister();
     return QApplication::exec();
 }

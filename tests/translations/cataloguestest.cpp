@@ -68,12 +68,12 @@ QString catalogue(const char *name) {
 
 /// Words that are the same in both languages.
 const QSet<QString> sameInBoth{
-    "Date",         "Machine",      "Signature", "Signatures", "Verdict",   "Instrument",   "Instruments",
-    "Position",     "minimum",      "maximum",   "note",       "Air",       "Cycle",        "Point",
-    "page %1 / %2", "Centre",       "Centre %1", "Source",     "Centre, F", "Compensation", "Points",
-    "Angles",       "Correction C", "positions", "rad",        "mrad",      "µrad",         "µin",
-    "min",          "Format",       "Arc (°)",   "air",        "machine",   "point .",      "Page",
-    "Type",         "Validation",   "Angle"};
+    "Date",         "Machine",      "Signature", "Signatures",   "Verdict",   "Instrument",   "Instruments",
+    "Position",     "minimum",      "maximum",   "note",         "Air",       "Cycle",        "Point",
+    "page %1 / %2", "Centre",       "Centre %1", "Source",       "Centre, F", "Compensation", "Points",
+    "Angles",       "Correction C", "positions", "rad",          "mrad",      "µrad",         "µin",
+    "min",          "Format",       "Arc (°)",   "air",          "machine",   "point .",      "Page",
+    "Type",         "Validation",   "Angle",     "compensation", "collision", "intervention"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {
