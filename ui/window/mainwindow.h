@@ -208,6 +208,7 @@ private:
     QAction *m_setEditionAction;
     QAction *m_ownEditionAction;
     QAction *m_feedAction;
+    QAction *m_registerAction = nullptr;
     std::array<QAction *, 5> m_pageActions{};
     QAction *m_nextMissingAction;
     QAction *m_previousMissingAction;
