@@ -7739,10 +7739,6 @@
         <translation>limite convenue</translation>
     </message>
     <message>
-        <source>line, band of 95 %</source>
-        <translation>droite, bande à 95&#xa0;%</translation>
-    </message>
-    <message>
         <source>intervention</source>
         <translation>intervention</translation>
     </message>
@@ -7768,10 +7764,6 @@
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>Circles: as found, full: as left, squares: another series, not joined; bar: ± U. Black: agreed limit. Blue: line with its band of 95 %. %1 * not reached within twice the observed time: nothing is said beyond.</source>
-        <translation>Cercles&#xa0;: avant réglage, pleins&#xa0;: après réglage, carrés&#xa0;: autre série, non reliée&#x202f;; barre&#xa0;: ±&#xa0;U. Noir&#xa0;: limite convenue. Bleu&#xa0;: droite et sa bande à 95&#xa0;%. %1 * non atteinte dans le double de la durée observée&#xa0;: rien n’est dit au-delà.</translation>
-    </message>
-    <message>
         <source>too few tests</source>
         <translation>trop peu d’essais</translation>
     </message>
@@ -7786,6 +7778,14 @@
     <message>
         <source>there is no register yet; palmer-cli register scan makes it</source>
         <translation>il n’y a pas encore de registre&#x202f;; palmer-cli register scan le crée</translation>
+    </message>
+    <message>
+        <source>Circles: as found, full: as left, squares: another series, not joined; bar: ± U. Black: agreed limit. Blue: line with its bounds of 95 %. %1 * not reached within twice the observed time: nothing is said beyond.</source>
+        <translation>Cercles : avant réglage, pleins : après réglage, carrés : autre série, non reliée&#x202f;; barre : ± U. Noir : limite convenue. Bleu : droite et ses bornes à 95 %. %1 * non atteinte dans le double de la durée observée : rien n’est dit au-delà.</translation>
+    </message>
+    <message>
+        <source>line, bounds of 95 %</source>
+        <translation>droite, bornes à 95 %</translation>
     </message>
 </context>
 </TS>

@@ -267,7 +267,7 @@ private:
             say(REPORT_TEXT(
                     "report",
                     "Circles: as found, full: as left, squares: another series, not joined; bar: ± U. "
-                    "Black: agreed limit. Blue: line with its band of 95 %. %1 * not reached within "
+                    "Black: agreed limit. Blue: line with its bounds of 95 %. %1 * not reached within "
                     "twice the observed time: nothing is said beyond."),
                 {trendMethod(method, m_language).toStdString()}),
             TextSize::small});

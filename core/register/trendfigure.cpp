@@ -146,7 +146,7 @@ private:
         const auto place = [&](double time) { return QPointF(year(time), line.at(time) * m_scale); };
         for (int i = 0; i <= bandSteps; ++i) {
             const double time = line.first + (end - line.first) * i / bandSteps;
-            const double away = line.twoSided * line.uncertaintyAt(time);
+            const double away = line.oneSided * line.uncertaintyAt(time);
             const BandPoint point{year(time), (line.at(time) - away) * m_scale,
                                   (line.at(time) + away) * m_scale};
             if (point.x <= m_span.to)
@@ -224,7 +224,7 @@ std::vector<QString> trendLegend(const Language &language) {
             language.text(REPORT_TEXT("report", "as left")),
             language.text(REPORT_TEXT("report", "another series, not joined")),
             language.text(REPORT_TEXT("report", "agreed limit")),
-            language.text(REPORT_TEXT("report", "line, band of 95 %")),
+            language.text(REPORT_TEXT("report", "line, bounds of 95 %")),
             language.text(REPORT_TEXT("report", "intervention"))};
 }
 

@@ -16,7 +16,8 @@ struct TrendSpan {
 };
 [[nodiscard]] TrendSpan trendSpan(const std::vector<MachineTrend> &trends, const QDate &today);
 
-/// A trend as it is drawn. The band is level ± t(0.975)·u of the line.
+/// A trend as it is drawn. The band is that of the one-sided bounds,
+/// level ± t(0.95)·u of the line: "not before" lies on its edge.
 [[nodiscard]] TrendPanel trendPanel(const MachineTrend &trend, const TrendSpan &span, const QDate &today,
                                     const Language &language, int mostTicks);
 

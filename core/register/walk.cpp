@@ -3,9 +3,12 @@
 #include <QDateTime>
 #include <QDir>
 #include <QDirIterator>
+#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
+#include <fcntl.h>
 #include <set>
+#include <unistd.h>
 
 namespace palmer {
 
@@ -58,7 +61,8 @@ private:
         const QFileInfo info(folder);
         if (!m_seen.insert(info.canonicalFilePath()).second) // through another link
             return;
-        if (!info.isReadable() || !info.isExecutable()) {
+        constexpr int toList = R_OK | X_OK;
+        if (::faccessat(AT_FDCWD, QFile::encodeName(folder).constData(), toList, AT_EACCESS) != 0) {
             refuse(folder, REPORT_TEXT("report", "the folder cannot be read"));
             return;
         }

@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QLegend>
 #include <QLineSeries>
+#include <QLocale>
 #include <QScatterSeries>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -70,6 +71,8 @@ void addAxes(QChart &chart, const QPalette &palette, const QString &title, const
             first = false;
         }
     }
+    chart.setLocale(QLocale(windowLanguage().code()));
+    chart.setLocalizeNumbers(true);
     constexpr int parts = 6;
     const double room = most > least ? 0.08 * (most - least) : 1;
     FigureAxis x;
@@ -145,8 +148,7 @@ CurveComparison::CurveComparison(QWidget *parent)
     row->addWidget(m_first);
     row->addWidget(new QLabel(QStringLiteral("−")));
     row->addWidget(m_second);
-    row->addStretch();
-    row->addWidget(m_travel);
+    row->addWidget(m_travel, 1);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 8, 16, 8);
     layout->addLayout(head);
@@ -156,6 +158,8 @@ CurveComparison::CurveComparison(QWidget *parent)
     layout->addWidget(m_differences, 3);
     for (QComboBox *box : {m_first, m_second})
         connect(box, &QComboBox::currentIndexChanged, this, &CurveComparison::rebuildDifference);
+    m_travel->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_travel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     retranslate();
 }
 

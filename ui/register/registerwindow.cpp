@@ -119,6 +119,7 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     m_progress->hide();
     for (QWidget *one : std::initializer_list<QWidget *>{m_total, m_state, m_progress, m_unreadable})
         statusBar()->addWidget(one);
+    statusBar()->setContentsMargins(margin, 0, margin, 0);
     statusBar()->setFixedHeight(statusHeight);
     statusBar()->setSizeGripEnabled(false);
     connect(&m_service, &RegisterService::changed, this, &RegisterWindow::loadMachines);
@@ -422,6 +423,8 @@ QWidget *RegisterWindow::makeTrend() {
     m_trend = new TrendChart;
     m_legend = made("trendLegend", TextSize::tiny);
     m_legend->setAlignment(Qt::AlignCenter);
+    m_legend->setSizePolicy(QSizePolicy::Ignored,
+                            QSizePolicy::Preferred); // the list of machines keeps its width
     auto *left = new QWidget;
     auto *leftLayout = new QVBoxLayout(left);
     leftLayout->setContentsMargins(margin, 8, 8, 8);

@@ -12,6 +12,7 @@
 #include <QGraphicsLayout>
 #include <QLegend>
 #include <QLineSeries>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QValueAxis>
@@ -93,6 +94,10 @@ void TrendChart::rebuild() {
     }
     m_panel = trendPanel(m_trend, trendSpan({m_trend}, m_today), m_today, windowLanguage(), mostTicks);
     const QPalette look = palette();
+    QLocale numbers(windowLanguage().code());
+    numbers.setNumberOptions(QLocale::OmitGroupSeparator); // years
+    chart()->setLocale(numbers);
+    chart()->setLocalizeNumbers(true);
     chart()->setBackgroundBrush(look.color(QPalette::Base));
     const QColor accent = token(Token::accent, look);
     const QColor text = look.color(QPalette::Text);
@@ -192,7 +197,9 @@ void TrendChart::drawForeground(QPainter *painter, const QRectF &rect) {
         painter->setPen(QPen(token(Token::secondaryText, look), 1));
         painter->drawLine(QPointF(today, plot.top()), QPointF(today, plot.bottom()));
         painter->setFont(themeFont(TextSize::tiny));
-        painter->drawText(QPointF(today + 5, plot.top() + 14), tr("today"));
+        const double width = painter->fontMetrics().horizontalAdvance(tr("today"));
+        const bool fits = today + 5 + width < plot.right();
+        painter->drawText(QPointF(fits ? today + 5 : today - 5 - width, plot.top() + 14), tr("today"));
     }
     drawInterventions(*painter, plot);
     painter->setClipRect(plot.adjusted(-chosenRadius, -chosenRadius, chosenRadius, chosenRadius));
