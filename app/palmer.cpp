@@ -2,6 +2,7 @@
 
 #include "document/filename.h"
 #include "ui/fonts.h"
+#include "ui/register/openregister.h"
 #include "ui/settings.h"
 #include "ui/standardbuttons.h"
 #include "ui/theme.h"
@@ -51,5 +52,6 @@ int main(int argc, char *argv[]) {
     for (const QString &file : palmer::filesOf(rest))
         window->openFile(file);
     window->offerRecoveries();
+    startRegister();
     return QApplication::exec();
 }

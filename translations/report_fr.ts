@@ -7292,6 +7292,346 @@
         <translation>--set %1 est un choix de l’import, et ceci est un fichier d’essai&#x202f;; ses champs ont des chemins, comme tests[0].title</translation>
     </message>
     <message>
+        <source>this file is no register of tests and is left as it is; choose another name for the register</source>
+        <translation>ce fichier n’est pas un registre d’essais et reste tel quel&#x202f;; choisir un autre nom pour le registre</translation>
+    </message>
+    <message>
+        <source>the register cannot be read; check its permissions</source>
+        <translation>le registre ne peut pas être lu&#x202f;; vérifier ses droits d’accès</translation>
+    </message>
+    <message>
+        <source>the register is locked by another program; try again when it is done</source>
+        <translation>le registre est verrouillé par un autre programme&#x202f;; réessayer quand celui-ci aura terminé</translation>
+    </message>
+    <message>
+        <source>this is a folder; expected the file of a register</source>
+        <translation>c’est un dossier&#x202f;; le fichier d’un registre est attendu</translation>
+    </message>
+    <message>
+        <source>the folder of the register cannot be made</source>
+        <translation>le dossier du registre ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>the register cannot be opened; check the permissions of its folder</source>
+        <translation>le registre ne peut pas être ouvert&#x202f;; vérifier les droits d’accès de son dossier</translation>
+    </message>
+    <message>
+        <source>the address of a server reads postgresql://user@host:port/name</source>
+        <translation>l’adresse d’un serveur s’écrit postgresql://utilisateur@hôte:port/nom</translation>
+    </message>
+    <message>
+        <source>the server of the register does not answer, or refuses: %1</source>
+        <translation>le serveur du registre ne répond pas ou refuse&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the driver %1 of Qt for this register is not installed</source>
+        <translation>le pilote %1 de Qt pour ce registre n’est pas installé</translation>
+    </message>
+    <message>
+        <source>the server of the register is gone; nothing is lost, scan again when it is back</source>
+        <translation>le serveur du registre ne répond plus&#x202f;; rien n’est perdu, relancer le parcours quand il sera de retour</translation>
+    </message>
+    <message>
+        <source>the register cannot be written, for want of space perhaps; what it held is unchanged: make room and scan again</source>
+        <translation>le registre ne peut pas être écrit, faute de place peut-être&#x202f;; son contenu est inchangé&#xa0;: libérer de la place et relancer le parcours</translation>
+    </message>
+    <message>
+        <source>the register cannot be written; check the permissions of its folder</source>
+        <translation>le registre ne peut pas être écrit&#x202f;; vérifier les droits d’accès de son dossier</translation>
+    </message>
+    <message>
+        <source>the file of the register is damaged; remove it and scan again, the test files hold everything</source>
+        <translation>le fichier du registre est endommagé&#x202f;; le supprimer et relancer le parcours, les fichiers d’essai contiennent tout</translation>
+    </message>
+    <message>
+        <source>the database of the register says: %1</source>
+        <translation>message de la base de données du registre&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>But</translation>
+    </message>
+    <message>
+        <source>a newer version of Palmer made this register; use that one, or have the register made anew from the files (register scan --rebuild)</source>
+        <translation>ce registre a été créé par une version plus récente de Palmer&#x202f;; utiliser celle-ci ou refaire le registre à partir des fichiers (register scan --rebuild)</translation>
+    </message>
+    <message>
+        <source>adjustment</source>
+        <comment>intervention</comment>
+        <translation>réglage</translation>
+    </message>
+    <message>
+        <source>compensation</source>
+        <comment>intervention</comment>
+        <translation>compensation</translation>
+    </message>
+    <message>
+        <source>repair</source>
+        <comment>intervention</comment>
+        <translation>réparation</translation>
+    </message>
+    <message>
+        <source>collision</source>
+        <comment>intervention</comment>
+        <translation>collision</translation>
+    </message>
+    <message>
+        <source>feed %1</source>
+        <translation>avance %1</translation>
+    </message>
+    <message>
+        <source>no feed stated</source>
+        <translation>avance non indiquée</translation>
+    </message>
+    <message>
+        <source>travel or radius %1</source>
+        <translation>course ou rayon %1</translation>
+    </message>
+    <message>
+        <source>no targets</source>
+        <translation>pas de points visés</translation>
+    </message>
+    <message>
+        <source>correction to 20 °C: %1</source>
+        <translation>correction à 20&#xa0;°C&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>working zone</source>
+        <translation>zone de travail</translation>
+    </message>
+    <message>
+        <source>feedback signal</source>
+        <translation>signal de retour</translation>
+    </message>
+    <message>
+        <source>other set-up</source>
+        <translation>autre montage</translation>
+    </message>
+    <message>
+        <source>fewer than %1 tests since the last intervention</source>
+        <translation>moins de %1 essais depuis la dernière intervention</translation>
+    </message>
+    <message>
+        <source>no trend shown</source>
+        <translation>pas de tendance</translation>
+    </message>
+    <message>
+        <source>the bound is at the limit already</source>
+        <translation>la borne est déjà à la limite</translation>
+    </message>
+    <message>
+        <source>not before %1; nothing is said beyond</source>
+        <translation>pas avant %1&#x202f;; rien n’est dit au-delà</translation>
+    </message>
+    <message>
+        <source>not before %1</source>
+        <translation>pas avant %1</translation>
+    </message>
+    <message>
+        <source>Generalised least squares since the last intervention, V = diag(r² + s²) + Σ c·cᵀ: r own, c shared by tests with the same instrument, temperature sensors or α of the machine, s scatter beyond them. A trend is shown where the slope is at least t times its standard uncertainty (95 %). Not before: line + t·u reaches the limit, one-sided 95 %, for the level, not for the next test.</source>
+        <translation>Moindres carrés généralisés depuis la dernière intervention, V = diag(r² + s²) + Σ c·cᵀ&#xa0;: r part propre, c part commune aux essais faits avec le même instrument, les mêmes capteurs de température ou le même α de la machine, s dispersion au-delà. Une tendance est indiquée si la pente atteint au moins t fois son incertitude-type (95&#xa0;%). Pas avant&#xa0;: la droite + t·u atteint la limite, borne unilatérale à 95&#xa0;%, pour le niveau, non pour le prochain essai.</translation>
+    </message>
+    <message>
+        <source>Nothing is said beyond %1, twice the observed time.</source>
+        <translation>Rien n’est dit au-delà de %1, le double de la durée observée.</translation>
+    </message>
+    <message>
+        <source>A U is stated without its parts: it is taken as shared by the tests with the same instrument.</source>
+        <translation>Une U est donnée sans ses composantes&#xa0;: elle est considérée comme commune aux essais faits avec le même instrument.</translation>
+    </message>
+    <message>
+        <source>since</source>
+        <translation>depuis</translation>
+    </message>
+    <message>
+        <source>tests</source>
+        <translation>essais</translation>
+    </message>
+    <message>
+        <source>%1 in %2 years</source>
+        <translation>%1 en %2 ans</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>pente</translation>
+    </message>
+    <message>
+        <source>%1 %2/year, u %3</source>
+        <translation>%1&#xa0;%2/an, u %3</translation>
+    </message>
+    <message>
+        <source>line at the last test</source>
+        <translation>droite au dernier essai</translation>
+    </message>
+    <message>
+        <source>scatter s</source>
+        <translation>dispersion s</translation>
+    </message>
+    <message>
+        <source>%1: trend of %2, axis or plane %3</source>
+        <translation>%1&#xa0;: tendance de %2, axe ou plan %3</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>Tendance</translation>
+    </message>
+    <message>
+        <source>Another series: %1</source>
+        <translation>Autre série&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>ce dossier n’existe pas</translation>
+    </message>
+    <message>
+        <source>the register; without it that of the user</source>
+        <translation>le registre&#x202f;; sans cette option, celui de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>list, trend, report: name or serial number of the machine, or what names, maker, type or place contain</source>
+        <translation>list, trend, report&#xa0;: nom ou numéro de série de la machine, ou une partie du nom, du constructeur, du type ou du lieu</translation>
+    </message>
+    <message>
+        <source>list, trend: the axis, or the plane of circles</source>
+        <translation>list, trend&#xa0;: l’axe, ou le plan des cercles</translation>
+    </message>
+    <message>
+        <source>list: the kind of test</source>
+        <translation>list&#xa0;: la nature de l’essai</translation>
+    </message>
+    <message>
+        <source>list: tests from that day on (YYYY-MM-DD)</source>
+        <translation>list&#xa0;: essais à partir de ce jour (AAAA-MM-JJ)</translation>
+    </message>
+    <message>
+        <source>list: tests up to that day</source>
+        <translation>list&#xa0;: essais jusqu’à ce jour</translation>
+    </message>
+    <message>
+        <source>list: how the tests stand to their limits</source>
+        <translation>list&#xa0;: situation des essais par rapport à leurs limites</translation>
+    </message>
+    <message>
+        <source>list: tests after which another, or the certificate of an instrument, is due up to that day</source>
+        <translation>list&#xa0;: essais après lesquels un autre essai, ou le certificat d’un instrument, arrive à échéance jusqu’à ce jour</translation>
+    </message>
+    <message>
+        <source>list: months between tests, of machines that have no interval of their own</source>
+        <translation>list&#xa0;: mois entre les essais, pour les machines sans périodicité propre</translation>
+    </message>
+    <message>
+        <source>list: each of the words somewhere in names, title, date, edition, instruments or file</source>
+        <translation>list&#xa0;: chacun des mots quelque part dans les noms, le titre, la date, l’édition, les instruments ou le fichier</translation>
+    </message>
+    <message>
+        <source>list: for programs, a row per parameter</source>
+        <translation>list&#xa0;: pour les programmes, une ligne par grandeur</translation>
+    </message>
+    <message>
+        <source>list, trend, scan: as JSON, one object a line</source>
+        <translation>list, trend, scan&#xa0;: en JSON, un objet par ligne</translation>
+    </message>
+    <message>
+        <source>list: the files that cannot be read or are not found, with their reason</source>
+        <translation>list&#xa0;: les fichiers illisibles ou introuvables, avec la raison</translation>
+    </message>
+    <message>
+        <source>trend: the parameter; may stand several times; without it the main ones</source>
+        <translation>trend&#xa0;: la grandeur&#x202f;; peut être répétée&#x202f;; sans cette option, les principales</translation>
+    </message>
+    <message>
+        <source>trend: all tests evaluated anew under one edition</source>
+        <translation>trend&#xa0;: tous les essais évalués à nouveau selon une seule édition</translation>
+    </message>
+    <message>
+        <source>scan: take out files that are not found any more</source>
+        <translation>scan&#xa0;: retirer les fichiers introuvables</translation>
+    </message>
+    <message>
+        <source>scan: empty the register first; what the files say comes back</source>
+        <translation>scan&#xa0;: vider d’abord le registre&#x202f;; ce que disent les fichiers y revient</translation>
+    </message>
+    <message>
+        <source>scan: go on and scan again when something changes, until it is ended</source>
+        <translation>scan&#xa0;: continuer et relancer le parcours à chaque changement, jusqu’à l’arrêt du programme</translation>
+    </message>
+    <message>
+        <source>Files: %1, of them read now: %2, unreadable: %3, not found: %4. In the register: %5 machines, %6 tests.</source>
+        <translation>Fichiers&#xa0;: %1, dont lus maintenant&#xa0;: %2, illisibles&#xa0;: %3, introuvables&#xa0;: %4. Dans le registre&#xa0;: %5 machines, %6 essais.</translation>
+    </message>
+    <message>
+        <source>register scan needs a folder</source>
+        <translation>register scan demande un dossier</translation>
+    </message>
+    <message>
+        <source>the file is not found any more</source>
+        <translation>le fichier est introuvable</translation>
+    </message>
+    <message>
+        <source>not identified: no serial number</source>
+        <translation>non identifiée&#xa0;: pas de numéro de série</translation>
+    </message>
+    <message>
+        <source>register does not know “%1”; it knows: %2</source>
+        <translation>register ne connaît pas «&#xa0;%1&#xa0;»&#x202f;; connus&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>register %1 takes no file</source>
+        <translation>register %1 ne prend pas de fichier</translation>
+    </message>
+    <message>
+        <source>all tests of all machines in some folders, over the years</source>
+        <translation>le registre&#xa0;: tous les essais de toutes les machines dans des dossiers, au fil des ans</translation>
+    </message>
+    <message>
+        <source>no machine of the register is called “%1”</source>
+        <translation>aucune machine du registre ne s’appelle «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 machines are called “%2”: %3; say more of it, as its serial number</source>
+        <translation>%1 machines s’appellent «&#xa0;%2&#xa0;»&#xa0;: %3&#x202f;; préciser, par exemple par le numéro de série</translation>
+    </message>
+    <message>
+        <source>these tests have no parameter %1; they have: %2</source>
+        <translation>ces essais n’ont pas de grandeur %1&#x202f;; ils ont&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>the machine has no test of %1</source>
+        <translation>la machine n’a pas d’essai de %1</translation>
+    </message>
+    <message>
+        <source>History of %1</source>
+        <translation>Historique&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>a machine without name</source>
+        <translation>machine sans nom</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>How its tests moved, %1</source>
+        <translation>Évolution des essais, %1</translation>
+    </message>
+    <message>
+        <source>Maker, type</source>
+        <translation>Constructeur, type</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>%1 months</source>
+        <translation>%1 mois</translation>
+    </message>
+    <message>
+        <source>next test before %1</source>
+        <translation>prochain essai avant le %1</translation>
+    </message>
+    <message>
         <source>synthetic path</source>
         <translation>tracé synthétique</translation>
     </message>
@@ -7523,12 +7863,113 @@
         <translation>Tous les essais</translation>
     </message>
     <message>
+        <source>Results ± U</source>
+        <translation>Résultats ±&#xa0;U</translation>
+    </message>
+    <message>
+        <source>as found; bar: ± U</source>
+        <translation>avant réglage&#x202f;; barre&#xa0;: ±&#xa0;U</translation>
+    </message>
+    <message>
+        <source>another series, not joined</source>
+        <translation>autre série, non reliée</translation>
+    </message>
+    <message>
+        <source>agreed limit</source>
+        <translation>limite convenue</translation>
+    </message>
+    <message>
+        <source>intervention</source>
+        <translation>intervention</translation>
+    </message>
+    <message>
+        <source>trend: OUT.csv, json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf</source>
+        <translation>trend&#xa0;: OUT.csv, json, svg, png ou pdf&#x202f;; report&#xa0;: OUT.pdf, en deux langues OUT.fr.pdf et OUT.en.pdf</translation>
+    </message>
+    <message>
+        <source>language of tables and errors; report: of the report, also both</source>
+        <translation>langue des tableaux et des erreurs&#x202f;; report&#xa0;: du rapport, les deux aussi</translation>
+    </message>
+    <message>
+        <source>this part of register needs --%1</source>
+        <translation>cette partie de register demande --%1</translation>
+    </message>
+    <message>
+        <source>a picture shows one parameter: choose it with --parameter</source>
+        <translation>une image montre une seule grandeur&#xa0;: la choisir avec --parameter</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>parameter of an axis</comment>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>too few tests</source>
+        <translation>trop peu d’essais</translation>
+    </message>
+    <message>
+        <source>not before %1 *</source>
+        <translation>pas avant %1 *</translation>
+    </message>
+    <message>
+        <source>at the limit</source>
+        <translation>à la limite</translation>
+    </message>
+    <message>
+        <source>there is no register yet; palmer-cli register scan makes it</source>
+        <translation>il n’y a pas encore de registre&#x202f;; palmer-cli register scan le crée</translation>
+    </message>
+    <message>
+        <source>Circles: as found, full: as left, squares: another series, not joined; bar: ± U. Black: agreed limit. Blue: line with its bounds of 95 %. %1 * not reached within twice the observed time: nothing is said beyond.</source>
+        <translation>Cercles : avant réglage, pleins : après réglage, carrés : autre série, non reliée&#x202f;; barre : ± U. Noir : limite convenue. Bleu : droite et ses bornes à 95 %. %1 * non atteinte dans le double de la durée observée : rien n’est dit au-delà.</translation>
+    </message>
+    <message>
+        <source>line, bounds of 95 %</source>
+        <translation>droite, bornes à 95 %</translation>
+    </message>
+    <message>
         <source>Test %1: %2</source>
         <translation>Essai&#xa0;%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Tests</source>
         <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Périodicité</translation>
+    </message>
+    <message>
+        <source>Made on</source>
+        <translation>Établi le</translation>
+    </message>
+    <message>
+        <source>To watch first</source>
+        <translation>À surveiller d’abord</translation>
+    </message>
+    <message>
+        <source>no trend towards a limit</source>
+        <translation>pas de tendance vers une limite</translation>
+    </message>
+    <message>
+        <source>%1 at the last test</source>
+        <translation>%1 au dernier essai</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Ensuite</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>Tendances</translation>
+    </message>
+    <message>
+        <source>Campaigns</source>
+        <translation>Campagnes</translation>
+    </message>
+    <message>
+        <source>the first quantity of each axis; all are listed below</source>
+        <translation>première grandeur de chaque axe&#x202f;; toutes figurent ci-dessous</translation>
     </message>
     <message>
         <source>Condition</source>

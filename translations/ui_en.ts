@@ -306,6 +306,44 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::RegisterWindow</name>
+    <message numerus="yes">
+        <source>%n month(s)</source>
+        <translation>
+            <numerusform>%n month</numerusform>
+            <numerusform>%n months</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n machine(s)</source>
+        <translation>
+            <numerusform>%n machine</numerusform>
+            <numerusform>%n machines</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test(s)</source>
+        <translation>
+            <numerusform>%n test</numerusform>
+            <numerusform>%n tests</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n folder(s) watched</source>
+        <translation>
+            <numerusform>%n folder watched</numerusform>
+            <numerusform>%n folders watched</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable file(s)</source>
+        <translation>
+            <numerusform>%n unreadable file</numerusform>
+            <numerusform>%n unreadable files</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::RemarkList</name>
     <message numerus="yes">
         <source>… and %n more remark(s)</source>
@@ -353,6 +391,23 @@
         <translation>
             <numerusform>%n requirement not declared</numerusform>
             <numerusform>%n requirements not declared</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::TestTableModel</name>
+    <message numerus="yes">
+        <source>%n not met</source>
+        <translation>
+            <numerusform>%n not met</numerusform>
+            <numerusform>%n not met</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not declared</source>
+        <translation>
+            <numerusform>%n not declared</numerusform>
+            <numerusform>%n not declared</numerusform>
         </translation>
     </message>
 </context>

@@ -1730,6 +1730,41 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::CurveComparison</name>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Compare curves</source>
+        <translation>Comparer les courbes</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Curve that is looked at</source>
+        <translation>Courbe considérée</translation>
+    </message>
+    <message>
+        <source>Curve that is taken off</source>
+        <translation>Courbe retranchée</translation>
+    </message>
+    <message>
+        <source>no common travel</source>
+        <translation>pas de course commune</translation>
+    </message>
+    <message>
+        <source>common travel %1 to %2</source>
+        <translation>course commune %1 à %2</translation>
+    </message>
+    <message>
+        <source>largest %1 at %2</source>
+        <translation>maximum %1 à %2</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::DiagnosisPage</name>
     <message>
         <source>The evaluated points are too few for a diagnosis.</source>
@@ -2224,6 +2259,29 @@
     <message>
         <source>Fold the findings away</source>
         <translation>Replier les constats</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::FoldersDialog</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Folders of the register</source>
+        <translation>Dossiers du registre</translation>
+    </message>
+    <message>
+        <source>Palmer reads the test files and reports in these folders and below them, and never writes into them.</source>
+        <translation>Palmer lit les fichiers d’essai et les rapports de ces dossiers et de leurs sous-dossiers, et n’y écrit jamais.</translation>
+    </message>
+    <message>
+        <source>&amp;Add folder…</source>
+        <translation>&amp;Ajouter un dossier…</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Choisir un dossier</translation>
     </message>
 </context>
 <context>
@@ -2826,6 +2884,28 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::MachineDelegate</name>
+    <message>
+        <source>overdue %1 d</source>
+        <translation>retard %1&#xa0;j</translation>
+    </message>
+    <message>
+        <source>due in %1 d</source>
+        <translation>échéance %1&#xa0;j</translation>
+    </message>
+    <message>
+        <source>%1 d</source>
+        <translation>%1&#xa0;j</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::MachineModel</name>
+    <message>
+        <source>%1 (not identified)</source>
+        <translation>%1 (non identifiée)</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::MachinePage</name>
     <message>
         <source>Machine</source>
@@ -3364,6 +3444,10 @@
     <message>
         <source>&amp;Validation</source>
         <translation>&amp;Validation</translation>
+    </message>
+    <message>
+        <source>&amp;Register of all tests…</source>
+        <translation>&amp;Registre de tous les essais…</translation>
     </message>
     <message>
         <source>D&amp;iagnosis</source>
@@ -4094,6 +4178,262 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::RegisterWindow</name>
+    <message>
+        <source>reading %1 of %2 files</source>
+        <translation>lecture de %1 fichiers sur %2</translation>
+    </message>
+    <message>
+        <source>Each test under its own edition</source>
+        <translation>Chaque essai selon sa propre édition</translation>
+    </message>
+    <message>
+        <source>Copy the chart</source>
+        <translation>Copier le graphique</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registre</translation>
+    </message>
+    <message>
+        <source>&amp;Register</source>
+        <translation>&amp;Registre</translation>
+    </message>
+    <message>
+        <source>&amp;Test</source>
+        <translation>&amp;Essai</translation>
+    </message>
+    <message>
+        <source>&amp;Folders…</source>
+        <translation>&amp;Dossiers…</translation>
+    </message>
+    <message>
+        <source>&amp;Rescan</source>
+        <translation>&amp;Actualiser</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>&amp;Open test</source>
+        <translation>&amp;Ouvrir l’essai</translation>
+    </message>
+    <message>
+        <source>&amp;Compare curves</source>
+        <translation>&amp;Comparer les courbes</translation>
+    </message>
+    <message>
+        <source>&amp;History report…</source>
+        <translation>&amp;Historique…</translation>
+    </message>
+    <message>
+        <source>Machine, serial number, type</source>
+        <translation>Machine, n° de série, type</translation>
+    </message>
+    <message>
+        <source>Search machines</source>
+        <translation>Chercher une machine</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Machines</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Périodicité</translation>
+    </message>
+    <message>
+        <source>Clear filters</source>
+        <translation>Effacer les filtres</translation>
+    </message>
+    <message>
+        <source>Evaluate all under…</source>
+        <translation>Évaluer tout sous…</translation>
+    </message>
+    <message>
+        <source>All tests of all your machines, over the years</source>
+        <translation>Tous les essais de toutes vos machines, au fil des ans</translation>
+    </message>
+    <message>
+        <source>Name the folder in which the tests are kept. Palmer reads the .palmer files in it
+and the PDF reports that contain them, and sorts them by machine.</source>
+        <translation>Indiquez le dossier où sont rangés vos essais. Palmer y lit les fichiers .palmer
+et les rapports PDF qui les contiennent, et les classe par machine.</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>Choisir un dossier…</translation>
+    </message>
+    <message>
+        <source>or drop a folder into the window
+
+Nothing is changed: your files stay the only record. Folders below are included. The index can be made anew at any time.</source>
+        <translation>ou déposez un dossier dans la fenêtre
+
+Rien n’est modifié&#xa0;: vos fichiers restent la seule preuve. Sous-dossiers compris. L’index peut être refait à tout moment.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n month(s)</source>
+        <translation>
+            <numerusform>%n mois</numerusform>
+            <numerusform>%n mois</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not identified: no serial number</source>
+        <translation>non identifiée&#xa0;: pas de numéro de série</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>n° %1</translation>
+    </message>
+    <message>
+        <source>overdue since %1</source>
+        <translation>en retard depuis le %1</translation>
+    </message>
+    <message>
+        <source>next test before %1</source>
+        <translation>prochain essai avant le %1</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>since %1</source>
+        <translation>depuis %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Depuis</translation>
+    </message>
+    <message>
+        <source>Edition</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>But</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Axe %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 tests</source>
+        <translation>%1 essais sur %2</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>Tendance</translation>
+    </message>
+    <message>
+        <source>Trend of %1, %2</source>
+        <translation>Tendance de %1, %2</translation>
+    </message>
+    <message>
+        <source>Limit %1</source>
+        <translation>Limite %1</translation>
+    </message>
+    <message>
+        <source>To do %1</source>
+        <translation>À traiter %1</translation>
+    </message>
+    <message>
+        <source>The folders are being read…</source>
+        <translation>Lecture des dossiers…</translation>
+    </message>
+    <message>
+        <source>No machine yet</source>
+        <translation>Aucune machine pour l’instant</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n machine(s)</source>
+        <translation>
+            <numerusform>%n machine</numerusform>
+            <numerusform>%n machines</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test(s)</source>
+        <translation>
+            <numerusform>%n essai</numerusform>
+            <numerusform>%n essais</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n folder(s) watched</source>
+        <translation>
+            <numerusform>%n dossier suivi</numerusform>
+            <numerusform>%n dossiers suivis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No folder is watched</source>
+        <translation>Aucun dossier suivi</translation>
+    </message>
+    <message>
+        <source>being read</source>
+        <translation>en cours de lecture</translation>
+    </message>
+    <message>
+        <source>up to date at %1</source>
+        <translation>à jour à %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable file(s)</source>
+        <translation>
+            <numerusform>%n fichier illisible</numerusform>
+            <numerusform>%n fichiers illisibles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>Save the history</source>
+        <translation>Enregistrer l’historique</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documents PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The history was not saved</source>
+        <translation>L’historique n’a pas été enregistré</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::RemarkList</name>
     <message>
         <source>confirm</source>
@@ -4816,6 +5156,74 @@
     <message>
         <source>Writes this edition into the test; it can be undone</source>
         <translation>Inscrit cette édition dans l’essai&#x202f;; peut être annulé</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::TestTableModel</name>
+    <message numerus="yes">
+        <source>%n not met</source>
+        <translation>
+            <numerusform>%n non satisfaite</numerusform>
+            <numerusform>%n non satisfaites</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not declared</source>
+        <translation>
+            <numerusform>%n non déclarée</numerusform>
+            <numerusform>%n non déclarées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>in accordance</source>
+        <translation>selon l’édition</translation>
+    </message>
+    <message>
+        <source>in part</source>
+        <translation>en partie</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>non vérifié</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Edition</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>But</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::TrendChart</name>
+    <message>
+        <source>Trend</source>
+        <translation>Tendance</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>aujourd’hui</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include "commands/feed.h"
 #include "commands/figure.h"
 #include "commands/import.h"
+#include "commands/register.h"
 #include "commands/report.h"
 #include "commands/selftest.h"
 #include "commands/synthesize.h"
@@ -176,10 +177,10 @@ std::span<const Option> commonOptions() {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(),      reportCommand(),
-                                  verifyCommand(),   figureCommand(),     explainCommand(),
-                                  importCommand(),   exportCommand(),     targetsCommand(),
-                                  feedCommand(),     synthesizeCommand(), selftestCommand()};
+    static const std::array table{evaluateCommand(), checkCommand(),   reportCommand(),     verifyCommand(),
+                                  figureCommand(),   explainCommand(), importCommand(),     exportCommand(),
+                                  targetsCommand(),  feedCommand(),    synthesizeCommand(), registerCommand(),
+                                  selftestCommand()};
     return table;
 }
 

@@ -109,6 +109,15 @@ QStringList outputsInFolder(const QString &output, const Inputs &inputs, const Q
     return result;
 }
 
+QString withLanguage(const QString &file, const QString &language) {
+    const QFileInfo there(file);
+    if (file.endsWith(u'/') || (there.exists() && !there.isFile()))
+        return file;
+    const QString ending = QStringLiteral(".pdf");
+    const bool has = file.endsWith(ending, Qt::CaseInsensitive);
+    return (has ? file.chopped(ending.size()) : file) + u'.' + language + (has ? file.right(4) : ending);
+}
+
 void makeFolderOf(const QString &file) {
     const QString folder = QFileInfo(file).path();
     if (!QDir().mkpath(folder))

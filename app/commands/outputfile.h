@@ -25,6 +25,9 @@ void demandOutput(const Invocation &invocation, const QString &file,
 /// under, with another ending. Throws UsageError where two would go into one file, or one over an input.
 [[nodiscard]] QStringList outputsInFolder(const QString &output, const Inputs &inputs, const QString &ending);
 
+/// "report.pdf" → "report.fr.pdf". A folder or a device keeps its name: writing says what is wrong with it.
+[[nodiscard]] QString withLanguage(const QString &file, const QString &language);
+
 /// Makes the folder of a file that is to be written there. Throws Error(unwritable).
 void makeFolderOf(const QString &file);
 

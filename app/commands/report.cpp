@@ -57,16 +57,6 @@ QStringList languagesOf(const Invocation &invocation, const Document &document) 
     return result;
 }
 
-/// "report.pdf" → "report.fr.pdf". A folder or a device keeps its name: writing says what is wrong with it.
-QString withLanguage(const QString &file, const QString &language) {
-    const QFileInfo there(file);
-    if (file.endsWith(u'/') || (there.exists() && !there.isFile()))
-        return file;
-    const QString ending = QStringLiteral(".pdf");
-    const bool has = file.endsWith(ending, Qt::CaseInsensitive);
-    return (has ? file.chopped(ending.size()) : file) + u'.' + language + (has ? file.right(4) : ending);
-}
-
 bool selfTest() {
     return std::ranges::all_of(validateAll(), &SetValidation::agrees);
 }

@@ -348,7 +348,64 @@ struct HistogramFigure {
     bool operator==(const HistogramFigure &) const = default;
 };
 
+/// How a test of a trend is marked: before or after an adjustment (a role that is not stated counts as
+/// found), or of a series that cannot be compared with the first.
+enum class TrendMark { asFound, asLeft, otherSeries };
+
+/// A value with its U at a day; x in calendar years.
+struct TrendValue {
+    double x = 0;
+    double y = 0;
+    std::optional<double> expanded = {}; ///< half the length of the bar
+    TrendMark mark = TrendMark::asFound;
+    bool exceeds = false; ///< clearly over its limit
+
+    bool operator==(const TrendValue &) const = default;
+};
+
+/// Something was done to the machine.
+struct TrendIntervention {
+    double x = 0;
+    QString name;
+    std::optional<QPointF> found = {}; ///< of an adjustment the values before and after
+    std::optional<QPointF> left = {};
+
+    bool operator==(const TrendIntervention &) const = default;
+};
+
+/// How a parameter moved over the years, in calendar years and the unit it is shown in.
+struct TrendPanel {
+    QString symbol;
+    QString statement;    ///< "not before March 2028"
+    bool isFirst = false; ///< of a page: what is to be watched first
+    FigureAxis x;
+    FigureAxis y;
+    std::vector<TrendValue> values;
+    std::vector<std::vector<QPointF>> joined; ///< neighbours of one role between two interventions
+    std::vector<std::vector<QPointF>> limits; ///< steps
+    std::vector<TrendIntervention> interventions;
+    std::vector<BandPoint> band; ///< of the line, 95 %
+    std::vector<QPointF> line;   ///< solid up to today
+    std::vector<QPointF> later;  ///< dashed
+    std::optional<QPointF> notBefore = {};
+    double today = 0;
+
+    bool operator==(const TrendPanel &) const = default;
+};
+
+/// Trends side by side, of one axis or plane; one alone is drawn with its names and legend.
+struct TrendFigure {
+    QString title;
+    QString label = {}; ///< of the row: "X"
+    QString note = {};  ///< below it: "1 000 mm"
+    std::vector<TrendPanel> panels;
+    std::vector<QString> legend =
+        {}; ///< as found, as left, other series, limit, line, intervention; empty: none
+
+    bool operator==(const TrendFigure &) const = default;
+};
+
 /// What can be drawn: content in the units and the language it is shown in, roles instead of colours.
-using Figure = std::variant<CurveFigure, CircleFigure, LineFigure, BarFigure, HistogramFigure>;
+using Figure = std::variant<CurveFigure, CircleFigure, LineFigure, BarFigure, HistogramFigure, TrendFigure>;
 
 } // namespace palmer

@@ -118,6 +118,15 @@ void add(PointTable &table, const HistogramFigure &figure) {
                     static_cast<double>(figure.counts[i]));
 }
 
+void add(PointTable &table, const TrendFigure &figure) {
+    if (!figure.panels.empty())
+        table.head(figure.title, headingOf(figure.panels.front().x), headingOf(figure.panels.front().y));
+    for (const TrendPanel &panel : figure.panels) {
+        for (const TrendValue &value : panel.values)
+            table.point(panel.symbol, value.x, value.y);
+    }
+}
+
 } // namespace
 
 QByteArray figureCsv(const Figure &figure, char decimalMark) {

@@ -169,33 +169,10 @@ QString compensationText(const Writer &write, InstrumentCompensation compensatio
     return {};
 }
 
-QString purposeText(const Writer &write, Purpose purpose) {
-    switch (purpose) {
-    case Purpose::notStated:
-        break;
-    case Purpose::type:
-        return write.text(REPORT_TEXT("report", "type test"));
-    case Purpose::acceptance:
-        return write.text(REPORT_TEXT_FOR("report", "acceptance", "purpose"));
-    case Purpose::comparison:
-        return write.text(REPORT_TEXT_FOR("report", "comparison", "purpose"));
-    case Purpose::periodic:
-        return write.text(REPORT_TEXT("report", "periodic check"));
-    case Purpose::compensation:
-        return write.text(REPORT_TEXT_FOR("report", "compensation", "purpose"));
-    case Purpose::afterRepair:
-        return write.text(REPORT_TEXT("report", "after repair"));
-    case Purpose::afterCollision:
-        return write.text(REPORT_TEXT("report", "after collision"));
-    case Purpose::other:
-        return write.text(REPORT_TEXT("report", "other purpose"));
-    }
-    return {};
-}
-
 void addPurpose(ConditionRows &rows, const TestPart &part) {
     const Text role = roleText(part.test.role);
-    QStringList texts{purposeText(part.write, part.test.purpose),
+    const Text purpose = purposeText(part.test.purpose);
+    QStringList texts{purpose.empty() ? QString() : part.write.text(purpose),
                       role.empty() ? QString() : part.write.text(role)};
     texts.removeAll(QString());
     rows.addStated(REPORT_TEXT("report", "Purpose of the test"), texts.join(QStringLiteral(", ")));

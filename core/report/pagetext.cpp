@@ -123,6 +123,12 @@ private:
         cells(labels);
     }
 
+    void words(const TrendFigure &figure) {
+        cells({figure.label, figure.note});
+        for (const TrendPanel &panel : figure.panels)
+            cells({panel.symbol, panel.statement});
+        cells(QStringList(figure.legend.begin(), figure.legend.end()));
+    }
     void words(const CurveFigure &figure) {
         axis(figure.y);
         axis(figure.x);

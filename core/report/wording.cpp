@@ -81,6 +81,30 @@ Text roleText(TestRole role) {
     return {};
 }
 
+Text purposeText(Purpose purpose) {
+    switch (purpose) {
+    case Purpose::notStated:
+        break;
+    case Purpose::type:
+        return REPORT_TEXT("report", "type test");
+    case Purpose::acceptance:
+        return REPORT_TEXT_FOR("report", "acceptance", "purpose");
+    case Purpose::comparison:
+        return REPORT_TEXT_FOR("report", "comparison", "purpose");
+    case Purpose::periodic:
+        return REPORT_TEXT("report", "periodic check");
+    case Purpose::compensation:
+        return REPORT_TEXT_FOR("report", "compensation", "purpose");
+    case Purpose::afterRepair:
+        return REPORT_TEXT("report", "after repair");
+    case Purpose::afterCollision:
+        return REPORT_TEXT("report", "after collision");
+    case Purpose::other:
+        return REPORT_TEXT("report", "other purpose");
+    }
+    return {};
+}
+
 Text correctionText(CorrectionTo20 correction) {
     switch (correction) {
     case CorrectionTo20::notStated:

@@ -25,6 +25,9 @@ namespace palmer {
 /// "as found", "as left"; empty where it is not stated.
 [[nodiscard]] Text roleText(TestRole role);
 
+/// "periodic check", "after repair"; empty where it is not stated.
+[[nodiscard]] Text purposeText(Purpose purpose);
+
 /// The clause of a finding; an annex as the language calls it.
 [[nodiscard]] QString clauseText(const std::string &clause, const Language &language);
 

@@ -40,6 +40,8 @@ constexpr Layer layers[]{
      "kernel/words kernel/numerics kernel/measurement kernel/uncertainty kernel/evaluation"},
     {"core/kernel/diagnosis", "kernel/words kernel/numerics kernel/measurement kernel/uncertainty "
                               "kernel/evaluation kernel/simulation"},
+    {"core/kernel/trend", "kernel/numerics"},
+    {"core/kernel/trend", "kernel/numerics"},
     {"core/document", "kernel"},
     {"core/language", "kernel/words kernel/measurement"},
     {"core/tables", "kernel/words document"},
@@ -50,9 +52,12 @@ constexpr Layer layers[]{
     {"core/editing", "kernel document language tables import"},
     {"core/report", "kernel document language tables import validation export figures"},
     {"core/proof", "kernel document language tables import validation export figures report"},
-    {"ui", "kernel document language tables import validation export figures editing report proof ui"},
+    {"core/register", "kernel document language export figures report proof"},
+    {"ui",
+     "kernel document language tables import validation export figures editing report proof register ui"},
     {"app",
-     "kernel document language tables import validation export figures editing report proof ui commands"},
+     "kernel document language tables import validation export figures editing report proof register ui "
+     "commands"},
 };
 
 template <class Visit>

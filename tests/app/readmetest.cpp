@@ -38,7 +38,7 @@ void ReadmeTest::everyCommandDoesWhatItSays() {
     }
     QVERIFY(commands > 15);
     for (const char *written : {"report.fr.pdf", "report.en.pdf", "deviation.svg", "x-axis.pdf",
-                                "laser.palmer", "reports/rotary-axis.pdf", "figures/rotary-axis.svg"})
+                                "laser.palmer", "reports/rotary-axis.pdf", "figures/rotary-axis.svg", "history.pdf"})
         QVERIFY2(QFile::exists(folder.filePath(written)), written);
 }
 

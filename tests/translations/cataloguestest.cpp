@@ -73,7 +73,8 @@ const QSet<QString> sameInBoth{
     "page %1 / %2", "Centre",       "Centre %1", "Source",     "Centre, F", "Compensation", "Points",
     "Angles",       "Correction C", "positions", "rad",        "mrad",      "µrad",         "µin",
     "min",          "Format",       "Arc (°)",   "air",        "machine",   "point .",      "Page",
-    "Type",         "Validation",   "Angle",     "Sources",    "source 1",  "amplitude"};
+    "Type",         "Validation",   "Angle",     "Sources",    "source 1",  "amplitude",
+    "compensation", "collision", "intervention"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {

@@ -6,6 +6,7 @@
 #include "ui/figures/drawcurvefigure.h"
 #include "ui/figures/drawhistogramfigure.h"
 #include "ui/figures/drawlinefigure.h"
+#include "ui/figures/drawtrendfigure.h"
 #include "ui/fonts.h"
 
 #include <QPainter>
@@ -38,6 +39,16 @@ QSizeF sizeOf(const BarFigure &figure) {
 
 QSizeF sizeOf(const HistogramFigure &) {
     return {130, 62};
+}
+
+QSizeF sizeOf(const TrendFigure &figure) {
+    constexpr double row = 26;
+    constexpr double alone = 90;
+    return {175, figure.panels.size() == 1 && figure.label.isEmpty() ? alone : row};
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigure &figure, Medium medium) {
+    return drawTrendFigure(painter, area, figure, medium);
 }
 
 FigureTransform drawKind(QPainter &painter, const QRectF &area, const BarFigure &figure, Medium medium) {

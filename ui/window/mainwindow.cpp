@@ -23,6 +23,7 @@
 #include "ui/model/editname.h"
 #include "ui/proof/reportbar.h"
 #include "ui/proof/verifyreport.h"
+#include "ui/register/openregister.h"
 #include "ui/readings/readingspage.h"
 #include "ui/settings.h"
 #include "ui/testname.h"
@@ -248,6 +249,8 @@ void MainWindow::makeActions() {
     m_setEditionAction = addAction(m_testMenu, QStringLiteral("setEditionAction"));
     m_ownEditionAction = addAction(m_testMenu, QStringLiteral("ownEdition"));
     m_feedAction = addAction(m_toolsMenu, QStringLiteral("contouringFeed"));
+    m_registerAction = addAction(m_toolsMenu, QStringLiteral("register"), QStringLiteral("trend"));
+    m_registerAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
     m_toolsMenu->addSeparator();
     m_settingsAction = addAction(m_toolsMenu, QStringLiteral("settings"), QStringLiteral("gear"));
     m_settingsAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
@@ -419,6 +422,7 @@ void MainWindow::connectParts() {
     connect(m_ownEditionAction, &QAction::triggered, this,
             [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
     connect(m_feedAction, &QAction::triggered, this, &MainWindow::showFeed);
+    connect(m_registerAction, &QAction::triggered, this, &showRegister);
     constexpr std::array pages{Page::readings, Page::conditions,  Page::agreedPoints,
                                Page::limits,   Page::uncertainty, Page::diagnosis};
     for (std::size_t i = 0; i < pages.size(); ++i)
@@ -931,6 +935,7 @@ bool MainWindow::saveTo(const QString &path) {
     m_notice->hide();
     watchFile();
     remember();
+    noteSavedFile(path);
     showState();
     return true;
 }
@@ -1358,6 +1363,7 @@ void MainWindow::retranslate() {
     m_setEditionAction->setText(tr("&Set as edition of the test"));
     m_ownEditionAction->setText(tr("&Back to the edition of the test"));
     m_feedAction->setText(tr("Contouring &feed…"));
+    m_registerAction->setText(tr("&Register of all tests…"));
     m_pageActions[0]->setText(tr("&Readings"));
     m_pageActions[1]->setText(tr("&Conditions"));
     m_pageActions[2]->setText(tr("&Agreed points"));

@@ -211,6 +211,7 @@ private:
     QAction *m_setEditionAction;
     QAction *m_ownEditionAction;
     QAction *m_feedAction;
+    QAction *m_registerAction = nullptr;
     std::array<QAction *, 6> m_pageActions{};
     QAction *m_nextMissingAction;
     QAction *m_previousMissingAction;

@@ -33,18 +33,28 @@ double centralProbability(double t, int degrees) {
 
 } // namespace
 
-double studentQuantile975(int degrees) {
+double studentQuantile(double probability, int degrees) {
     if (degrees < 1)
         return std::numeric_limits<double>::infinity();
-    double low = 1.9; // the normal distribution has 1.96
-    double high = 12.8;
+    const double central = 2 * probability - 1;
+    double low = 0;
+    double high = 2;
+    while (centralProbability(high, degrees) < central) {
+        low = high;
+        high *= 2;
+    }
     while (high - low > 1e-13 * high) {
         const double middle = (low + high) / 2;
         if (middle == low || middle == high)
             break;
-        (centralProbability(middle, degrees) < 0.95 ? low : high) = middle;
+        (centralProbability(middle, degrees) < central ? low : high) = middle;
     }
     return (low + high) / 2;
+}
+
+double studentQuantile975(int degrees) {
+    constexpr double probability = 0.975;
+    return studentQuantile(probability, degrees);
 }
 
 } // namespace palmer

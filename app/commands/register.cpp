@@ -1,0 +1,391 @@
+#include "commands/register.h"
+
+#include "commands/inputs.h"
+#include "commands/optionvalues.h"
+#include "commands/outputfile.h"
+#include "commands/registertrend.h"
+#include "commands/streams.h"
+#include "document/filewords.h"
+#include "register/due.h"
+#include "register/listing.h"
+#include "register/register.h"
+#include "register/scan.h"
+#include "register/storedsentence.h"
+#include "report/plaintext.h"
+
+#include <QDate>
+#include <QFileInfo>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+#include <unistd.h>
+
+namespace palmer {
+
+namespace {
+
+// clang-format off
+constexpr std::array options{
+    Option{"register", "PATH|postgresql://…", REPORT_TEXT("report", "the register; without it that of the user")},
+    Option{"machine", "WORDS", REPORT_TEXT("report", "list, trend, report: name or serial number of the machine, or what names, maker, type or place contain")},
+    Option{"axis", "X|XY", REPORT_TEXT("report", "list, trend: the axis, or the plane of circles")},
+    Option{"kind", "positioning|circular|drift", REPORT_TEXT("report", "list: the kind of test")},
+    Option{"since", "DATE", REPORT_TEXT("report", "list: tests from that day on (YYYY-MM-DD)")},
+    Option{"until", "DATE", REPORT_TEXT("report", "list: tests up to that day")},
+    Option{"verdict", "respected|notProven|exceeded|noneAgreed", REPORT_TEXT("report", "list: how the tests stand to their limits")},
+    Option{"due", "DATE", REPORT_TEXT("report", "list: tests after which another, or the certificate of an instrument, is due up to that day")},
+    Option{"interval", "MONTHS", REPORT_TEXT("report", "list: months between tests, of machines that have no interval of their own")},
+    Option{"text", "WORDS", REPORT_TEXT("report", "list: each of the words somewhere in names, title, date, edition, instruments or file")},
+    Option{"csv", "", REPORT_TEXT("report", "list: for programs, a row per parameter")},
+    Option{"json", "", REPORT_TEXT("report", "list, trend, scan: as JSON, one object a line")},
+    Option{"files", "", REPORT_TEXT("report", "list: the files that cannot be read or are not found, with their reason")},
+    Option{"parameter", "A", REPORT_TEXT("report", "trend: the parameter; may stand several times; without it the main ones"), true},
+    Option{"edition", "E", REPORT_TEXT("report", "trend: all tests evaluated anew under one edition")},
+    Option{"o", "OUT", REPORT_TEXT("report", "trend: OUT.csv, json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf")},
+    Option{"prune", "", REPORT_TEXT("report", "scan: take out files that are not found any more")},
+    Option{"rebuild", "", REPORT_TEXT("report", "scan: empty the register first; what the files say comes back")},
+    Option{"watch", "", REPORT_TEXT("report", "scan: go on and scan again when something changes, until it is ended")},
+    Option{"language", "fr|en|fr,en", REPORT_TEXT("report", "language of tables and errors; report: of the report, also both")},
+    jobsOption,
+    forceOption,
+};
+// clang-format on
+
+/// A part of the command and the options it takes besides `register`.
+struct Part {
+    const char *name;
+    std::vector<const char *> options;
+    int (*run)(const Invocation &);
+};
+
+bool isTerminal() {
+    return ::isatty(STDERR_FILENO) != 0;
+}
+
+QString dateOption(const Invocation &invocation, const char *option) {
+    const QString given = invocation.value(QLatin1StringView(option)).value_or(QString());
+    constexpr qsizetype length = 10;
+    if (!given.isEmpty() && (given.size() != length || !QDate::fromString(given, Qt::ISODate).isValid()))
+        refuse(option, given);
+    return given;
+}
+
+/// The register named, or that of the user, which is made by its first scan.
+Register openRegisterFor(const Invocation &invocation, Register::Open open) {
+    return Register(registerAddress(invocation), open);
+}
+
+ScanOptions scanOptions(const Invocation &invocation) {
+    ScanOptions result;
+    result.jobs = jobsOf(invocation);
+    result.prune = invocation.has(QLatin1StringView("prune"));
+    result.progress = [](const ScanProgress &progress) {
+        if (isTerminal())
+            std::fputs(
+                ("\r" + std::to_string(progress.done) + " / " + std::to_string(progress.total)).c_str(),
+                stderr);
+    };
+    return result;
+}
+
+QByteArray json(const ScanResult &result) {
+    const auto number = [](const char *key, int value) {
+        return QByteArray("\"") + key + "\": " + QByteArray::number(value);
+    };
+    return "{" +
+           QByteArrayList{number("files", result.files),
+                          number("read", result.read),
+                          number("unreadable", static_cast<int>(result.unreadable.size())),
+                          number("notFound", result.notFound),
+                          number("pruned", result.pruned),
+                          number("machines", result.machines),
+                          number("tests", result.tests)}
+               .join(", ") +
+           "}\n";
+}
+
+int report(const ScanResult &result, const Invocation &invocation) {
+    if (isTerminal())
+        std::fputs("\r\x1b[K", stderr);
+    for (const Unreadable &one : result.unreadable)
+        printError(one.path + QStringLiteral(": ") + sentenceFrom(one.error, invocation.language));
+    const auto count = [](int value) { return Number{static_cast<double>(value), Quantity::count}; };
+    if (invocation.has(QLatin1StringView("json")))
+        printOut(json(result));
+    else
+        printOut(
+            invocation.language.sentence(
+                {REPORT_TEXT("report", "Files: %1, of them read now: %2, unreadable: %3, not found: %4. In "
+                                       "the register: %5 machines, %6 tests."),
+                 {count(result.files), count(result.read), count(static_cast<int>(result.unreadable.size())),
+                  count(result.notFound), count(result.machines), count(result.tests)}}) +
+            u'\n');
+    return result.unreadable.empty() ? done : cannotRead;
+}
+
+QStringList foldersOf(const Invocation &invocation) {
+    const QStringList folders = invocation.arguments.mid(1);
+    if (folders.isEmpty())
+        throw UsageError({REPORT_TEXT("report", "register scan needs a folder"), {}});
+    return folders;
+}
+
+/// Scans again and again; what goes wrong with the register is said once, until it goes well again.
+[[noreturn]] void watch(const Invocation &invocation, const QStringList &folders) {
+    constexpr std::chrono::milliseconds least = std::chrono::seconds(2);
+    constexpr int share = 10; // of the time at most a tenth; a share tells nothing of what others write
+    std::chrono::milliseconds pause = least;
+    QString said;
+    for (;;) {
+        std::this_thread::sleep_for(pause);
+        const auto begin = std::chrono::steady_clock::now();
+        try {
+            Register reg = openRegisterFor(invocation, Register::Open::keep);
+            const ScanResult result = scan(reg, folders, scanOptions(invocation));
+            if (result.read > 0 || result.pruned > 0)
+                report(result, invocation);
+            said.clear();
+        } catch (const Error &error) {
+            const QString sentence = invocation.language.sentence(error.message);
+            if (sentence != said)
+                printError(withoutPassword(registerAddress(invocation)), error, invocation.language);
+            said = sentence;
+        }
+        pause = std::max(least, share * std::chrono::duration_cast<std::chrono::milliseconds>(
+                                            std::chrono::steady_clock::now() - begin));
+    }
+}
+
+int runScan(const Invocation &invocation) {
+    const QStringList folders = foldersOf(invocation);
+    const auto open =
+        invocation.has(QLatin1StringView("rebuild")) ? Register::Open::rebuild : Register::Open::keep;
+    int code = done;
+    {
+        Register reg = openRegisterFor(invocation, open);
+        code = report(scan(reg, folders, scanOptions(invocation)), invocation);
+    }
+    if (invocation.has(QLatin1StringView("watch")))
+        watch(invocation, folders);
+    return code;
+}
+
+std::optional<Kind> kindOption(const Invocation &invocation) {
+    const auto given = invocation.value(QLatin1StringView("kind"));
+    if (!given)
+        return std::nullopt;
+    for (const auto &row : fileWords<Kind>) {
+        if (*given == QLatin1StringView(row.word))
+            return row.value;
+    }
+    refuse("kind", *given);
+}
+
+QString verdictOption(const Invocation &invocation) {
+    const QString given = invocation.value(QLatin1StringView("verdict")).value_or(QString());
+    struct Word {
+        const char *said;
+        const char *limits;
+    };
+    constexpr std::array words{Word{"respected", "respected"}, Word{"notProven", "notProven"},
+                               Word{"exceeded", "exceeded"},   Word{"noneAgreed", "noneAgreed"},
+                               Word{"conforms", "respected"},  Word{"doesNotConform", "exceeded"}};
+    for (const Word &word : words) {
+        if (given == QLatin1StringView(word.said))
+            return QString::fromLatin1(word.limits);
+    }
+    if (!given.isEmpty())
+        refuse("verdict", given);
+    return {};
+}
+
+void listFiles(Database &database, const Invocation &invocation) {
+    for (const ListedSource &source : troubledSources(database)) {
+        const bool isGone = source.state == QLatin1StringView("notFound");
+        QString why = isGone
+                          ? invocation.language.text(REPORT_TEXT("report", "the file is not found any more"))
+                          : sentenceFrom(source.error, invocation.language);
+        printOut(QString(source.path).replace(u'\n', u' ') + QStringLiteral(": ") + why.replace(u'\n', u' ') +
+                 u'\n');
+    }
+}
+
+class List {
+public:
+    explicit List(const Invocation &invocation)
+        : m_invocation(invocation)
+        , m_csv(invocation.has(QLatin1StringView("csv")))
+        , m_json(invocation.has(QLatin1StringView("json")))
+        , m_due(dateOption(invocation, "due")) {
+        m_filter.axis = invocation.value(QLatin1StringView("axis")).value_or(QString());
+        m_filter.kind = kindOption(invocation);
+        m_filter.since = dateOption(invocation, "since");
+        m_filter.until = dateOption(invocation, "until");
+        m_filter.limits = verdictOption(invocation);
+        m_filter.words = invocation.value(QLatin1StringView("text")).value_or(QString());
+        if (m_csv && m_json)
+            throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
+                              {std::string("csv"), std::string("json")}});
+        if (const auto months = numberOf(invocation, "interval")) {
+            constexpr double most = 1200;
+            if (*months < 1 || *months > most || *months != std::floor(*months))
+                refuse("interval", *invocation.value(QLatin1StringView("interval")));
+            m_interval = static_cast<int>(*months);
+        }
+    }
+
+    int run() {
+        demandRegister(m_invocation);
+        Register reg = openRegisterFor(m_invocation, Register::Open::keep);
+        Database &database = reg.database();
+        if (m_invocation.has(QLatin1StringView("files"))) {
+            listFiles(database, m_invocation);
+            return done;
+        }
+        std::vector<ListedMachine> list = machines(database);
+        if (const auto called = m_invocation.value(QLatin1StringView("machine")))
+            list = machinesCalled(list, *called);
+        if (m_csv)
+            printOut(listedTestsCsvHead());
+        for (const ListedMachine &machine : list) // the memory is that of one machine
+            print(database, machine);
+        return done;
+    }
+
+private:
+    void print(Database &database, const ListedMachine &machine) {
+        m_filter.machines = {machine.id};
+        std::vector<ListedTest> all = tests(database, dueFilter());
+        markDue(database, {machine}, all, m_interval);
+        if (!m_due.isEmpty()) {
+            const std::string limit = m_due.toStdString();
+            std::erase_if(all, [&](const ListedTest &test) {
+                return !(test.due && *test.due <= limit) &&
+                       !(test.certificateDue && *test.certificateDue <= limit);
+            });
+        }
+        const std::vector<ListedTest> chosen = matching(std::move(all));
+        if (m_csv || m_json) {
+            for (const ListedTest &test : chosen)
+                printOut(m_csv ? listedTestCsv(test) : listedTestJson(test));
+        } else if (!chosen.empty()) {
+            printOut((m_hasPrinted ? QStringLiteral("\n") : QString()) +
+                     plainText(composeList(titleOf(machine), chosen, m_invocation.language)));
+            m_hasPrinted = true;
+        }
+    }
+
+    /// What is due is known with all tests of the machine.
+    [[nodiscard]] TestFilter dueFilter() const {
+        TestFilter all;
+        all.machines = m_filter.machines;
+        return all;
+    }
+
+    [[nodiscard]] std::vector<ListedTest> matching(std::vector<ListedTest> list) const {
+        std::erase_if(list, [this](const ListedTest &test) { return !palmer::matches(test, m_filter); });
+        return list;
+    }
+
+    [[nodiscard]] QString titleOf(const ListedMachine &machine) const {
+        QStringList parts{machine.title(), machine.manufacturer, machine.model, machine.serialNumber};
+        if (!machine.isIdentified)
+            parts << m_invocation.language.text(REPORT_TEXT("report", "not identified: no serial number"));
+        parts.removeAll(QString());
+        parts.removeDuplicates();
+        return parts.join(QStringLiteral(" · "));
+    }
+
+    const Invocation &m_invocation;
+    bool m_csv;
+    bool m_json;
+    QString m_due;
+    TestFilter m_filter;
+    std::optional<int> m_interval;
+    bool m_hasPrinted = false;
+};
+
+int runList(const Invocation &invocation) {
+    return List(invocation).run();
+}
+
+const std::vector<Part> &parts() {
+    static const std::vector<Part> all{
+        {"scan", {"json", "prune", "rebuild", "watch", "jobs"}, runScan},
+        {"list",
+         {"machine", "axis", "kind", "since", "until", "verdict", "due", "interval", "text", "csv", "json",
+          "files"},
+         runList},
+        {"trend", {"machine", "axis", "parameter", "edition", "json", "o", "force"}, runRegisterTrend},
+        {"report", {"machine", "o", "force"}, runRegisterReport},
+    };
+    return all;
+}
+
+int run(const Invocation &invocation) {
+    const QString word = invocation.arguments.front();
+    const auto part =
+        std::ranges::find_if(parts(), [&](const Part &one) { return word == QLatin1StringView(one.name); });
+    if (part == parts().end()) {
+        std::string known;
+        for (const Part &one : parts())
+            known += (known.empty() ? "" : ", ") + std::string(one.name);
+        throw UsageError({REPORT_TEXT("report", "register does not know “%1”; it knows: %2"),
+                          {word.toStdString(), known}});
+    }
+    for (const auto &[name, value] : invocation.options) {
+        const bool isKnown = name == QLatin1StringView("register") || name == QLatin1StringView("language") ||
+                             std::ranges::any_of(part->options, [&name = name](const char *option) {
+                                 return name == QLatin1StringView(option);
+                             });
+        if (!isKnown)
+            throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),
+                              {(QString(name.size() == 1 ? 1 : 2, u'-') + name).toStdString(),
+                               "register " + std::string(part->name)}});
+    }
+    const bool both = word == QLatin1StringView("report");
+    for (const QString &name : invocation.value(QLatin1StringView("language"))
+                                   .value_or(QString())
+                                   .split(u',', Qt::SkipEmptyParts)) {
+        const bool alone = name == invocation.value(QLatin1StringView("language"));
+        if (!Language::fromName(name) || (!alone && !both))
+            throw UsageError({REPORT_TEXT("report", "unknown language %1; known: fr, en"),
+                              {invocation.value(QLatin1StringView("language"))->toStdString()}});
+    }
+    if (word != QLatin1StringView("scan") && invocation.arguments.size() > 1)
+        throw UsageError({REPORT_TEXT("report", "register %1 takes no file"), {word.toStdString()}});
+    try {
+        return part->run(invocation);
+    } catch (const Error &error) {
+        printError(withoutPassword(registerAddress(invocation)), error, invocation.language);
+        return cannotRead;
+    }
+}
+
+} // namespace
+
+QString registerAddress(const Invocation &invocation) {
+    return invocation.value(QLatin1StringView("register")).value_or(Register::standardPath());
+}
+
+void demandRegister(const Invocation &invocation) {
+    const QString address = registerAddress(invocation);
+    if (!isServerAddress(address) && !QFileInfo::exists(address))
+        throw Error(
+            Error::Kind::unreadable,
+            {REPORT_TEXT("report", "there is no register yet; palmer-cli register scan makes it"), {}});
+}
+
+Command registerCommand() {
+    return {"register",
+            "scan FOLDER…|list|trend|report",
+            REPORT_TEXT("report", "all tests of all machines in some folders, over the years"),
+            options,
+            run,
+            true};
+}
+
+} // namespace palmer

@@ -1,0 +1,193 @@
+#include "commands/registertrend.h"
+
+#include "commands/editionoption.h"
+#include "commands/outputfile.h"
+#include "commands/streams.h"
+#include "register/history.h"
+#include "register/queries.h"
+#include "register/reevaluate.h"
+#include "register/register.h"
+#include "register/storedsentence.h"
+#include "register/trendfigure.h"
+#include "register/trendoutput.h"
+#include "report/plaintext.h"
+#include "ui/figures/exportfigure.h"
+#include "ui/pdf/writepdf.h"
+
+#include <QBuffer>
+#include <QDate>
+#include <QFileInfo>
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+QString needed(const Invocation &invocation, const char *option) {
+    const auto given = invocation.value(QLatin1StringView(option));
+    if (!given || given->isEmpty())
+        throw UsageError({REPORT_TEXT("report", "this part of register needs --%1"), {std::string(option)}});
+    return *given;
+}
+
+ListedMachine machineCalled(Database &database, const QString &words) {
+    const std::vector<ListedMachine> found = machinesCalled(machines(database), words);
+    if (found.empty())
+        throw UsageError(
+            {REPORT_TEXT("report", "no machine of the register is called “%1”"), {words.toStdString()}});
+    if (found.size() == 1)
+        return found.front();
+    constexpr std::size_t most = 5;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(found.size(), most); ++i)
+        names += (i == 0 ? "" : "; ") + (found[i].title() + u' ' + found[i].serialNumber).toStdString();
+    if (found.size() > most)
+        names += "; …";
+    throw UsageError(
+        {REPORT_TEXT("report", "%1 machines are called “%2”: %3; say more of it, as its serial "
+                               "number"),
+         {Number{static_cast<double>(found.size()), Quantity::count}, words.toStdString(), names}});
+}
+
+std::vector<std::string> parametersAsked(const Invocation &invocation, const std::vector<ListedTest> &list) {
+    const QStringList asked =
+        invocation.value(QLatin1StringView("parameter")).value_or(QString()).split(u'\n', Qt::SkipEmptyParts);
+    if (asked.isEmpty())
+        return mainParametersOf(list);
+    const std::vector<std::string> known = parametersOf(list);
+    std::vector<std::string> result;
+    for (const QString &one : asked) {
+        const std::string id = one.toStdString();
+        const auto found = std::ranges::find_if(
+            known, [&](const std::string &name) { return name == id || quantityOf(name) == id; });
+        if (found == known.end()) {
+            std::string all;
+            for (const std::string &name : known)
+                all += (all.empty() ? "" : ", ") + name;
+            throw UsageError(
+                {REPORT_TEXT("report", "these tests have no parameter %1; they have: %2"), {id, all}});
+        }
+        result.push_back(*found);
+    }
+    return result;
+}
+
+enum class Form { text, csv, json, svg, png, pdf };
+
+Form formOf(const Invocation &invocation, const QString &output) {
+    const QString ending = QFileInfo(output).suffix().toLower();
+    if (ending == QLatin1StringView("csv"))
+        return Form::csv;
+    for (const auto &[word, form] :
+         {std::pair("svg", Form::svg), std::pair("png", Form::png), std::pair("pdf", Form::pdf)}) {
+        if (ending == QLatin1StringView(word))
+            return form;
+    }
+    if (ending == QLatin1StringView("json") || invocation.has(QLatin1StringView("json")))
+        return Form::json;
+    if (!output.isEmpty() && output != QLatin1StringView("-"))
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
+                          {std::string("register trend"), std::string("-o OUT.csv|json|svg|png|pdf")}});
+    return Form::text;
+}
+
+QByteArray picture(const ListedMachine &machine, const std::string &axis, const MachineTrend &trend,
+                   Form form, const Language &language) {
+    const QString title = composeTrend(machine, axis, trend, language).title;
+    const TrendFigure figure = trendFigure(title, trend, QDate::currentDate(), language);
+    if (form == Form::svg)
+        return ui::figureAsSvg(figure, title);
+    return form == Form::png ? ui::figureAsPng(figure) : ui::figureAsPdf(figure, title);
+}
+
+/// Languages of --language, else that of the command.
+QStringList reportLanguages(const Invocation &invocation) {
+    const auto chosen = invocation.value(QLatin1StringView("language"));
+    QStringList result = chosen ? chosen->split(u',') : QStringList{invocation.language.code()};
+    result.removeDuplicates();
+    return result;
+}
+
+} // namespace
+
+int runRegisterReport(const Invocation &invocation) {
+    const QString words = needed(invocation, "machine");
+    const QString output = invocation.value(QLatin1StringView("o")).value_or(QString());
+    if (output.isEmpty())
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
+                          {std::string("register report"), std::string("-o OUT.pdf")}});
+    demandOutput(invocation, output, {"pdf"});
+    const QStringList languages = reportLanguages(invocation);
+    if (output == QLatin1StringView("-") && languages.size() > 1)
+        throw UsageError({REPORT_TEXT("report", "standard output takes one report; choose --language"), {}});
+    demandRegister(invocation);
+    Register reg(registerAddress(invocation));
+    const ListedMachine machine = machineCalled(reg.database(), words);
+    const History history =
+        historyOf(reg.database(), machine, QDate::currentDate(), QStringLiteral("Palmer " PALMER_VERSION));
+    std::vector<FileToSave> files;
+    for (const QString &name : languages) {
+        const auto language = Language::fromName(name);
+        QBuffer pdf;
+        pdf.open(QIODevice::WriteOnly);
+        ui::writePdf(composeHistory(history, *language), pdf);
+        files.push_back({pdf.data(), languages.size() > 1 ? withLanguage(output, name) : output});
+    }
+    for (const FileToSave &file : files)
+        demandOutput(invocation, file.path, {"pdf"});
+    writeOutputs(files);
+    return done;
+}
+
+int runRegisterTrend(const Invocation &invocation) {
+    const QString words = needed(invocation, "machine");
+    TestFilter filter;
+    filter.axis = needed(invocation, "axis");
+    const QString output = invocation.value(QLatin1StringView("o")).value_or(QString());
+    const Form form = formOf(invocation, output);
+    if (!output.isEmpty())
+        demandOutput(invocation, output, {"csv", "json", "svg", "png", "pdf"});
+    const Edition *edition = editionAsked(invocation);
+    demandRegister(invocation);
+    Register reg(registerAddress(invocation));
+    const ListedMachine machine = machineCalled(reg.database(), words);
+    filter.machines = {machine.id};
+    std::vector<ListedTest> list = tests(reg.database(), filter);
+    if (list.empty())
+        throw UsageError(
+            {REPORT_TEXT("report", "the machine has no test of %1"), {filter.axis.toStdString()}});
+    int code = done;
+    if (edition) {
+        for (const Unreadable &one : reevaluate(list, *edition)) {
+            printError(one.path + QStringLiteral(": ") + sentenceFrom(one.error, invocation.language));
+            code = cannotRead;
+        }
+    }
+    const std::string axis = list.back().test.axis;
+    std::vector<MachineTrend> trends;
+    for (const std::string &parameter : parametersAsked(invocation, list))
+        trends.push_back(machineTrend(list, parameter));
+    const bool drawn = form == Form::svg || form == Form::png || form == Form::pdf;
+    if (drawn && trends.size() != 1)
+        throw UsageError(
+            {REPORT_TEXT("report", "a picture shows one parameter: choose it with --parameter"), {}});
+    QByteArray bytes;
+    if (form == Form::csv)
+        bytes = trendCsv(machine, axis, trends);
+    else if (drawn)
+        bytes = picture(machine, axis, trends.front(), form, invocation.language);
+    for (const MachineTrend &trend : trends) {
+        if (form == Form::json)
+            bytes += trendJson(machine, axis, trend);
+        else if (form == Form::text)
+            bytes += (bytes.isEmpty() ? "" : "\n") +
+                     plainText(composeTrend(machine, axis, trend, invocation.language)).toUtf8();
+    }
+    if (output.isEmpty())
+        printOut(bytes);
+    else
+        writeOutput(bytes, output);
+    return code;
+}
+
+} // namespace palmer

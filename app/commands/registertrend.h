@@ -1,0 +1,21 @@
+#pragma once
+
+#include "commands/command.h"
+
+#include <QString>
+
+namespace palmer {
+
+/// `register trend`.
+int runRegisterTrend(const Invocation &invocation);
+
+/// `register report`: the history of a machine.
+int runRegisterReport(const Invocation &invocation);
+
+/// Throws Error where there is no register to ask: it is made by the first scan.
+void demandRegister(const Invocation &invocation);
+
+/// --register, or the register of the user.
+[[nodiscard]] QString registerAddress(const Invocation &invocation);
+
+} // namespace palmer

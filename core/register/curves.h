@@ -1,0 +1,37 @@
+#pragma once
+
+#include "register/registeredtest.h"
+
+#include <optional>
+#include <vector>
+
+namespace palmer {
+
+/// Which means of a curve are compared.
+enum class CurveOf { both, up, down };
+
+/// A value over the position, mm or degrees.
+struct PlacedValue {
+    double position = 0;
+    std::optional<double> value; ///< null: no mean at this target
+
+    bool operator==(const PlacedValue &) const = default;
+};
+
+/// The mean deviations of a test; of both directions where both have a mean.
+[[nodiscard]] std::vector<PlacedValue> meansOf(const std::vector<CurvePoint> &curve, CurveOf of);
+
+/// How one curve differs from another.
+struct CurveDifference {
+    double from = 0; ///< common travel
+    double to = 0;
+    std::vector<PlacedValue> values;    ///< at the targets of both
+    std::optional<PlacedValue> largest; ///< by its size
+};
+
+/// a − b on the common travel, at the targets of both, each interpolated linearly between neighbouring
+/// targets and nowhere else: not beyond its ends, not over a target without mean. Null without common travel.
+[[nodiscard]] std::optional<CurveDifference> differenceOf(const std::vector<PlacedValue> &a,
+                                                          const std::vector<PlacedValue> &b);
+
+} // namespace palmer

@@ -1,0 +1,252 @@
+#include "register/database.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSqlError>
+#include <QUrl>
+#include <QUrlQuery>
+#include <atomic>
+
+namespace palmer {
+
+namespace {
+
+constexpr int waitForLock = 4'000; ///< ms, for another process that writes
+constexpr int waitForServer = 10;  ///< s
+
+[[noreturn]] void refuse(Text text, std::vector<Argument> arguments = {},
+                         Error::Kind kind = Error::Kind::unreadable) {
+    throw Error(kind, {text, std::move(arguments), {}});
+}
+
+[[noreturn]] void refuseForeign() {
+    refuse(REPORT_TEXT("report", "this file is no register of tests and is left as it is; choose another "
+                                 "name for the register"),
+           {}, Error::Kind::content);
+}
+
+QString freshName() {
+    static std::atomic<int> next = 0;
+    return QStringLiteral("palmer register %1").arg(next++);
+}
+
+/// Looks at a file without writing into it, and throws where it is something else than a register.
+void demandRegister(const QString &path) {
+    constexpr QByteArrayView sqlite("SQLite format 3\0", 16);
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        refuse(REPORT_TEXT("report", "the register cannot be read; check its permissions"));
+    const QByteArray head = file.read(sqlite.size());
+    if (head.isEmpty()) // made a moment ago by a program that was ended
+        return;
+    if (head != sqlite)
+        refuseForeign();
+    const QString name = freshName();
+    bool isRegister = false;
+    QString trouble;
+    {
+        QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), name);
+        database.setDatabaseName(path);
+        database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(waitForLock));
+        if (database.open()) {
+            QSqlQuery query(database);
+            // A database without tables: one whose making was broken off before its first transaction ended.
+            if (query.exec(QStringLiteral("select count(*), sum(case when name in ('register', 'source', "
+                                          "'test') then 1 else 0 end) from sqlite_master where type = "
+                                          "'table'")) &&
+                query.next())
+                isRegister = query.value(0).toInt() == 0 || query.value(1).toInt() == 3;
+            else
+                trouble = query.lastError().nativeErrorCode();
+        }
+    }
+    QSqlDatabase::removeDatabase(name);
+    if (trouble == QLatin1StringView("5"))
+        refuse(REPORT_TEXT("report", "the register is locked by another program; try again when it is done"));
+    if (!isRegister)
+        refuseForeign();
+}
+
+void openFile(QSqlDatabase &database, const QString &path) {
+    const QFileInfo info(path);
+    if (info.isDir())
+        refuse(REPORT_TEXT("report", "this is a folder; expected the file of a register"));
+    if (info.exists()) {
+        if (!info.isFile())
+            refuseForeign();
+        demandRegister(path);
+    } else if (!QDir().mkpath(info.absolutePath())) {
+        refuse(REPORT_TEXT("report", "the folder of the register cannot be made"), {},
+               Error::Kind::unwritable);
+    }
+    database.setDatabaseName(path);
+    database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(waitForLock));
+    if (!database.open())
+        refuse(REPORT_TEXT("report", "the register cannot be opened; check the permissions of its folder"),
+               {}, Error::Kind::unwritable);
+}
+
+void openServer(QSqlDatabase &database, const QString &address) {
+    const QUrl url(address);
+    const QString name = url.path().mid(1);
+    if (!url.isValid() || name.isEmpty())
+        refuse(REPORT_TEXT("report", "the address of a server reads postgresql://user@host:port/name"));
+    const QUrlQuery query(url);
+    const QString socket = query.queryItemValue(QStringLiteral("host"), QUrl::FullyDecoded);
+    database.setHostName(socket.isEmpty() ? url.host(QUrl::FullyDecoded) : socket);
+    if (url.port() > 0)
+        database.setPort(url.port());
+    database.setDatabaseName(name);
+    database.setUserName(url.userName(QUrl::FullyDecoded));
+    database.setPassword(url.password(QUrl::FullyDecoded));
+    database.setConnectOptions(QStringLiteral("connect_timeout=%1").arg(waitForServer));
+    if (!database.open())
+        refuse(REPORT_TEXT("report", "the server of the register does not answer, or refuses: %1"),
+               {database.lastError().databaseText().section(u'\n', 0, 0).trimmed().toStdString()});
+}
+
+/// An empty text is no NULL, and PostgreSQL takes no U+0000 in a text.
+QVariant storable(const QVariant &value) {
+    if (value.typeId() != QMetaType::QString)
+        return value;
+    QString text = value.toString();
+    if (text.isNull())
+        return QStringLiteral("");
+    return text.contains(QChar(u'\0')) ? text.replace(QChar(u'\0'), QChar(QChar::ReplacementCharacter))
+                                       : text;
+}
+
+} // namespace
+
+bool isServerAddress(const QString &address) {
+    return address.startsWith(QLatin1StringView("postgresql://")) ||
+           address.startsWith(QLatin1StringView("postgres://"));
+}
+
+QString withoutPassword(const QString &address) {
+    return isServerAddress(address) ? QUrl(address).toString(QUrl::RemovePassword) : address;
+}
+
+Database::Database(const QString &address)
+    : m_name(freshName())
+    , m_isServer(isServerAddress(address)) {
+    const QString driver = m_isServer ? QStringLiteral("QPSQL") : QStringLiteral("QSQLITE");
+    if (!QSqlDatabase::isDriverAvailable(driver))
+        refuse(REPORT_TEXT("report", "the driver %1 of Qt for this register is not installed"),
+               {driver.toStdString()});
+    try {
+        {
+            QSqlDatabase database = QSqlDatabase::addDatabase(driver, m_name);
+            if (m_isServer)
+                openServer(database, address);
+            else
+                openFile(database, address);
+        }
+        if (m_isServer) {
+            execute(QStringLiteral("set client_min_messages to warning"));
+        } else {
+            execute(QStringLiteral("pragma foreign_keys = on"));
+            execute(QStringLiteral("pragma journal_mode = wal"));
+            execute(QStringLiteral(
+                "pragma synchronous = normal")); // an index: what a power cut takes is scanned again
+        }
+    } catch (...) {
+        QSqlDatabase::removeDatabase(m_name);
+        throw;
+    }
+}
+
+Database::~Database() {
+    m_prepared.clear();
+    QSqlDatabase::removeDatabase(m_name); // closes it
+}
+
+void Database::fail(const QSqlError &error) const {
+    const QString code = error.nativeErrorCode();
+    if (m_isServer) {
+        const bool gone = !QSqlDatabase::database(m_name, false).isOpen() || code.isEmpty() ||
+                          code.startsWith(QLatin1StringView("57P")) ||
+                          code.startsWith(QLatin1StringView("08"));
+        if (gone)
+            refuse(REPORT_TEXT("report",
+                               "the server of the register is gone; nothing is lost, scan again when "
+                               "it is back"));
+    } else if (code == QLatin1StringView("5") || code == QLatin1StringView("6")) {
+        refuse(REPORT_TEXT("report", "the register is locked by another program; try again when it is done"));
+    } else if (code == QLatin1StringView("13") || code == QLatin1StringView("10") ||
+               code.startsWith(QLatin1StringView("778")) || code == QLatin1StringView("4874")) {
+        refuse(REPORT_TEXT("report",
+                           "the register cannot be written, for want of space perhaps; what it held "
+                           "is unchanged: make room and scan again"),
+               {}, Error::Kind::unwritable);
+    } else if (code == QLatin1StringView("8") || code == QLatin1StringView("14")) {
+        refuse(REPORT_TEXT("report", "the register cannot be written; check the permissions of its folder"),
+               {}, Error::Kind::unwritable);
+    } else if (code == QLatin1StringView("11") || code == QLatin1StringView("26")) {
+        refuse(REPORT_TEXT("report",
+                           "the file of the register is damaged; remove it and scan again, the test "
+                           "files hold everything"));
+    }
+    refuse(REPORT_TEXT("report", "the database of the register says: %1"),
+           {error.databaseText().section(u'\n', 0, 0).trimmed().toStdString()});
+}
+
+QSqlQuery Database::prepare(const QString &statement) {
+    QSqlQuery query(QSqlDatabase::database(m_name, false));
+    query.setForwardOnly(true);
+    if (!query.prepare(statement))
+        fail(query.lastError());
+    return query;
+}
+
+void Database::run(QSqlQuery &prepared, const QVariantList &values) {
+    for (qsizetype i = 0; i < values.size(); ++i)
+        prepared.bindValue(static_cast<int>(i), storable(values[i]));
+    if (!prepared.exec())
+        fail(prepared.lastError());
+}
+
+QSqlQuery &Database::run(const QString &statement, const QVariantList &values) {
+    auto known = m_prepared.find(statement);
+    if (known == m_prepared.end())
+        known = m_prepared.emplace(statement, prepare(statement)).first;
+    run(known->second, values);
+    return known->second;
+}
+
+std::optional<QVariant> Database::first(const QString &statement, const QVariantList &values) {
+    QSqlQuery &query = run(statement, values);
+    std::optional<QVariant> result;
+    if (query.next())
+        result = query.value(0);
+    query.finish();
+    return result;
+}
+
+void Database::execute(const QString &statement) {
+    QSqlQuery query(QSqlDatabase::database(m_name, false));
+    if (!query.exec(statement))
+        fail(query.lastError());
+}
+
+void Database::begin() {
+    execute(m_isServer ? QStringLiteral("begin") : QStringLiteral("begin immediate"));
+}
+
+void Database::commit() {
+    execute(QStringLiteral("commit"));
+}
+
+void Database::rollBack() {
+    for (auto &[statement, query] : m_prepared)
+        query.finish(); // those that are still read would keep it open
+    QSqlQuery query(QSqlDatabase::database(m_name, false));
+    query.exec(QStringLiteral("rollback")); // where it fails nothing was begun, or the server is gone
+}
+
+QStringList Database::tables() const {
+    return QSqlDatabase::database(m_name, false).tables(QSql::Tables);
+}
+
+} // namespace palmer

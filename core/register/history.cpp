@@ -1,0 +1,423 @@
+#include "register/history.h"
+
+#include "document/documenterror.h"
+#include "language/rounding.h"
+#include "register/listing.h"
+#include "register/machinetrend.h"
+#include "register/scan.h"
+#include "register/trendfigure.h"
+#include "register/trendoutput.h"
+#include "report/accordancetext.h"
+#include "report/wording.h"
+
+#include <QCryptographicHash>
+#include <QFileInfo>
+#include <algorithm>
+#include <map>
+
+namespace palmer {
+
+namespace {
+
+constexpr double panelHeight = 26;     ///< mm
+constexpr std::size_t mostColumns = 5; ///< axes and planes beside each other in the table of campaigns
+
+/// The trends of an axis or plane.
+struct AxisTrends {
+    std::string axis;
+    std::vector<ListedTest> tests;
+    std::vector<MachineTrend> trends;
+};
+
+QString utf8(const std::string &text) {
+    return QString::fromStdString(text);
+}
+
+Verdict worse(Verdict a, Verdict b) {
+    return std::max(a, b);
+}
+
+class Composer {
+public:
+    Composer(const History &history, const Language &language)
+        : m_history(history)
+        , m_language(language) {
+        for (const ListedTest &test : history.tests) {
+            if (test.test.kind == Kind::drift)
+                continue;
+            const auto found = std::ranges::find(m_axes, test.test.axis, &AxisTrends::axis);
+            AxisTrends &axis = found == m_axes.end() ? m_axes.emplace_back() : *found;
+            axis.axis = test.test.axis;
+            axis.tests.push_back(test);
+        }
+        std::ranges::sort(m_axes, {}, [](const AxisTrends &axis) {
+            return std::tuple(axis.tests.front().test.kind, axis.axis);
+        });
+        std::vector<MachineTrend> all;
+        for (AxisTrends &axis : m_axes) {
+            for (const std::string &parameter : mainParametersOf(axis.tests))
+                axis.trends.push_back(machineTrend(axis.tests, parameter));
+            all.insert(all.end(), axis.trends.begin(), axis.trends.end());
+        }
+        m_span = trendSpan(all, history.today);
+    }
+
+    Report compose() {
+        Report report;
+        report.language = m_language.code();
+        report.title = say(REPORT_TEXT("report", "History of %1"), {name().toStdString()});
+        report.laboratory = utf8(m_history.laboratory.name);
+        report.date = m_history.today.toString(Qt::ISODate);
+        report.making.program = m_history.program;
+        m_blocks = &report.blocks;
+        addHead(report.title);
+        addWatch();
+        addFigures();
+        addCampaigns();
+        addResults();
+        report.footerLeft = report.title;
+        report.footerCentre =
+            say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"), {fingerprint().toStdString()});
+        report.footerRight = text(REPORT_TEXT("report", "page %1 / %2"));
+        return report;
+    }
+
+private:
+    [[nodiscard]] QString text(const Text &source) const {
+        return source.empty() ? QString() : m_language.text(source);
+    }
+    [[nodiscard]] QString say(const Text &source, std::vector<Argument> arguments) const {
+        return m_language.sentence({source, std::move(arguments)});
+    }
+    [[nodiscard]] QString name() const {
+        const QString title = m_history.machine.title();
+        return title.isEmpty() ? text(REPORT_TEXT("report", "a machine without name")) : title;
+    }
+
+    /// Of the entries that the history was made from.
+    [[nodiscard]] QString fingerprint() const {
+        constexpr qsizetype shown = 16;
+        constexpr qsizetype group = 4;
+        QStringList digests;
+        for (const ListedTest &test : m_history.tests)
+            digests << test.test.digest;
+        digests.sort();
+        QString hex = QString::fromLatin1(
+            QCryptographicHash::hash(digests.join(u'\n').toLatin1(), QCryptographicHash::Sha256)
+                .toHex()
+                .first(shown));
+        for (qsizetype at = shown - group; at > 0; at -= group)
+            hex.insert(at, u' ');
+        return hex;
+    }
+
+    [[nodiscard]] QString period() const {
+        std::string first;
+        std::string last;
+        for (const ListedTest &test : m_history.tests) {
+            if (!test.test.date)
+                continue;
+            first = first.empty() ? *test.test.date : first;
+            last = *test.test.date;
+        }
+        if (first.empty())
+            return {};
+        return say(REPORT_TEXT("report", "%1 to %2"), {monthText(dateOf(first), m_language).toStdString(),
+                                                       monthText(dateOf(last), m_language).toStdString()});
+    }
+
+    [[nodiscard]] QString counts() const {
+        QStringList parts;
+        for (const AxisTrends &axis : m_axes)
+            parts << utf8(axis.axis) + QChar(QChar::Nbsp) + QString::number(axis.tests.size());
+        return say(REPORT_TEXT("report", "%1: %2"),
+                   {Number{static_cast<double>(m_history.tests.size()), Quantity::count},
+                    parts.join(QStringLiteral(", ")).toStdString()});
+    }
+
+    void addHead(const QString &title) {
+        TestHead head;
+        head.laboratory = utf8(m_history.laboratory.name);
+        head.address = utf8(m_history.laboratory.address);
+        head.accreditation = utf8(m_history.laboratory.accreditation);
+        head.title = title;
+        head.subtitle = say(REPORT_TEXT("report", "How its tests moved, %1"), {period().toStdString()});
+        const ListedMachine &machine = m_history.machine;
+        QStringList type{machine.manufacturer, machine.model};
+        type.removeAll(QString());
+        head.left.rows = {{text(REPORT_TEXT("report", "Machine")), name()},
+                          {text(REPORT_TEXT("report", "Maker, type")), type.join(QStringLiteral(", "))},
+                          {text(REPORT_TEXT("report", "Serial number")), machine.serialNumber}};
+        QString interval = text(REPORT_TEXT("report", "none"));
+        if (machine.months)
+            interval = say(REPORT_TEXT("report", "%1 months"),
+                           {Number{static_cast<double>(*machine.months), Quantity::count}});
+        if (m_history.due.test)
+            interval +=
+                QStringLiteral("; ") + say(REPORT_TEXT("report", "next test before %1"),
+                                           {Date{m_history.due.test->toString(Qt::ISODate).toStdString()}});
+        head.right.rows = {{text(REPORT_TEXT("report", "Tests")), counts()},
+                           {text(REPORT_TEXT("report", "Interval")), interval},
+                           {text(REPORT_TEXT("report", "Made on")),
+                            m_language.date(m_history.today.toString(Qt::ISODate).toStdString())}};
+        m_blocks->emplace_back(std::move(head));
+    }
+
+    struct Watched {
+        const AxisTrends *axis;
+        const MachineTrend *trend;
+    };
+
+    [[nodiscard]] std::vector<Watched> watched() const {
+        std::vector<Watched> list;
+        for (const AxisTrends &axis : m_axes) {
+            for (const MachineTrend &trend : axis.trends) {
+                const bool says = trend.line && trend.line->isShown() &&
+                                  (trend.notBefore.state == NotBefore::State::date ||
+                                   trend.notBefore.state == NotBefore::State::already);
+                if (says)
+                    list.push_back({&axis, &trend});
+            }
+        }
+        std::ranges::stable_sort(list, {}, [](const Watched &one) { return one.trend->notBefore.time; });
+        return list;
+    }
+
+    [[nodiscard]] QString symbolAndAxis(const Watched &one) const {
+        return say(REPORT_TEXT_FOR("report", "%1 of %2", "parameter of an axis"),
+                   {plainSymbolOf(one.trend->parameter).toStdString(), one.axis->axis});
+    }
+
+    void addWatch() {
+        const std::vector<Watched> list = watched();
+        VerdictLine line;
+        line.label = text(REPORT_TEXT("report", "To watch first"));
+        if (list.empty()) {
+            line.word = text(REPORT_TEXT("report", "no trend towards a limit"));
+        } else {
+            const MachineTrend &trend = *list.front().trend;
+            line.word =
+                say(REPORT_TEXT("report", "%1: %2"), {symbolAndAxis(list.front()).toStdString(),
+                                                      trendStatement(trend, m_language).toStdString()});
+            const Quantity quantity = trendQuantity(trend);
+            const TrendEntry &last = trend.series.front().entries.back();
+            const ShownResult shown = shownResult(last.result, trend.angular, m_language);
+            line.limits.label = text(REPORT_TEXT("report", "Limit"));
+            line.limits.state =
+                m_language.quantity(*trend.limit, quantity, limitDecimals(*trend.limit, quantity));
+            line.limits.text =
+                say(REPORT_TEXT("report", "%1 at the last test"),
+                    {(shown.value +
+                      (shown.uncertainty.isEmpty() ? QString()
+                                                   : QStringLiteral("\u00A0±\u00A0") + shown.uncertainty) +
+                      QChar(QChar::Nbsp) + m_language.unit(quantity))
+                         .toStdString()});
+            if (list.size() > 1) {
+                line.accordance.label = text(REPORT_TEXT("report", "Then"));
+                line.accordance.state = symbolAndAxis(list[1]);
+                line.accordance.text = trendStatement(*list[1].trend, m_language);
+            }
+        }
+        m_blocks->emplace_back(std::move(line));
+    }
+
+    /// Of the newest tests.
+    [[nodiscard]] QString travelOf(const MachineTrend &trend) const {
+        if (trend.series.empty() || !trend.series.front().travel)
+            return {};
+        const QString length = m_language.quantity(*trend.series.front().travel,
+                                                   trend.angular ? Quantity::angle : Quantity::position, 0);
+        return trend.kind == Kind::circular ? QStringLiteral("R ") + length : length;
+    }
+
+    /// In which the charts are: of an axis that turns in another one than the rest.
+    [[nodiscard]] QString units() const {
+        QStringList result;
+        for (const AxisTrends &axis : m_axes) {
+            for (const MachineTrend &trend : axis.trends)
+                result << m_language.unit(trendQuantity(trend));
+        }
+        result.removeDuplicates();
+        return result.join(QStringLiteral(", "));
+    }
+
+    void addFigures() {
+        if (m_axes.empty())
+            return;
+        const std::vector<Watched> list = watched();
+        m_blocks->emplace_back(Heading{2, text(REPORT_TEXT("report", "Trends")), Phrase(units())});
+        bool withoutParts = false;
+        for (const AxisTrends &axis : m_axes) {
+            TrendFigure figure;
+            figure.title = utf8(axis.axis);
+            figure.label = utf8(axis.axis);
+            for (const MachineTrend &trend : axis.trends) {
+                figure.panels.push_back(smallTrendPanel(trend, m_span, m_history.today, m_language));
+                figure.panels.back().isFirst = !list.empty() && list.front().trend == &trend;
+                withoutParts = withoutParts || trend.withoutParts;
+                figure.note = travelOf(trend);
+            }
+            if (&axis == &m_axes.back() && figure.panels.size() < 4)
+                figure.legend = trendLegend(m_language);
+            m_blocks->emplace_back(FigureBlock{std::move(figure), 175, panelHeight});
+        }
+        MachineTrend method;
+        method.withoutParts = withoutParts;
+        m_blocks->emplace_back(Paragraph{
+            say(REPORT_TEXT(
+                    "report",
+                    "Circles: as found, full: as left, squares: another series, not joined; bar: ± U. "
+                    "Black: agreed limit. Blue: line with its bounds of 95 %. %1 * not reached within "
+                    "twice the observed time: nothing is said beyond."),
+                {trendMethod(method, m_language).toStdString()}),
+            TextSize::small});
+    }
+
+    /// Tests of one day, purpose and role.
+    void addCampaigns() {
+        struct Campaign {
+            std::map<std::string, const ListedTest *> tests; ///< by axis
+        };
+        using Key = std::tuple<std::string, TestRole, Purpose>;
+        std::map<Key, Campaign> campaigns;
+        for (const AxisTrends &axis : m_axes) {
+            for (const ListedTest &test : axis.tests) {
+                if (test.test.date)
+                    campaigns[{*test.test.date, test.test.role, test.test.purpose}].tests[axis.axis] = &test;
+            }
+        }
+        if (campaigns.empty())
+            return;
+        m_blocks->emplace_back(Heading{
+            2, text(REPORT_TEXT("report", "Campaigns")),
+            Phrase(text(REPORT_TEXT("report", "the first quantity of each axis; all are listed below")))});
+        Table table;
+        table.columns = {{text(REPORT_TEXT("report", "Date")), {}, Alignment::left, false, 24},
+                         {text(REPORT_TEXT("report", "Purpose")), {}, Alignment::left, true},
+                         {text(REPORT_TEXT("report", "Role")), {}, Alignment::left, false, 20}};
+        const std::size_t shown = std::min(m_axes.size(), mostColumns);
+        for (std::size_t i = 0; i < shown; ++i) {
+            const AxisTrends &axis = m_axes[i];
+            const QString symbol =
+                axis.trends.empty() ? QString() : plainSymbolOf(quantityOf(axis.trends.front().parameter));
+            table.columns.push_back(
+                {Phrase(std::vector<Span>{{symbol}, {utf8(axis.axis), true}}),
+                 axis.trends.empty() ? QString() : m_language.unit(trendQuantity(axis.trends.front())),
+                 Alignment::decimal, false, 13});
+        }
+        table.columns.push_back({text(REPORT_TEXT("report", "Limits")), {}, Alignment::left, false, 24});
+        for (const auto &[key, campaign] : campaigns) {
+            const auto &[date, role, purpose] = key;
+            std::vector<Cell> row{Cell(m_language.shortDate(date)), Cell(text(purposeText(purpose))),
+                                  Cell(text(roleText(role)))};
+            std::optional<Verdict> verdict;
+            bool anyLimit = false;
+            for (std::size_t i = 0; i < m_axes.size(); ++i) {
+                const auto test = campaign.tests.find(m_axes[i].axis);
+                Cell cell;
+                if (test != campaign.tests.end()) {
+                    const RegisteredTest &one = test->second->test;
+                    if (one.verdict)
+                        verdict = verdict ? worse(*verdict, *one.verdict) : *one.verdict;
+                    anyLimit =
+                        anyLimit || std::ranges::any_of(one.results, [](const RegisteredResult &result) {
+                            return result.limit.has_value();
+                        });
+                    cell = firstResult(m_axes[i], one);
+                }
+                if (i < shown)
+                    row.push_back(std::move(cell));
+            }
+            Cell limits(text(limitsText(verdict, anyLimit)));
+            if (verdict)
+                limits.mark = markOf(*verdict);
+            limits.bold = verdict == Verdict::doesNotConform;
+            row.push_back(std::move(limits));
+            table.rows.push_back(std::move(row));
+        }
+        m_blocks->emplace_back(std::move(table));
+    }
+
+    [[nodiscard]] Cell firstResult(const AxisTrends &axis, const RegisteredTest &test) const {
+        if (axis.trends.empty())
+            return {};
+        const auto found =
+            std::ranges::find(test.results, axis.trends.front().parameter, &RegisteredResult::id);
+        return found == test.results.end() || !found->value
+                   ? Cell()
+                   : Cell(shownResult(*found, test.angular, m_language).value);
+    }
+
+    void addResults() {
+        m_blocks->emplace_back(Heading{2, text(REPORT_TEXT("report", "All tests"))});
+        Table table;
+        table.columns = {{text(REPORT_TEXT("report", "Date")), {}, Alignment::left, false, 22},
+                         {text(REPORT_TEXT("report", "Axis")), {}, Alignment::left, false, 10},
+                         {text(REPORT_TEXT("report", "Edition")), {}, Alignment::left, false, 27},
+                         {text(REPORT_TEXT("report", "Results ± U")), {}, Alignment::left, true},
+                         {text(REPORT_TEXT("report", "File")), {}, Alignment::left, false, 45}};
+        for (const ListedTest &listed : m_history.tests) {
+            const RegisteredTest &test = listed.test;
+            table.rows.push_back({Cell(test.date ? m_language.shortDate(*test.date) : QString()),
+                                  Cell(utf8(test.axis)), Cell(utf8(test.edition)), Cell(resultsOf(test)),
+                                  Cell(QFileInfo(listed.places.front().path).fileName())});
+        }
+        m_blocks->emplace_back(std::move(table));
+    }
+
+    [[nodiscard]] QString resultsOf(const RegisteredTest &test) const {
+        ListedTest one;
+        one.test = test;
+        QStringList results;
+        for (const std::string &id : parametersOf({one})) {
+            const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
+            const ShownResult shown = shownResult(*found, test.angular, m_language);
+            results << plainSymbolOf(id) + QChar(QChar::Nbsp) + shown.value +
+                           (shown.uncertainty.isEmpty()
+                                ? QString()
+                                : QStringLiteral("\u00A0±\u00A0") + shown.uncertainty);
+            if (results.size() == 5)
+                break;
+        }
+        return results.join(QStringLiteral("; "));
+    }
+
+    const History &m_history;
+    const Language &m_language;
+    std::vector<AxisTrends> m_axes;
+    TrendSpan m_span;
+    std::vector<Block> *m_blocks = nullptr;
+};
+
+} // namespace
+
+History historyOf(Database &database, const ListedMachine &machine, const QDate &today,
+                  const QString &program) {
+    History history;
+    history.machine = machine;
+    TestFilter filter;
+    filter.machines = {machine.id};
+    history.tests = tests(database, filter);
+    const auto due = markDue(database, {machine}, history.tests);
+    if (const auto found = due.find(machine.id); found != due.end())
+        history.due = found->second;
+    history.today = today;
+    history.program = program;
+    for (auto test = history.tests.rbegin(); test != history.tests.rend(); ++test) {
+        try {
+            if (const auto document = documentOfFile(test->places.front().path)) {
+                history.laboratory = document->report.laboratory;
+                break;
+            }
+        } catch (const Error &) { // not found any more: an older one will do
+            continue;
+        }
+    }
+    return history;
+}
+
+Report composeHistory(const History &history, const Language &language) {
+    return Composer(history, language).compose();
+}
+
+} // namespace palmer

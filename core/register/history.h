@@ -1,0 +1,31 @@
+#pragma once
+
+#include "document/document.h"
+#include "language/language.h"
+#include "register/due.h"
+#include "register/queries.h"
+#include "report/report.h"
+
+#include <QDate>
+
+namespace palmer {
+
+/// What the history of a machine is made of.
+struct History {
+    ListedMachine machine;
+    std::vector<ListedTest> tests; ///< all of it, as tests() has them
+    MachineDue due;
+    Laboratory laboratory; ///< of the newest test; may be empty
+    QDate today;
+    QString program; ///< "Palmer 0.1.0"
+};
+
+/// Reads what the history of a machine needs. The laboratory is that of the newest test that can be read.
+[[nodiscard]] History historyOf(Database &database, const ListedMachine &machine, const QDate &today,
+                                const QString &program);
+
+/// The printed history: what is to be watched first, the trends of each axis and plane, the campaigns, all
+/// results with their files. A pure function.
+[[nodiscard]] Report composeHistory(const History &history, const Language &language);
+
+} // namespace palmer

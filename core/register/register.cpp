@@ -1,0 +1,157 @@
+#include "register/register.h"
+
+#include <QStandardPaths>
+#include <array>
+#include <span>
+
+namespace palmer {
+
+namespace {
+
+/// Step i takes a register of schema i to schema i + 1. The same statements for SQLite and PostgreSQL; keys
+/// are counted by the writer. Numbers in mm and degrees; words are those of the test file.
+constexpr std::array firstStep{
+    "create table register (name text primary key, value text not null)",
+    "create table machine (id integer primary key, identity text not null unique, identified integer not "
+    "null, "
+    "name text not null, manufacturer text not null, model text not null, serial text not null, "
+    "location text not null, months integer)",
+    "create table source (id integer primary key, path text not null unique, size bigint not null, "
+    "modified bigint not null, sha256 text not null, program text not null, state text not null, error text)",
+    "create table test (id integer primary key, digest text not null unique, "
+    "machine integer not null references machine(id), name text not null, manufacturer text not null, "
+    "model text not null, serial text not null, location text not null, kind text not null, "
+    "title text not null, word text not null, edition text not null, axis text not null, "
+    "angular integer not null, date text, time text, feed double precision, travel double precision, "
+    "setup text not null, correction text not null, purpose text not null, role text not null, verdict text, "
+    "rule text not null, accordance text not null, unmet integer not null, undeclared integer not null, "
+    "departures integer not null, fingerprint text not null, parts text not null, awaits integer not null)",
+    "create index test_machine on test (machine)",
+    "create table place (source integer not null references source(id), position integer not null, "
+    "test integer not null references test(id), primary key (source, position))",
+    "create index place_test on place (test)",
+    "create table result (test integer not null references test(id), position integer not null, "
+    "id text not null, value double precision, expanded double precision, k double precision, "
+    "bound integer not null, limit_value double precision, guard double precision, verdict text, "
+    "own double precision not null, shared integer not null, factor double precision not null, "
+    "whole integer not null)",
+    "create index result_test on result (test)",
+    "create table instrument (test integer not null references test(id), position integer not null, "
+    "description text not null, serial text not null, certificate text not null, due text)",
+    "create index instrument_test on instrument (test)",
+    "create table curve (test integer primary key references test(id), points text not null)",
+    "insert into register (name, value) values ('writer', '')",
+};
+
+constexpr std::array<std::span<const char *const>, 1> steps{firstStep};
+
+constexpr int newest = static_cast<int>(steps.size());
+
+} // namespace
+
+Register::Register(const QString &address, Open open)
+    : m_address(address)
+    , m_database(address) {
+    if (m_database.isServer()) {
+        // A place of its own beside what else the database holds.
+        m_database.execute(QStringLiteral("create schema if not exists palmer_register"));
+        m_database.execute(QStringLiteral("set search_path to palmer_register"));
+    }
+    if (open == Open::rebuild)
+        rebuild();
+    else
+        makeSchema();
+}
+
+QString Register::standardPath() {
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+           QStringLiteral("/palmer/register.sqlite");
+}
+
+int Register::schemaVersion() {
+    const QString known = m_database.isServer()
+                              ? QStringLiteral("select count(*) from information_schema.tables where "
+                                               "table_schema = 'palmer_register' and table_name = 'register'")
+                              : QStringLiteral("select count(*) from sqlite_master where type = 'table' and "
+                                               "name = 'register'");
+    if (m_database.first(known).value_or(0).toInt() == 0)
+        return 0;
+    return m_database.first(QStringLiteral("select value from register where name = 'schema'"))
+        .value_or(0)
+        .toInt();
+}
+
+void Register::makeSchema() {
+    const int before = schemaVersion();
+    if (before == newest)
+        return;
+    if (before > newest)
+        throw Error(Error::Kind::newerVersion,
+                    {REPORT_TEXT("report", "a newer version of Palmer made this register; use that one, or "
+                                           "have the register made anew from the files (register scan "
+                                           "--rebuild)"),
+                     {}});
+    Transaction transaction(m_database);
+    if (m_database.isServer()) // two that begin at once: one waits for the other
+        m_database.execute(QStringLiteral("select pg_advisory_xact_lock(7256637)"));
+    for (int step = schemaVersion(); step < newest; ++step) {
+        for (const char *statement : steps.at(static_cast<std::size_t>(step)))
+            m_database.execute(QString::fromLatin1(statement));
+    }
+    m_database.execute(QStringLiteral("delete from register where name = 'schema'"));
+    m_database.run(QStringLiteral("insert into register (name, value) values ('schema', ?)"),
+                   {QString::number(newest)});
+    transaction.commit();
+}
+
+void Register::rebuild() {
+    const std::vector<QVariantList> intervals = keptIntervals();
+    if (m_database.isServer()) {
+        Transaction transaction(m_database);
+        m_database.execute(QStringLiteral("drop schema palmer_register cascade"));
+        m_database.execute(QStringLiteral("create schema palmer_register"));
+        transaction.commit();
+    } else {
+        m_database.execute(QStringLiteral("pragma foreign_keys = off"));
+        {
+            Transaction transaction(m_database);
+            for (const QString &table : m_database.tables())
+                m_database.execute(QStringLiteral("drop table \"%1\"")
+                                       .arg(QString(table).replace(u'"', QStringLiteral("\"\""))));
+            transaction.commit();
+        }
+        m_database.execute(QStringLiteral("pragma foreign_keys = on"));
+    }
+    makeSchema();
+    int id = 0;
+    for (QVariantList values : intervals) {
+        values.prepend(++id);
+        m_database.run(QStringLiteral("insert into machine (id, identity, identified, name, manufacturer, "
+                                      "model, serial, location, months) values (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                       values);
+    }
+}
+
+std::vector<QVariantList> Register::keptIntervals() {
+    constexpr int columns = 8;
+    std::vector<QVariantList> intervals;
+    if (schemaVersion() == 0)
+        return intervals;
+    try {
+        QSqlQuery &query =
+            m_database.run(QStringLiteral("select identity, identified, name, manufacturer, model, serial, "
+                                          "location, months from machine where months is not null "
+                                          "order by identity"));
+        while (query.next()) {
+            QVariantList values;
+            for (int i = 0; i < columns; ++i)
+                values << query.value(i);
+            intervals.push_back(std::move(values));
+        }
+    } catch (const Error &) { // a newer schema has them elsewhere
+        intervals.clear();
+    }
+    return intervals;
+}
+
+} // namespace palmer

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "register/database.h"
+
+#include <QString>
+#include <QVariant>
+#include <vector>
+
+namespace palmer {
+
+/// An index over folders of test files: machines, tests, results, and from which files they came. Made from
+/// the files and made anew at any time with the same content; only the intervals of machines are its own.
+/// Never writes into a file it lists. Of the thread that opened it.
+class Register {
+public:
+    enum class Open { keep, rebuild };
+
+    /// Opens the register at that address (see Database), makes an empty one, or brings an older one to this
+    /// schema step by step. A newer schema is refused. `rebuild`: empties it first, whatever its schema; the
+    /// intervals of machines stay. Throws Error.
+    explicit Register(const QString &address, Open open = Open::keep);
+
+    [[nodiscard]] Database &database() { return m_database; }
+    [[nodiscard]] const QString &address() const { return m_address; }
+
+    /// Where the register of this user stands when none is named: in the folder of his data.
+    [[nodiscard]] static QString standardPath();
+
+private:
+    void makeSchema();
+    void rebuild();
+    [[nodiscard]] int schemaVersion();
+    [[nodiscard]] std::vector<QVariantList> keptIntervals();
+
+    QString m_address;
+    Database m_database;
+};
+
+} // namespace palmer

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "kernel/trend/trendline.h"
+
+#include <QByteArray>
+#include <QString>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palmer {
+
+/// A result as the register keeps it. Values in mm or degrees, unrounded.
+struct RegisteredResult {
+    std::string id; ///< "A", "G(b)_XY"
+    std::optional<double> value;
+    std::optional<double> expandedUncertainty;
+    std::optional<double> k; ///< 2; null for a U that a simulation gave (95.45 %), and without U
+    std::optional<double> limit;
+    std::optional<double> guardBand;
+    Bound bound = Bound::magnitude;
+    std::optional<Verdict> verdict;
+    double own = 0;            ///< r: what of U/k belongs to this test alone
+    unsigned shared = 0;       ///< which of the parts of the test are in U: bit i is part i
+    double sharedFactor = 1;   ///< by which those parts count
+    bool withoutParts = false; ///< U came without its parts: all of it is taken as shared by the instrument
+
+    bool operator==(const RegisteredResult &) const = default;
+};
+
+/// An instrument a test was made with.
+struct RegisteredInstrument {
+    std::string description; ///< what it is, maker and type
+    std::string serialNumber;
+    std::string certificate;
+    std::optional<std::string> due; ///< YYYY-MM-DD
+
+    bool operator==(const RegisteredInstrument &) const = default;
+};
+
+/// Means at a target, mm or degrees; null where there is no reading.
+struct CurvePoint {
+    double target = 0;
+    std::optional<double> up;
+    std::optional<double> down;
+
+    bool operator==(const CurvePoint &) const = default;
+};
+
+/// What the register keeps of a test: a pure function of the evaluated document.
+struct RegisteredTest {
+    QString digest; ///< SHA-256 of program, machine, instruments and test without bytes of imported files
+    QString fingerprint; ///< of the readings alone
+    std::string machineName;
+    std::string manufacturer;
+    std::string model;
+    std::string serialNumber;
+    std::string location;
+    Kind kind = Kind::positioning;
+    std::string title;
+    std::string id;
+    std::string edition; ///< word; empty for drift tests
+    std::string axis;    ///< or plane: "XY"
+    bool angular = false;
+    std::optional<std::string> date;
+    std::optional<std::string> time;
+    std::optional<double> feed;   ///< mm/min or °/min; null: rapid or not stated
+    std::optional<double> travel; ///< measurement travel, mm or degrees; of a circle its radius
+    std::string setUp;            ///< what else tells series apart: cycle, zone, signal, as words of the file
+    CorrectionTo20 correction = CorrectionTo20::notStated;
+    Purpose purpose = Purpose::notStated;
+    TestRole role = TestRole::notStated;
+    std::optional<Verdict> verdict;
+    Rule rule = Rule::simpleAcceptance;
+    Accordance accordance = Accordance::notChecked;
+    RequirementCounts counts;
+    bool awaitsSimulation = false; ///< the method is Monte Carlo and none was run yet
+    std::vector<RegisteredInstrument> instruments;
+    std::vector<SharedPart> parts; ///< of U, that other tests share; standard uncertainties, mm or degrees
+    std::vector<RegisteredResult> results;
+    std::vector<CurvePoint> curve; ///< of a positioning test
+
+    bool operator==(const RegisteredTest &) const = default;
+};
+
+/// All tests of a document, in its order. `program` enters the digest: another evaluation is another entry.
+/// Throws Error as writeDocument does.
+[[nodiscard]] std::vector<RegisteredTest> registeredTests(const EvaluatedDocument &evaluated,
+                                                          const QString &program);
+
+/// The quantity of an id without axes: "G(b)" of "G(b)_XY".
+[[nodiscard]] std::string quantityOf(const std::string &resultId);
+
+} // namespace palmer

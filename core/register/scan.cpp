@@ -1,0 +1,352 @@
+#include "register/scan.h"
+
+#include "document/readdocument.h"
+#include "document/savedocument.h"
+#include "proof/readreportpdf.h"
+#include "register/register.h"
+#include "register/storedsentence.h"
+#include "register/walk.h"
+#include "register/writer.h"
+
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <new>
+#include <thread>
+
+namespace palmer {
+
+namespace {
+
+const QString program = QStringLiteral("Palmer " PALMER_VERSION);
+
+constexpr std::size_t mostWaiting = 64; ///< summaries between those who read and who writes
+constexpr int filesOfTransaction = 256;
+constexpr qint64 tooFresh = 2'000; ///< ms: a file system may give two states of a file one time
+
+/// What was found in a file.
+struct ReadFile {
+    KnownSource source;
+    std::vector<RegisteredTest> tests;
+    bool isSame = false; ///< its content is that of the register
+};
+
+KnownSource sourceOf(const ListedFile &file, SourceState state) {
+    KnownSource source;
+    source.path = file.path;
+    source.size = file.size;
+    const bool settled = QDateTime::currentMSecsSinceEpoch() - file.modified > tooFresh;
+    source.modified = settled ? file.modified : -1;
+    source.program = program;
+    source.state = sourceWord(state);
+    return source;
+}
+
+/// The document in the bytes of a test file or a report; null for a PDF of another program. Throws Error.
+std::optional<Document> documentIn(const QByteArray &bytes) {
+    if (!isPdf(bytes))
+        return readDocument(bytes);
+    if (isForeignPdf(bytes))
+        return std::nullopt;
+    return readDocument(readReportPdf(bytes).testFile);
+}
+
+ReadFile readFile(const ListedFile &file, const KnownSource *known) {
+    ReadFile result;
+    result.source = sourceOf(file, SourceState::read);
+    try {
+        const QByteArray bytes = readBytes(file.path);
+        result.source.sha256 =
+            QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex());
+        if (known && known->sha256 == result.source.sha256 && known->program == program) {
+            result.isSame = true;
+            if (!known->error.isEmpty())
+                result.source.state = sourceWord(SourceState::unreadable);
+            else if (known->state == sourceWord(SourceState::foreign))
+                result.source.state = known->state;
+            result.source.error = known->error;
+            return result;
+        }
+        if (auto document = documentIn(bytes))
+            result.tests =
+                registeredTests(evaluate(std::make_shared<const Document>(std::move(*document))), program);
+        else
+            result.source.state = sourceWord(SourceState::foreign);
+    } catch (const Error &error) {
+        result.source.state = sourceWord(SourceState::unreadable);
+        result.source.error = storedSentence(error);
+    } catch (const std::bad_alloc &) {
+        result.source.state = sourceWord(SourceState::unreadable);
+        result.source.error = storedSentence(
+            Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "not enough memory for this"), {}}));
+    }
+    result.isSame = known && !result.source.error.isEmpty() && known->error == result.source.error &&
+                    known->sha256 == result.source.sha256 && known->program == program;
+    return result;
+}
+
+/// Files that are read on all processors, each at most `mostWaiting` ahead of who takes them.
+class Readers {
+public:
+    Readers(const std::vector<ListedFile> &files, const std::map<QString, KnownSource> &known, int jobs,
+            const std::stop_token &stop)
+        : m_files(files)
+        , m_known(known)
+        , m_stop(stop) {
+        const unsigned wanted =
+            jobs > 0 ? static_cast<unsigned>(jobs) : std::max(1U, std::thread::hardware_concurrency());
+        m_working = std::min<std::size_t>(wanted, files.size());
+        const std::size_t count = m_working;
+        for (std::size_t i = 0; i < count; ++i) // the count stands before the first begins
+            m_threads.emplace_back([this] { work(); });
+    }
+    ~Readers() {
+        {
+            const std::scoped_lock lock(m_mutex);
+            m_ended = true;
+        }
+        m_room.notify_all();
+        for (std::thread &thread : m_threads)
+            thread.join();
+    }
+    Readers(const Readers &) = delete;
+    Readers &operator=(const Readers &) = delete;
+
+    /// The next file, in the order they get ready; nothing when there is none any more.
+    std::optional<ReadFile> take() {
+        std::unique_lock lock(m_mutex);
+        m_ready.wait(lock, [this] { return !m_waiting.empty() || m_working == 0; });
+        if (m_waiting.empty())
+            return std::nullopt;
+        ReadFile result = std::move(m_waiting.front());
+        m_waiting.pop_front();
+        m_room.notify_one();
+        return result;
+    }
+
+private:
+    void work() {
+        while (!m_ended && !m_stop.stop_requested()) {
+            const std::size_t i = m_next.fetch_add(1);
+            if (i >= m_files.size())
+                break;
+            const auto known = m_known.find(m_files[i].path);
+            ReadFile result = readFile(m_files[i], known == m_known.end() ? nullptr : &known->second);
+            std::unique_lock lock(m_mutex);
+            m_room.wait(lock, [this] { return m_waiting.size() < mostWaiting || m_ended; });
+            m_waiting.push_back(std::move(result));
+            m_ready.notify_one();
+        }
+        const std::scoped_lock lock(m_mutex);
+        --m_working;
+        m_ready.notify_all();
+    }
+
+    const std::vector<ListedFile> &m_files;
+    const std::map<QString, KnownSource> &m_known;
+    const std::stop_token &m_stop;
+    std::atomic<std::size_t> m_next = 0;
+    std::atomic<bool> m_ended = false;
+    std::mutex m_mutex;
+    std::condition_variable m_ready;
+    std::condition_variable m_room;
+    std::deque<ReadFile> m_waiting;
+    std::vector<std::thread> m_threads;
+    std::size_t m_working = 0;
+};
+
+class Scan {
+public:
+    Scan(Register &reg, const QStringList &folders, const ScanOptions &options)
+        : m_register(reg)
+        , m_writer(reg.database())
+        , m_options(options) {
+        for (const QString &folder : folders)
+            m_folders << cleanPath(folder);
+    }
+
+    ScanResult run() {
+        const Listing listing = listFiles(m_folders, m_options.stop);
+        m_known = RegisterWriter::sources(m_register.database());
+        m_result.files = static_cast<int>(listing.files.size());
+        for (const UnreadableFolder &folder : listing.unreadable)
+            m_result.unreadable.push_back({folder.path, storedSentence(folder.error)});
+        sortOut(listing);
+        readChanged();
+        if (!m_options.stop.stop_requested()) {
+            markVanished(listing);
+            simulate();
+        }
+        m_result.stopped = m_options.stop.stop_requested();
+        std::ranges::sort(m_result.unreadable, {}, &Unreadable::path);
+        m_result.tests = count(QStringLiteral("select count(*) from test"));
+        m_result.machines = count(QStringLiteral("select count(*) from machine where id in (select machine "
+                                                 "from test)"));
+        return m_result;
+    }
+
+private:
+    int count(const QString &statement) { return m_register.database().first(statement).value_or(0).toInt(); }
+
+    /// Which files have to be looked into.
+    void sortOut(const Listing &listing) {
+        for (const ListedFile &file : listing.files) {
+            const auto known = m_known.find(file.path);
+            const bool isSame = known != m_known.end() && known->second.size == file.size &&
+                                known->second.modified == file.modified && known->second.program == program &&
+                                known->second.state != sourceWord(SourceState::notFound);
+            if (!isSame)
+                m_changed.push_back(file);
+            else if (known->second.state == sourceWord(SourceState::unreadable))
+                // What kept it from being read may be gone, if it was no fault of its content.
+                known->second.sha256.isEmpty()
+                    ? m_changed.push_back(file)
+                    : m_result.unreadable.push_back({file.path, known->second.error});
+        }
+    }
+
+    void tell(int done, bool simulating, int total) const {
+        if (m_options.progress)
+            m_options.progress({done, total, simulating});
+    }
+
+    void readChanged() {
+        if (m_changed.empty())
+            return;
+        const int total = static_cast<int>(m_changed.size());
+        Readers readers(m_changed, m_known, m_options.jobs, m_options.stop);
+        int done = 0;
+        bool more = true;
+        while (more) {
+            std::vector<ReadFile> some;
+            const auto begin = std::chrono::steady_clock::now();
+            while (more && some.size() < filesOfTransaction &&
+                   std::chrono::steady_clock::now() - begin < std::chrono::seconds(1)) {
+                auto file = readers.take();
+                more = file.has_value();
+                if (file)
+                    some.push_back(std::move(*file));
+            }
+            write(some);
+            done += static_cast<int>(some.size());
+            tell(done, false, total);
+        }
+    }
+
+    void write(const std::vector<ReadFile> &files) {
+        if (files.empty())
+            return;
+        Transaction transaction(m_register.database());
+        m_writer.begin();
+        for (const ReadFile &file : files) {
+            if (file.isSame)
+                m_writer.refresh(file.source);
+            else
+                m_writer.put(file.source, file.tests);
+        }
+        m_writer.finish();
+        transaction.commit();
+        for (const ReadFile &file : files) {
+            m_result.read += file.isSame ? 0 : 1;
+            if (!file.source.error.isEmpty())
+                m_result.unreadable.push_back({file.source.path, file.source.error});
+        }
+    }
+
+    /// Listed files of these folders that are not there any more.
+    void markVanished(const Listing &listing) {
+        QStringList unreadable;
+        for (const UnreadableFolder &folder : listing.unreadable)
+            unreadable << folder.path;
+        std::vector<QString> vanished;
+        for (const auto &[path, source] : m_known) {
+            const bool isThere = std::ranges::binary_search(listing.files, path, {}, &ListedFile::path);
+            if (!isThere && isBelow(path, m_folders) && !isBelow(path, unreadable))
+                vanished.push_back(path);
+        }
+        m_result.notFound = static_cast<int>(vanished.size());
+        if (vanished.empty())
+            return;
+        Transaction transaction(m_register.database());
+        m_writer.begin();
+        for (const QString &path : vanished) {
+            if (m_options.prune)
+                m_writer.remove(path);
+            else
+                m_writer.setState(path, SourceState::notFound);
+        }
+        m_writer.finish();
+        transaction.commit();
+        if (m_options.prune) {
+            m_result.pruned = m_result.notFound;
+            m_result.notFound = 0;
+        }
+    }
+
+    /// One file after another: each takes all processors.
+    void simulate() {
+        std::vector<QString> paths;
+        QSqlQuery &query = m_register.database().run(
+            QStringLiteral("select distinct source.path from source, place, test where source.id = "
+                           "place.source and place.test = test.id and test.awaits = 1 and source.state = "
+                           "'read'"));
+        while (query.next())
+            paths.push_back(query.value(0).toString());
+        std::ranges::sort(paths);
+        std::erase_if(paths, [this](const QString &path) { return !isBelow(path, m_folders); });
+        int done = 0;
+        for (const QString &path : paths) {
+            if (m_options.stop.stop_requested())
+                return;
+            simulateFile(path);
+            tell(++done, true, static_cast<int>(paths.size()));
+        }
+    }
+
+    void simulateFile(const QString &path) {
+        std::vector<RegisteredTest> tests;
+        try {
+            auto document = documentIn(readBytes(path));
+            if (!document)
+                return;
+            const auto simulated =
+                withSimulations(evaluate(std::make_shared<const Document>(std::move(*document))),
+                                SimulateWhich::monteCarloOnly, m_options.jobs, m_options.stop);
+            if (!simulated)
+                return;
+            tests = registeredTests(*simulated, program);
+        } catch (const Error &) { // changed since: the next scan reads it again
+            return;
+        }
+        Transaction transaction(m_register.database());
+        m_writer.begin();
+        for (const RegisteredTest &test : tests)
+            m_writer.replaceResults(test.digest, test);
+        m_writer.finish();
+        transaction.commit();
+    }
+
+    Register &m_register;
+    RegisterWriter m_writer;
+    const ScanOptions &m_options;
+    QStringList m_folders;
+    std::map<QString, KnownSource> m_known;
+    std::vector<ListedFile> m_changed;
+    ScanResult m_result;
+};
+
+} // namespace
+
+std::optional<Document> documentOfFile(const QString &path) {
+    return documentIn(readBytes(path));
+}
+
+ScanResult scan(Register &reg, const QStringList &folders, const ScanOptions &options) {
+    return Scan(reg, folders, options).run();
+}
+
+} // namespace palmer

@@ -1,0 +1,361 @@
+#include "register/trendoutput.h"
+
+#include "document/filewords.h"
+#include "export/csvwriter.h"
+#include "language/rounding.h"
+#include "register/jsonmembers.h"
+#include "register/listing.h"
+#include "report/wording.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+constexpr int slopeDecimals = 2;
+
+std::string isoOf(double years) {
+    return dateOfYears(years).toString(Qt::ISODate).toStdString();
+}
+
+const char *reachWord(NotBefore::State state) {
+    constexpr std::array words{"noLimit", "beyond", "already", "date"};
+    return words.at(static_cast<std::size_t>(state));
+}
+
+const char *interventionWord(InterventionKind kind) {
+    constexpr std::array words{"adjustment", "compensation", "repair", "collision"};
+    return words.at(static_cast<std::size_t>(kind));
+}
+
+bool saysDate(const MachineTrend &trend) {
+    return trend.line && trend.line->isShown() && trend.notBefore.state == NotBefore::State::date;
+}
+
+QString quantityText(double value, Quantity quantity, int decimals, const Language &language) {
+    return language.quantity(value, quantity, decimals);
+}
+
+/// "+1.29": with its sign.
+QString signedNumber(double value, Quantity quantity, int decimals, const Language &language) {
+    return (value >= 0 ? QStringLiteral("+") : QString()) + language.number(value, quantity, decimals);
+}
+
+} // namespace
+
+Quantity trendQuantity(const MachineTrend &trend) {
+    return trend.angular ? Quantity::angularDeviation : Quantity::deviation;
+}
+
+QString monthText(const QDate &date, const Language &language) {
+    return QLocale(language.code()).toString(date, QStringLiteral("MMMM yyyy"));
+}
+
+QString interventionName(InterventionKind kind, const Language &language) {
+    switch (kind) {
+    case InterventionKind::adjustment:
+        return language.text(REPORT_TEXT_FOR("report", "adjustment", "intervention"));
+    case InterventionKind::compensation:
+        return language.text(REPORT_TEXT_FOR("report", "compensation", "intervention"));
+    case InterventionKind::repair:
+        return language.text(REPORT_TEXT_FOR("report", "repair", "intervention"));
+    case InterventionKind::collision:
+        return language.text(REPORT_TEXT_FOR("report", "collision", "intervention"));
+    }
+    return {};
+}
+
+QString seriesName(const TrendSeries &series, bool angular, const Language &language) {
+    QStringList parts;
+    const SeriesDifference &difference = series.difference;
+    if (difference.edition)
+        parts << QString::fromStdString(series.edition);
+    if (difference.feed)
+        parts << (series.feed
+                      ? language.sentence(
+                            {REPORT_TEXT("report", "feed %1"),
+                             {Number{*series.feed, angular ? Quantity::angularFeed : Quantity::feed, -1}}})
+                      : language.text(REPORT_TEXT("report", "no feed stated")));
+    if (difference.travel)
+        parts << (series.travel
+                      ? language.sentence(
+                            {REPORT_TEXT("report", "travel or radius %1"),
+                             {Number{*series.travel, angular ? Quantity::angle : Quantity::position, -1}}})
+                      : language.text(REPORT_TEXT("report", "no targets")));
+    if (difference.correction)
+        parts << language.sentence(
+            {REPORT_TEXT("report", "correction to 20 °C: %1"), {correctionText(series.correction)}});
+    if (difference.setUp) {
+        const QString words = QString::fromStdString(series.setUp);
+        QStringList said;
+        if (words.contains(QLatin1StringView("step")))
+            said << language.text(REPORT_TEXT("report", "step cycle"));
+        if (words.contains(QLatin1StringView("rapid")))
+            said << language.text(REPORT_TEXT("report", "rapid feed"));
+        if (words.contains(QLatin1StringView("zone")))
+            said << language.text(REPORT_TEXT("report", "working zone"));
+        if (words.contains(QLatin1StringView("feedback")))
+            said << language.text(REPORT_TEXT("report", "feedback signal"));
+        parts << (said.isEmpty() ? language.text(REPORT_TEXT("report", "other set-up"))
+                                 : said.join(QStringLiteral(", ")));
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+QString trendStatement(const MachineTrend &trend, const Language &language) {
+    if (!trend.line)
+        return language.sentence({REPORT_TEXT("report", "fewer than %1 tests since the last intervention"),
+                                  {Number{static_cast<double>(fewestTrendPoints), Quantity::count}}});
+    if (!trend.line->isShown())
+        return language.text(REPORT_TEXT("report", "no trend shown"));
+    switch (trend.notBefore.state) {
+    case NotBefore::State::noLimit:
+        return language.text(REPORT_TEXT("report", "no limit"));
+    case NotBefore::State::already:
+        return language.text(REPORT_TEXT("report", "the bound is at the limit already"));
+    case NotBefore::State::beyond:
+        return language.sentence(
+            {REPORT_TEXT("report", "not before %1; nothing is said beyond"),
+             {monthText(dateOfYears(trendHorizon(*trend.line)), language).toStdString()}});
+    case NotBefore::State::date:
+        return language.sentence({REPORT_TEXT("report", "not before %1"),
+                                  {monthText(dateOfYears(trend.notBefore.time), language).toStdString()}});
+    }
+    return {};
+}
+
+QString shortTrendStatement(const MachineTrend &trend, const Language &language) {
+    if (!trend.line)
+        return language.text(REPORT_TEXT("report", "too few tests"));
+    if (trend.line->isShown() && trend.notBefore.state == NotBefore::State::beyond)
+        return language.sentence(
+            {REPORT_TEXT("report", "not before %1 *"),
+             {monthText(dateOfYears(trendHorizon(*trend.line)), language).toStdString()}});
+    if (trend.line->isShown() && trend.notBefore.state == NotBefore::State::already)
+        return language.text(REPORT_TEXT("report", "at the limit"));
+    return trendStatement(trend, language);
+}
+
+QString trendMethod(const MachineTrend &trend, const Language &language) {
+    QStringList sentences{language.text(REPORT_TEXT(
+        "report",
+        "Generalised least squares since the last intervention, V = diag(r² + s²) + Σ c·cᵀ: r own, c "
+        "shared by tests with the same instrument, temperature sensors or α of the machine, s scatter "
+        "beyond them. A trend is shown where the slope is at least t times its standard uncertainty "
+        "(95 %). Not before: line + t·u reaches the limit, one-sided 95 %, for the level, not for the "
+        "next test."))};
+    if (trend.line)
+        sentences << language.sentence(
+            {REPORT_TEXT("report", "Nothing is said beyond %1, twice the observed time."),
+             {monthText(dateOfYears(trendHorizon(*trend.line)), language).toStdString()}});
+    if (trend.withoutParts)
+        sentences << language.text(REPORT_TEXT("report", "A U is stated without its parts: it is taken as "
+                                                         "shared by the tests with the same instrument."));
+    return sentences.join(u' ');
+}
+
+std::vector<KeyValue> trendFacts(const MachineTrend &trend, const Language &language) {
+    if (!trend.line)
+        return {};
+    const TrendLine &line = *trend.line;
+    const Quantity quantity = trendQuantity(trend);
+    const QString unit = language.unit(quantity);
+    std::vector<KeyValue> facts;
+    facts.push_back({language.text(REPORT_TEXT("report", "since")), language.shortDate(trend.since)});
+    facts.push_back({language.text(REPORT_TEXT("report", "tests")),
+                     language.sentence({REPORT_TEXT("report", "%1 in %2 years"),
+                                        {Number{static_cast<double>(line.points), Quantity::count},
+                                         Number{line.last - line.first, Quantity::number, 1}}})});
+    facts.push_back(
+        {language.text(REPORT_TEXT("report", "slope")),
+         language.sentence(
+             {REPORT_TEXT("report", "%1 %2/year, u %3"),
+              {signedNumber(line.slope, quantity, slopeDecimals, language).toStdString(), unit.toStdString(),
+               language.number(line.slopeUncertainty(), quantity, slopeDecimals).toStdString()}})});
+    facts.push_back({language.text(REPORT_TEXT("report", "line at the last test")),
+                     language.number(line.at(line.last), quantity, 1) + QStringLiteral("\u00A0±\u00A0") +
+                         quantityText(2 * line.uncertaintyAt(line.last), quantity, 1, language)});
+    facts.push_back(
+        {language.text(REPORT_TEXT("report", "scatter s")),
+         quantityText(line.scatter, quantity, 1, language) +
+             (line.chi2PerDof ? QStringLiteral(" · χ²/ν\u00A0") +
+                                    language.number(*line.chi2PerDof, Quantity::number, slopeDecimals)
+                              : QString())});
+    return facts;
+}
+
+QByteArray trendJson(const ListedMachine &machine, const std::string &axis, const MachineTrend &trend) {
+    std::vector<std::string> files; // what the members borrow
+    for (const TrendSeries &series : trend.series) {
+        for (const TrendEntry &entry : series.entries)
+            files.push_back(entry.file.toStdString());
+    }
+    std::size_t next = 0;
+    std::vector<Members> seriesList;
+    for (const TrendSeries &series : trend.series) {
+        std::vector<Members> points;
+        for (const TrendEntry &entry : series.entries) {
+            Members point;
+            point.text("date", entry.date)
+                .number("value", entry.result.value)
+                .number("U", entry.result.expandedUncertainty)
+                .number("limit", entry.result.limit)
+                .quoted("role", fileWord(entry.role))
+                .quoted("purpose", fileWord(entry.purpose))
+                .text("file", files[next++])
+                .whole("test", entry.test);
+            points.push_back(std::move(point));
+        }
+        Members one;
+        one.textOrNull("edition", series.edition)
+            .number("feed", series.feed)
+            .number("travel", series.travel)
+            .quoted("correctionTo20", fileWord(series.correction))
+            .text("setUp", series.setUp)
+            .list("points", std::move(points));
+        seriesList.push_back(std::move(one));
+    }
+    std::vector<Members> interventions;
+    for (const Intervention &intervention : trend.interventions) {
+        Members one;
+        one.text("date", intervention.date).quoted("kind", interventionWord(intervention.kind));
+        interventions.push_back(std::move(one));
+    }
+    const std::string name = machine.name.toStdString();
+    const std::string manufacturer = machine.manufacturer.toStdString();
+    const std::string model = machine.model.toStdString();
+    const std::string serialNumber = machine.serialNumber.toStdString();
+    Members who;
+    who.textOrNull("name", name)
+        .textOrNull("manufacturer", manufacturer)
+        .textOrNull("model", model)
+        .textOrNull("serialNumber", serialNumber);
+    Members members;
+    members.object("machine", std::move(who))
+        .text("axis", axis)
+        .text("parameter", trend.parameter)
+        .quoted("unit", trend.angular ? "deg" : "mm")
+        .list("series", std::move(seriesList))
+        .list("interventions", std::move(interventions));
+    std::string horizon;
+    std::string date;
+    if (trend.line) {
+        const TrendLine &line = *trend.line;
+        horizon = isoOf(trendHorizon(line));
+        if (saysDate(trend))
+            date = isoOf(trend.notBefore.time);
+        Members one;
+        one.text("since", trend.since)
+            .whole("points", static_cast<int>(line.points))
+            .number("slopePerYear", line.slope)
+            .number("u", line.slopeUncertainty())
+            .number("level", line.at(line.last))
+            .number("uOfLevel", line.uncertaintyAt(line.last))
+            .number("scatter", line.scatter)
+            .number("chi2PerDof", line.chi2PerDof)
+            .word("shown", line.isShown() ? "true" : "false")
+            .number("limit", trend.limit)
+            .number("guardBand", trend.reserve > 0 ? std::optional(trend.reserve) : std::nullopt)
+            .textOrNull("notBefore", date)
+            .quoted("reach", reachWord(trend.notBefore.state))
+            .text("horizon", horizon)
+            .word("withoutParts", trend.withoutParts ? "true" : "false");
+        members.object("line", std::move(one));
+    } else {
+        members.word("line", "null");
+    }
+    return members.line();
+}
+
+QByteArray trendCsv(const ListedMachine &machine, const std::string &axis,
+                    const std::vector<MachineTrend> &trends) {
+    CsvWriter csv('.');
+    for (const char *word :
+         {"machine", "serialNumber", "axis", "parameter", "series", "edition", "date", "value", "U", "limit",
+          "unit", "role", "purpose", "line", "uOfLine", "file", "test"})
+        csv.text(word);
+    csv.endRow();
+    for (const MachineTrend &trend : trends) {
+        for (std::size_t i = 0; i < trend.series.size(); ++i) {
+            for (const TrendEntry &entry : trend.series[i].entries) {
+                const bool onLine = i == 0 && trend.line && entry.stretch == trend.interventions.size();
+                csv.text(machine.name.toStdString());
+                csv.text(machine.serialNumber.toStdString());
+                csv.text(axis);
+                csv.text(trend.parameter);
+                csv.number(static_cast<double>(i + 1));
+                csv.text(trend.series[i].edition);
+                csv.text(entry.date);
+                csv.number(entry.result.value);
+                csv.number(entry.result.expandedUncertainty);
+                csv.number(entry.result.limit);
+                csv.text(trend.angular ? "deg" : "mm");
+                csv.text(fileWord(entry.role));
+                csv.text(fileWord(entry.purpose));
+                csv.number(onLine ? std::optional(trend.line->at(entry.time)) : std::nullopt);
+                csv.number(onLine ? std::optional(trend.line->uncertaintyAt(entry.time)) : std::nullopt);
+                csv.text(entry.file.toStdString());
+                csv.number(entry.test);
+                csv.endRow();
+            }
+        }
+    }
+    return csv.bytes();
+}
+
+Report composeTrend(const ListedMachine &machine, const std::string &axis, const MachineTrend &trend,
+                    const Language &language) {
+    Report report;
+    report.language = language.code();
+    report.title = language.sentence(
+        {REPORT_TEXT("report", "%1: trend of %2, axis or plane %3"),
+         {machine.title().toStdString(), plainSymbolOf(trend.parameter).toStdString(), axis}});
+    report.blocks.emplace_back(Heading{2, report.title});
+    KeyValues facts;
+    const Quantity quantity = trendQuantity(trend);
+    const QString limit =
+        trend.limit ? language.quantity(*trend.limit, quantity, limitDecimals(*trend.limit, quantity))
+                    : QString();
+    facts.rows.push_back({language.text(REPORT_TEXT("report", "Limit")), limit});
+    facts.rows.push_back({language.text(REPORT_TEXT("report", "Trend")), trendStatement(trend, language)});
+    for (const KeyValue &fact : trendFacts(trend, language))
+        facts.rows.push_back(fact);
+    report.blocks.emplace_back(std::move(facts));
+    const QString unit = language.unit(quantity);
+    for (const TrendSeries &series : trend.series) {
+        const QString name = seriesName(series, trend.angular, language);
+        if (!name.isEmpty())
+            report.blocks.emplace_back(Heading{
+                3, language.sentence({REPORT_TEXT("report", "Another series: %1"), {name.toStdString()}})});
+        Table table;
+        table.columns = {{language.text(REPORT_TEXT("report", "Date"))},
+                         {language.text(REPORT_TEXT("report", "Purpose"))},
+                         {language.text(REPORT_TEXT("report", "Role"))},
+                         {plainSymbolOf(trend.parameter), unit, Alignment::decimal},
+                         {QStringLiteral("U"), unit, Alignment::decimal},
+                         {language.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal},
+                         {language.text(REPORT_TEXT("report", "File")), {}, Alignment::left, true}};
+        for (const TrendEntry &entry : series.entries) {
+            const ShownResult shown = shownResult(entry.result, trend.angular, language);
+            const Text purpose = purposeText(entry.purpose);
+            const Text role = roleText(entry.role);
+            table.rows.push_back(
+                {Cell(language.shortDate(entry.date)),
+                 Cell(purpose.empty() ? QString() : language.text(purpose)),
+                 Cell(role.empty() ? QString() : language.text(role)), Cell(shown.value),
+                 Cell(shown.uncertainty),
+                 Cell(entry.result.limit ? language.number(*entry.result.limit, quantity,
+                                                           limitDecimals(*entry.result.limit, quantity))
+                                         : QString()),
+                 Cell(entry.file)});
+        }
+        report.blocks.emplace_back(std::move(table));
+    }
+    report.blocks.emplace_back(Paragraph{trendMethod(trend, language), TextSize::small});
+    return report;
+}
+
+} // namespace palmer

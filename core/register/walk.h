@@ -1,0 +1,40 @@
+#pragma once
+
+#include "document/documenterror.h"
+
+#include <QString>
+#include <QStringList>
+#include <stop_token>
+#include <vector>
+
+namespace palmer {
+
+/// A file as a folder lists it.
+struct ListedFile {
+    QString path; ///< absolute, without "." and ".."
+    qint64 size = 0;
+    qint64 modified = 0; ///< ms since 1970
+};
+
+/// A folder that cannot be listed.
+struct UnreadableFolder {
+    QString path;
+    Error error;
+};
+
+struct Listing {
+    std::vector<ListedFile> files; ///< by path
+    std::vector<UnreadableFolder> unreadable;
+};
+
+/// The test files and PDFs in these folders and below, also through symbolic links, each folder once however
+/// many links lead to it; a file among `places` is listed itself. Hidden ones are left out.
+[[nodiscard]] Listing listFiles(const QStringList &places, const std::stop_token &stop = {});
+
+/// Whether a path is one of these places or below one.
+[[nodiscard]] bool isBelow(const QString &path, const QStringList &places);
+
+/// Absolute, without "." and "..", and without a slash at the end.
+[[nodiscard]] QString cleanPath(const QString &path);
+
+} // namespace palmer

@@ -1,0 +1,393 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "app/runcli.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+#include <random>
+#include <sys/resource.h>
+
+using palmer::testdata::CliResult;
+using palmer::testdata::runCli;
+
+namespace {
+
+QByteArray contents(const QString &name) {
+    QFile file(name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
+}
+
+void write(const QString &name, const QByteArray &bytes) {
+    QFile file(name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("cannot write %s", qPrintable(name));
+}
+
+std::vector<QJsonObject> objects(const QByteArray &lines) {
+    std::vector<QJsonObject> result;
+    for (const QByteArray &line : lines.split('\n')) {
+        if (!line.isEmpty())
+            result.push_back(QJsonDocument::fromJson(line).object());
+    }
+    return result;
+}
+
+} // namespace
+
+/// palmer-cli register, as its users call it, over files that the script of the benchmarks makes.
+class RegisterCommandTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QProcess script;
+        script.start("python3", {QStringLiteral(SOURCE "/tests/benchmarks/registerfiles.py"), files(),
+                                 "--files", "240", "--machines", "6", "--circles"});
+        QVERIFY(script.waitForFinished(120'000));
+        QCOMPARE(script.exitCode(), 0);
+    }
+    void init() {
+        m_dir = std::make_unique<QTemporaryDir>();
+        m_register = m_dir->filePath("register.sqlite");
+    }
+
+    void scanListTrend();
+    void whatIsListed_data();
+    void whatIsListed();
+    void wrongUsage_data();
+    void wrongUsage();
+    void speaksFrench();
+    void aReportIsAPlaceOfItsTest();
+    void killedItGoesOn();
+    void aFullDiskLosesNothing();
+    void theHistoryIsPrinted();
+    void aPictureOfATrend_data();
+    void aPictureOfATrend();
+    void theUsersRegisterStandsInHisData();
+    void nothingIsWrittenIntoFiles();
+
+private:
+    QString files() const { return m_files.filePath("files"); }
+    CliResult reg(const QStringList &words) const {
+        return runCli(QStringList{"register"} + words + QStringList{"--register", m_register});
+    }
+    void scan() const { QCOMPARE(reg({"scan", files()}).code, 0); }
+
+    QTemporaryDir m_files;
+    std::unique_ptr<QTemporaryDir> m_dir;
+    QString m_register;
+};
+
+void RegisterCommandTest::scanListTrend() {
+    const CliResult first = reg({"scan", files()});
+    QCOMPARE(first.err, QByteArray());
+    QCOMPARE(first.code, 0);
+    QCOMPARE(first.out,
+             QByteArray("Files: 240, of them read now: 240, unreadable: 0, not found: 0. In the register: 6 "
+                        "machines, 240 tests.\n"));
+    const auto again = objects(reg({"scan", files(), "--json"}).out);
+    QCOMPARE(again.front()["read"].toInt(), 0);
+    QCOMPARE(again.front()["tests"].toInt(), 240);
+
+    const auto list = objects(reg({"list", "--json"}).out);
+    QCOMPARE(list.size(), std::size_t{240});
+    // The same numbers as the command evaluate gives for the file.
+    const QJsonObject test = list[100];
+    const auto evaluated = objects(runCli({"evaluate", "--json-lines", test["file"].toString()}).out).front();
+    const QJsonObject there = evaluated["tests"].toArray().at(test["test"].toInt() - 1).toObject();
+    for (const char *key :
+         {"title", "kind", "edition", "axis", "plane", "date", "accordance", "inAccordance", "verdict",
+          "limits", "role", "purpose", "correctionTo20", "decisionRule", "unmet"})
+        QVERIFY2(test[key] == there[key], key);
+    const QJsonArray parameters = test["parameters"].toArray();
+    QCOMPARE(parameters.size(), there["parameters"].toArray().size());
+    for (qsizetype i = 0; i < parameters.size(); ++i) {
+        const QJsonObject mine = parameters[i].toObject();
+        const QJsonObject its = there["parameters"].toArray()[i].toObject();
+        for (const char *key :
+             {"id", "value", "unit", "expandedUncertainty", "limit", "guardBand", "verdict"})
+            QVERIFY2(mine[key] == its[key], key);
+    }
+
+    const auto trends =
+        objects(reg({"trend", "--machine", "machine 001", "--axis", "X", "--parameter", "A", "--json"}).out);
+    QCOMPARE(trends.size(), std::size_t{1});
+    const QJsonObject trend = trends.front();
+    QCOMPARE(trend["parameter"].toString(), QString("A"));
+    QCOMPARE(trend["unit"].toString(), QString("mm"));
+    QCOMPARE(trend["machine"].toObject()["serialNumber"].toString(), QString("000-001"));
+    int points = 0;
+    for (const auto &series : trend["series"].toArray())
+        points += static_cast<int>(series.toObject()["points"].toArray().size());
+    QCOMPARE(points, 10);
+    const QByteArray table = reg({"trend", "--machine", "000-001", "--axis", "X", "-o", "-"}).out;
+    QVERIFY(table.contains("Machine 001: trend of A, axis or plane X"));
+    const QString csv = m_dir->filePath("trend.csv");
+    QCOMPARE(reg({"trend", "--machine", "000-001", "--axis", "X", "--parameter", "A", "-o", csv}).code, 0);
+    QCOMPARE(contents(csv).count('\n'), 11);
+    const auto anew = objects(reg({"trend", "--machine", "000-001", "--axis", "X", "--parameter", "A",
+                                   "--edition", "ISO 230-2:2006", "--json"})
+                                  .out);
+    QCOMPARE(anew.front()["series"].toArray().size(), 1);
+}
+
+void RegisterCommandTest::whatIsListed_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<int>("count");
+    QTest::newRow("all") << QStringList{} << 240;
+    QTest::newRow("a machine by its name") << QStringList{"--machine", "machine 002"} << 40;
+    QTest::newRow("by its serial number") << QStringList{"--machine", "000002"} << 40;
+    QTest::newRow("by its maker") << QStringList{"--machine", "maker b"} << 80;
+    QTest::newRow("none of that name") << QStringList{"--machine", "machine 999"} << 0;
+    QTest::newRow("an axis") << QStringList{"--axis", "x"} << 60;
+    QTest::newRow("a plane") << QStringList{"--axis", "XY"} << 60;
+    QTest::newRow("a kind") << QStringList{"--kind", "circular"} << 60;
+    QTest::newRow("another kind") << QStringList{"--kind", "drift"} << 0;
+    QTest::newRow("until the first day") << QStringList{"--until", "2018-11-20"} << 24;
+    QTest::newRow("until the day before") << QStringList{"--until", "2018-11-19"} << 0;
+    QTest::newRow("since the last day") << QStringList{"--since", "2026-11-18"} << 24;
+    QTest::newRow("since the day after") << QStringList{"--since", "2026-11-19"} << 0;
+    QTest::newRow("words") << QStringList{"--text", "aftercollision 001"} << 4;
+    QTest::newRow("due without an interval, certificates later") << QStringList{"--due", "2026-12-01"} << 0;
+    QTest::newRow("certificates, on the newest test of each machine")
+        << QStringList{"--due", "2028-12-31"} << 6;
+}
+
+void RegisterCommandTest::whatIsListed() {
+    QFETCH(QStringList, options);
+    QFETCH(int, count);
+    scan();
+    const CliResult json = reg(QStringList{"list", "--json"} + options);
+    QCOMPARE(json.code, 0);
+    QCOMPARE(json.out.count('\n'), count);
+    const CliResult csv = reg(QStringList{"list", "--csv"} + options);
+    QVERIFY(csv.out.startsWith("file,test,machine,"));
+    QCOMPARE(csv.out.count('\n') > 1, count > 0);
+    const CliResult text = reg(QStringList{"list"} + options);
+    QCOMPARE(text.code, 0);
+    QCOMPARE(text.out.isEmpty(), count == 0);
+}
+
+void RegisterCommandTest::wrongUsage_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("nothing") << QStringList{} << QByteArray("needs a file");
+    QTest::newRow("unknown part") << QStringList{"look"} << QByteArray("scan, list, trend");
+    QTest::newRow("no folder") << QStringList{"scan"} << QByteArray("needs a folder");
+    QTest::newRow("an option of another part")
+        << QStringList{"scan", "/", "--csv"}
+        << QByteArray("unknown option --csv of the command register scan");
+    QTest::newRow("a file too many") << QStringList{"list", "x"} << QByteArray("takes no file");
+    QTest::newRow("no day") << QStringList{"list", "--since", "2026-02-30"} << QByteArray("--since");
+    QTest::newRow("a short day") << QStringList{"list", "--until", "2026-2-3"} << QByteArray("--until");
+    QTest::newRow("no kind") << QStringList{"list", "--kind", "round"} << QByteArray("--kind");
+    QTest::newRow("no verdict") << QStringList{"list", "--verdict", "good"} << QByteArray("--verdict");
+    QTest::newRow("no interval") << QStringList{"list", "--interval", "0.5"} << QByteArray("--interval");
+    QTest::newRow("two forms") << QStringList{"list", "--csv", "--json"} << QByteArray("do not go together");
+    QTest::newRow("trend of no machine")
+        << QStringList{"trend", "--axis", "X"} << QByteArray("needs --machine");
+    QTest::newRow("trend of no axis")
+        << QStringList{"trend", "--machine", "001"} << QByteArray("needs --axis");
+    QTest::newRow("unknown machine") << QStringList{"trend", "--machine", "nowhere", "--axis", "X"}
+                                     << QByteArray("no machine of the register");
+    QTest::newRow("several machines")
+        << QStringList{"trend", "--machine", "maker", "--axis", "X"} << QByteArray("machines are called");
+    QTest::newRow("unknown axis") << QStringList{"trend", "--machine", "000-001", "--axis", "W"}
+                                  << QByteArray("no test of W");
+    QTest::newRow("unknown parameter")
+        << QStringList{"trend", "--machine", "000-001", "--axis", "X", "--parameter", "Q"}
+        << QByteArray("they have: A, E, R, M, B");
+    QTest::newRow("unknown edition") << QStringList{"trend", "--machine", "000-001", "--axis",
+                                                    "X",     "--edition", "Q"}
+                                     << QByteArray("edition");
+    QTest::newRow("a picture of another ending")
+        << QStringList{"trend", "--machine", "000-001", "--axis", "X", "-o", "t.doc"}
+        << QByteArray("-o OUT.");
+}
+
+void RegisterCommandTest::wrongUsage() {
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, said);
+    scan();
+    const CliResult result = reg(words);
+    QCOMPARE(result.code, 2);
+    QVERIFY2(result.err.contains(said), result.err.constData());
+    QCOMPARE(result.err.count('\n'), 1);
+    QCOMPARE(result.out, QByteArray());
+}
+
+void RegisterCommandTest::speaksFrench() {
+    const QString broken = m_dir->filePath("broken");
+    QDir().mkpath(broken);
+    write(broken + "/x.palmer", "{");
+    const CliResult result = reg({"scan", broken, "--language", "fr"});
+    QCOMPARE(result.code, 3);
+    QVERIFY2(result.out.contains("illisibles"), result.out.constData());
+    QCOMPARE(result.err.count('\n'), 1);
+    QVERIFY(result.err.contains("x.palmer"));
+    const CliResult list = reg({"list", "--files", "--language", "fr"});
+    QVERIFY(list.out.startsWith(broken.toUtf8() + "/x.palmer: "));
+    const CliResult help = runCli({"register", "--help", "--language", "fr"});
+    QCOMPARE(help.code, 0);
+    QVERIFY(help.out.contains("registre"));
+}
+
+void RegisterCommandTest::aReportIsAPlaceOfItsTest() {
+    const QString folder = m_dir->filePath("one");
+    QDir().mkpath(folder);
+    const QString test =
+        objects((scan(), reg({"list", "--json", "--axis", "X"})).out).front()["file"].toString();
+    QVERIFY(QFile::copy(test, folder + "/a.palmer"));
+    QCOMPARE(runCli({"report", folder + "/a.palmer", "--language", "fr", "-o", folder + "/a.pdf"}).code & ~1,
+             0);
+    QVERIFY(QFile::copy(folder + "/a.pdf", folder + "/b.pdf"));
+    m_register = m_dir->filePath("other.sqlite");
+    QCOMPARE(reg({"scan", folder}).code, 0);
+    const auto list = objects(reg({"list", "--json"}).out);
+    QCOMPARE(list.size(), std::size_t{1});
+    QCOMPARE(list.front()["places"].toArray().size(), 3);
+}
+
+/// Ended at any time, the register is whole, and the next scan completes it.
+void RegisterCommandTest::killedItGoesOn() {
+    scan();
+    const QByteArray whole = reg({"list", "--json"}).out;
+    const QString first = m_register;
+    m_register = m_dir->filePath("killed.sqlite");
+    std::mt19937 random(3);
+    constexpr int times = 50;
+    for (int i = 0; i < times; ++i) {
+        if (i % 10 == 0) { // from the beginning again
+            for (const char *ending : {"", "-wal", "-shm"})
+                QFile::remove(m_register + ending);
+        }
+        QProcess process;
+        process.start(PALMER_CLI, {"register", "scan", files(), "--register", m_register});
+        process.waitForStarted();
+        QTest::qSleep(static_cast<int>(random() % 400));
+        ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
+        process.waitForFinished();
+        if (QFile::exists(m_register))
+            QCOMPARE(reg({"list", "--json"}).code, 0);
+    }
+    QCOMPARE(reg({"scan", files()}).code, 0);
+    QCOMPARE(reg({"list", "--json"}).out, whole);
+}
+
+void RegisterCommandTest::aFullDiskLosesNothing() {
+    scan();
+    const QByteArray before = reg({"list", "--json"}).out;
+    const QString folder = m_dir->filePath("more");
+    QDir().mkpath(folder);
+    for (int i = 0; i < 40; ++i) {
+        QByteArray copy = contents(files() + "/machine 001/2018-11-20 X.palmer");
+        copy.replace("000-001", "100-" + QByteArray::number(i));
+        write(folder + '/' + QString::number(i) + ".palmer", copy);
+    }
+    QProcess process;
+    const auto limit = static_cast<rlim_t>(QFileInfo(m_register).size());
+    process.setChildProcessModifier([limit] {
+        const rlimit most{limit, limit};
+        ::setrlimit(RLIMIT_FSIZE, &most);
+    });
+    process.start(PALMER_CLI, {"register", "scan", folder, "--register", m_register});
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    if (process.exitCode() != 0) { // what fits into the log may be written
+        QCOMPARE(process.exitCode(), 3);
+        QCOMPARE(process.readAllStandardError().count('\n'), 1);
+    }
+    QVERIFY(reg({"list", "--json"}).out.size() >= before.size());
+    QCOMPARE(reg({"scan", folder}).code, 0);
+    QCOMPARE(reg({"list", "--json"}).out.count('\n'), 280);
+}
+
+void RegisterCommandTest::theHistoryIsPrinted() {
+    scan();
+    const QString pdf = m_dir->filePath("history.pdf");
+    QCOMPARE(reg({"report", "--machine", "000-001", "--language", "fr,en", "-o", pdf}).code, 0);
+    struct Expected {
+        const char *language;
+        std::vector<QByteArray> words;
+    };
+    for (const Expected &one :
+         {Expected{"fr",
+                   {"Historique : Machine 001", "À surveiller d’abord", "Campagnes", "pas avant", "X 10"}},
+          Expected{"en", {"History of Machine 001", "To watch first", "Campaigns", "not before", "X 10"}}}) {
+        QProcess text;
+        text.start("pdftotext", {m_dir->filePath("history.") + one.language + ".pdf", "-"});
+        QVERIFY(text.waitForFinished(60'000));
+        const QByteArray words = text.readAllStandardOutput().replace("\u00A0", " ");
+        for (const QByteArray &word : one.words)
+            QVERIFY2(words.contains(word), word + "\n" + words);
+    }
+    // The same register gives the same bytes.
+    const QByteArray first = contents(m_dir->filePath("history.fr.pdf"));
+    QCOMPARE(reg({"report", "--machine", "000-001", "--language", "fr", "-o", pdf}).code, 0);
+    QCOMPARE(contents(pdf), first);
+}
+
+void RegisterCommandTest::aPictureOfATrend_data() {
+    QTest::addColumn<QString>("ending");
+    QTest::addColumn<QByteArray>("begins");
+    QTest::newRow("svg") << "svg" << QByteArray("<?xml");
+    QTest::newRow("png") << "png" << QByteArray("\x89PNG");
+    QTest::newRow("pdf") << "pdf" << QByteArray("%PDF");
+}
+
+void RegisterCommandTest::aPictureOfATrend() {
+    QFETCH(QString, ending);
+    QFETCH(QByteArray, begins);
+    scan();
+    const QString file = m_dir->filePath("trend.") + ending;
+    QCOMPARE(reg({"trend", "--machine", "000-001", "--axis", "X", "--parameter", "A", "-o", file}).code, 0);
+    QVERIFY(contents(file).startsWith(begins));
+    const CliResult several = reg({"trend", "--machine", "000-001", "--axis", "X", "-o", file});
+    QCOMPARE(several.code, 2);
+    QVERIFY(several.err.contains("one parameter"));
+}
+
+void RegisterCommandTest::theUsersRegisterStandsInHisData() {
+    const std::map<QString, QString> home{{"XDG_DATA_HOME", m_dir->filePath("data")}};
+    QCOMPARE(runCli({"register", "scan", files()}, {}, home).code, 0);
+    QVERIFY(QFile::exists(m_dir->filePath("data/palmer/register.sqlite")));
+    QCOMPARE(runCli({"register", "list", "--json", "--axis", "X"}, {}, home).out.count('\n'), 60);
+    for (const char *part : {"list", "trend", "report"}) {
+        const CliResult none = runCli({"register", part, "--machine", "1", "--axis", "X", "-o", "x.pdf"}, {},
+                                      {{"XDG_DATA_HOME", m_dir->filePath("nothing")}});
+        QCOMPARE(none.code, part == QByteArray("trend") ? 3 : 2); // list takes no -o, report no --axis
+    }
+    const CliResult none = runCli({"register", "list"}, {}, {{"XDG_DATA_HOME", m_dir->filePath("nothing")}});
+    QCOMPARE(none.code, 3);
+    QVERIFY(none.err.contains("no register yet"));
+    QVERIFY(!QFile::exists(m_dir->filePath("nothing")));
+    // What is no register is left as it is.
+    const QString letter = m_dir->filePath("letter.txt");
+    write(letter, "dear reader\n");
+    const CliResult refused = runCli({"register", "scan", files(), "--register", letter});
+    QCOMPARE(refused.code, 3);
+    QVERIFY(refused.err.contains("no register"));
+    QCOMPARE(contents(letter), QByteArray("dear reader\n"));
+}
+
+void RegisterCommandTest::nothingIsWrittenIntoFiles() {
+    const QString file = files() + "/machine 001/2018-11-20 X.palmer";
+    const QByteArray before = contents(file);
+    const QDateTime time = QFileInfo(file).lastModified();
+    const qsizetype entries = QDir(files() + "/machine 001").entryList(QDir::Files | QDir::Hidden).size();
+    scan();
+    (void)reg({"trend", "--machine", "000-001", "--axis", "X", "--edition", "ISO 230-2:2006"});
+    QCOMPARE(contents(file), before);
+    QCOMPARE(QFileInfo(file).lastModified(), time);
+    QCOMPARE(QDir(files() + "/machine 001").entryList(QDir::Files | QDir::Hidden).size(), entries);
+}
+
+QTEST_GUILESS_MAIN(RegisterCommandTest)
+#include "registercommandtest.moc"

@@ -1,0 +1,331 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "register/machinetrend.h"
+#include "core/register/registerdata.h"
+#include "register/due.h"
+#include "register/reevaluate.h"
+#include "register/trendoutput.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace palmer;
+using palmer::testdata::fileOf;
+using palmer::testdata::Sample;
+using palmer::testdata::writeFile;
+
+namespace {
+
+/// A test as the register lists it, without a file.
+ListedTest made(const std::string &date, double value, Purpose purpose = Purpose::periodic,
+                TestRole role = TestRole::asFound) {
+    static int next = 0;
+    ListedTest listed;
+    listed.id = ++next;
+    listed.places = {{QString("/files/%1.palmer").arg(next), 1, "read"}};
+    RegisteredTest &test = listed.test;
+    test.digest = QString::number(next);
+    test.fingerprint = test.digest;
+    test.axis = "X";
+    test.edition = "ISO 230-2:2014";
+    test.date = date;
+    test.feed = 6000;
+    test.travel = 1000;
+    test.purpose = purpose;
+    test.role = role;
+    test.parts = {{"device LSR-1/C-1;", 0.0004}};
+    RegisteredResult result;
+    result.id = "A";
+    result.value = value / 1000;
+    result.expandedUncertainty = 0.001;
+    result.limit = 0.016;
+    result.own = 0.0003;
+    result.shared = 1;
+    test.results = {result};
+    return listed;
+}
+
+/// Six tests from a repair on, as in the picture of the window.
+std::vector<ListedTest> sinceRepair() {
+    return {made("2023-05-16", 9.9),
+            made("2023-11-21", 10.6),
+            made("2024-02-13", 19.3, Purpose::afterCollision),
+            made("2024-04-16", 9.4, Purpose::afterRepair, TestRole::asLeft),
+            made("2024-11-19", 10.5),
+            made("2025-05-20", 10.7),
+            made("2025-11-18", 11.8),
+            made("2026-05-19", 12.0),
+            made("2026-11-17", 12.9)};
+}
+
+std::vector<InterventionKind> kindsOf(const MachineTrend &trend) {
+    std::vector<InterventionKind> kinds;
+    for (const Intervention &intervention : trend.interventions)
+        kinds.push_back(intervention.kind);
+    return kinds;
+}
+
+using Kinds = std::vector<InterventionKind>;
+
+} // namespace
+
+class MachineTrendTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theLineBeginsWithTheLastIntervention() {
+        const MachineTrend trend = machineTrend(sinceRepair(), "A");
+        QCOMPARE(trend.series.size(), std::size_t{1});
+        QCOMPARE(trend.series.front().entries.size(), std::size_t{9});
+        QVERIFY(kindsOf(trend) == (Kinds{InterventionKind::collision, InterventionKind::repair}));
+        QVERIFY(trend.interventions.back().fromFoundToLeft);
+        QCOMPARE(trend.since, std::string("2024-04-16"));
+        QCOMPARE(trend.count, std::size_t{6});
+        QVERIFY(trend.line && trend.line->isShown());
+        // Ordinary least squares: parts that all tests share do not turn the line. µm a year.
+        QVERIFY(std::abs(trend.line->slope * 1000 - 1.2913683) < 1e-6);
+        QCOMPARE(trend.notBefore.state, NotBefore::State::date);
+        const QDate day = dateOfYears(trend.notBefore.time);
+        QVERIFY2(day > QDate(2027, 6, 1) && day < QDate(2029, 1, 1), qPrintable(day.toString()));
+    }
+    void whatIsAnIntervention_data() {
+        QTest::addColumn<int>("purpose");
+        QTest::addColumn<int>("role");
+        QTest::addColumn<int>("nextPurpose");
+        QTest::addColumn<int>("nextRole");
+        QTest::addColumn<int>("kind"); ///< −1: none
+        const auto row = [](const char *name, Purpose a, TestRole ra, Purpose b, TestRole rb, int kind) {
+            QTest::newRow(name) << int(a) << int(ra) << int(b) << int(rb) << kind;
+        };
+        using P = Purpose;
+        using R = TestRole;
+        const int adjustment = int(InterventionKind::adjustment);
+        const int compensation = int(InterventionKind::compensation);
+        row("nothing", P::periodic, R::asFound, P::periodic, R::asFound, -1);
+        row("from left to found", P::periodic, R::asLeft, P::periodic, R::asFound, -1);
+        row("not stated", P::periodic, R::notStated, P::periodic, R::asLeft, -1);
+        row("from found to left", P::periodic, R::asFound, P::periodic, R::asLeft, adjustment);
+        row("a compensation", P::periodic, R::asFound, P::compensation, R::asLeft, compensation);
+        row("a compensation without role", P::periodic, R::asFound, P::compensation, R::notStated,
+            compensation);
+        row("measured for a compensation", P::compensation, R::asFound, P::periodic, R::asFound,
+            compensation);
+        row("about to be compensated", P::periodic, R::asFound, P::compensation, R::asFound, -1);
+        row("after a repair", P::periodic, R::asFound, P::afterRepair, R::asFound,
+            int(InterventionKind::repair));
+        row("after a collision", P::periodic, R::asLeft, P::afterCollision, R::asFound,
+            int(InterventionKind::collision));
+    }
+    void whatIsAnIntervention() {
+        QFETCH(int, purpose);
+        QFETCH(int, role);
+        QFETCH(int, nextPurpose);
+        QFETCH(int, nextRole);
+        QFETCH(int, kind);
+        const MachineTrend trend = machineTrend(
+            {made("2024-01-01", 9, static_cast<Purpose>(purpose), static_cast<TestRole>(role)),
+             made("2024-06-01", 9.5, static_cast<Purpose>(nextPurpose), static_cast<TestRole>(nextRole))},
+            "A");
+        QVERIFY(kindsOf(trend) == (kind < 0 ? Kinds{} : Kinds{static_cast<InterventionKind>(kind)}));
+    }
+    void whatIsRepeatedOnADayIsOneIntervention() {
+        const MachineTrend trend = machineTrend(
+            {made("2024-01-01", 9), made("2024-02-01", 9, Purpose::afterRepair, TestRole::asLeft),
+             made("2024-02-01", 9.1, Purpose::afterRepair, TestRole::asLeft)},
+            "A");
+        QCOMPARE(trend.interventions.size(), std::size_t{1});
+        QCOMPARE(trend.count, std::size_t{2});
+    }
+    void whatCannotBeComparedIsAnotherSeries_data() {
+        QTest::addColumn<int>("what");
+        QTest::addColumn<QString>("name");
+        QTest::newRow("the same") << 0 << "";
+        QTest::newRow("edition") << 1 << "ISO 230-2:1988";
+        QTest::newRow("feed") << 2 << "feed 500\u00A0mm/min";
+        QTest::newRow("no feed") << 3 << "no feed stated";
+        QTest::newRow("travel within the tolerance") << 4 << "";
+        QTest::newRow("travel beyond it") << 5 << "travel or radius 979\u00A0mm";
+        QTest::newRow("correction") << 6 << "correction to 20 °C: not applied";
+        QTest::newRow("cycle") << 7 << "step cycle";
+    }
+    void whatCannotBeComparedIsAnotherSeries() {
+        QFETCH(int, what);
+        QFETCH(QString, name);
+        ListedTest older = made("2020-01-01", 9);
+        RegisteredTest &test = older.test;
+        switch (what) {
+        case 1:
+            test.edition = "ISO 230-2:1988";
+            break;
+        case 2:
+            test.feed = 500;
+            break;
+        case 3:
+            test.feed.reset();
+            break;
+        case 4:
+            test.travel = 981;
+            break;
+        case 5:
+            test.travel = 979;
+            break;
+        case 6:
+            test.correction = CorrectionTo20::notApplied;
+            break;
+        case 7:
+            test.setUp = "step";
+            break;
+        default:
+            break;
+        }
+        const MachineTrend trend = machineTrend({older, made("2021-01-01", 9.2)}, "A");
+        QCOMPARE(trend.series.size(), name.isEmpty() ? std::size_t{1} : std::size_t{2});
+        QCOMPARE(seriesName(trend.series.back(), false, Language(Language::Id::english)), name);
+        QCOMPARE(trend.series.front().entries.back().date, std::string("2021-01-01"));
+    }
+    void ofTheSameReadingsTheNewestCounts() {
+        ListedTest older = made("2020-01-01", 9);
+        ListedTest newer = made("2020-01-01", 9.5);
+        newer.test.fingerprint = older.test.fingerprint;
+        const MachineTrend trend = machineTrend({older, newer}, "A");
+        QCOMPARE(trend.series.front().entries.size(), std::size_t{1});
+        QCOMPARE(*trend.series.front().entries.front().result.value, 0.0095);
+        QCOMPARE(trend.sameReadings, 1);
+    }
+    void testsWithoutDateAreCounted() {
+        ListedTest undated = made("2020-01-01", 9);
+        undated.test.date.reset();
+        const MachineTrend trend = machineTrend({undated, made("2021-01-01", 9)}, "A");
+        QCOMPARE(trend.withoutDate, 1);
+        QCOMPARE(trend.series.front().entries.size(), std::size_t{1});
+    }
+    void threeTestsHaveNoLine() {
+        auto tests = sinceRepair();
+        tests.erase(tests.begin() + 6, tests.end());
+        const MachineTrend trend = machineTrend(tests, "A");
+        QCOMPARE(trend.count, std::size_t{3});
+        QVERIFY(!trend.line);
+        QVERIFY(trendJson({}, "X", trend).contains("\"line\": null"));
+        QVERIFY(machineTrend({}, "A").series.empty());
+        QVERIFY(machineTrend(sinceRepair(), "B").series.empty());
+    }
+    /// Where conformity has to be proven, the limit is nearer by g; without U nothing is said.
+    void theGuardBandBringsTheLimitNearer() {
+        auto tests = sinceRepair();
+        const auto before = machineTrend(tests, "A").notBefore;
+        tests.back().test.rule = Rule::iso14253_1;
+        tests.back().test.results.front().guardBand = 0.001;
+        const auto proven = machineTrend(tests, "A").notBefore;
+        QCOMPARE(proven.state, NotBefore::State::date);
+        QVERIFY(proven.time < before.time - 0.3);
+        tests.back().test.results.front().guardBand.reset();
+        QCOMPARE(machineTrend(tests, "A").notBefore.state, NotBefore::State::noLimit);
+        tests.back().test.rule = Rule::rejectionProven;
+        tests.back().test.results.front().guardBand = 0.001;
+        QCOMPARE(machineTrend(tests, "A").notBefore.time, before.time);
+    }
+    void boundsLookUpAndDown_data() {
+        QTest::addColumn<int>("bound");
+        QTest::addColumn<double>("sign");
+        QTest::addColumn<double>("limit");
+        QTest::addColumn<bool>("reached");
+        QTest::newRow("magnitude of growing values") << int(Bound::magnitude) << 1.0 << 0.016 << true;
+        QTest::newRow("magnitude of falling values") << int(Bound::magnitude) << -1.0 << 0.016 << true;
+        QTest::newRow("upper limit, falling values") << int(Bound::upper) << -1.0 << 0.016 << false;
+        QTest::newRow("lower limit, falling values") << int(Bound::lower) << -1.0 << -0.016 << true;
+        QTest::newRow("lower limit, growing values") << int(Bound::lower) << 1.0 << -0.016 << false;
+    }
+    void boundsLookUpAndDown() {
+        QFETCH(int, bound);
+        QFETCH(double, sign);
+        QFETCH(double, limit);
+        QFETCH(bool, reached);
+        auto tests = sinceRepair();
+        for (ListedTest &test : tests) {
+            RegisteredResult &result = test.test.results.front();
+            result.value = sign * *result.value;
+            result.limit = limit;
+            result.bound = static_cast<Bound>(bound);
+        }
+        QCOMPARE(machineTrend(tests, "A").notBefore.state,
+                 reached ? NotBefore::State::date : NotBefore::State::beyond);
+    }
+    void dueDates() {
+        QTemporaryDir dir;
+        const auto add = [&](const char *name, const char *date, const char *purpose) {
+            Sample sample;
+            sample.date = date;
+            sample.purpose = purpose;
+            writeFile(dir.filePath(name), fileOf(sample));
+        };
+        add("a.palmer", "2025-08-31", "periodic");
+        add("b.palmer", "2025-12-01", "afterRepair");
+        Register reg(dir.filePath("register.sqlite"));
+        (void)scan(reg, {dir.path()});
+        const auto all = machines(reg.database());
+        auto list = tests(reg.database(), {});
+        (void)markDue(reg.database(), all, list);
+        QVERIFY(!list[0].due && !list[1].due);
+        QCOMPARE(*list[1].certificateDue, std::string("2027-01-31"));
+        setInterval(reg.database(), all.front().id, 6);
+        const auto set = machines(reg.database());
+        (void)markDue(reg.database(), set, list);
+        QCOMPARE(*list[0].due, std::string("2026-02-28")); // half a year later has no 31st
+        const auto quick = palmer::dueDates(reg.database(), set);
+        QCOMPARE(quick.at(all.front().id).test, std::optional(QDate(2026, 2, 28)));
+        QCOMPARE(quick.at(all.front().id).certificate, std::optional(QDate(2027, 1, 31)));
+    }
+    /// Under one edition all tests are one series, and what their files no longer hold is left out.
+    void evaluatedAnewUnderOneEdition() {
+        QTemporaryDir dir;
+        for (int i = 0; i < 5; ++i) {
+            Sample sample;
+            sample.date = "202" + std::to_string(i) + "-01-01";
+            sample.level = 9 + 0.5 * i;
+            sample.edition = i < 3 ? "ISO 230-2:1988" : "ISO 230-2:2014";
+            writeFile(dir.filePath(QString("%1.palmer").arg(i)), fileOf(sample));
+        }
+        Register reg(dir.filePath("register.sqlite"));
+        (void)scan(reg, {dir.path()});
+        auto list = tests(reg.database(), {});
+        QCOMPARE(machineTrend(list, "A").series.size(), std::size_t{2});
+        QVERIFY(!machineTrend(list, "A").line);
+        QCOMPARE(reevaluate(list, *findEdition("ISO 230-2:2014")).size(), std::size_t{0});
+        const MachineTrend trend = machineTrend(list, "A");
+        QCOMPARE(trend.series.size(), std::size_t{1});
+        QVERIFY(trend.line);
+        QFile::remove(dir.filePath("1.palmer"));
+        QCOMPARE(reevaluate(list, *findEdition("ISO 230-2:2006")).size(), std::size_t{1});
+        QCOMPARE(list.size(), std::size_t{4});
+    }
+    void statesAreThoseOfTheNewestTests() {
+        QTemporaryDir dir;
+        const auto add = [&](const char *name, const char *axis, const char *date, double level) {
+            Sample sample;
+            sample.axis = axis;
+            sample.date = date;
+            sample.level = level;
+            writeFile(dir.filePath(name), fileOf(sample));
+        };
+        add("a.palmer", "X", "2025-01-01", 30);
+        add("b.palmer", "X", "2026-01-01", 5);
+        add("c.palmer", "Y", "2024-01-01", 30);
+        Register reg(dir.filePath("register.sqlite"));
+        (void)scan(reg, {dir.path()});
+        const auto states = axisStates(reg.database());
+        QCOMPARE(states.size(), std::size_t{1});
+        const auto &axes = states.begin()->second;
+        QCOMPARE(axes.size(), std::size_t{2});
+        QCOMPARE(axes[0].axis, QString("X"));
+        QCOMPARE(axes[0].verdict, std::optional(Verdict::conforms));
+        QCOMPARE(axes[1].verdict, std::optional(Verdict::doesNotConform));
+    }
+    void aDayLiesWhereItIs() {
+        for (const QDate day :
+             {QDate(1999, 12, 31), QDate(2000, 2, 29), QDate(2026, 11, 17), QDate(2100, 3, 1)})
+            QCOMPARE(dateOfYears(yearsOf(day)), day);
+    }
+};
+
+QTEST_GUILESS_MAIN(MachineTrendTest)
+#include "machinetrend.moc"

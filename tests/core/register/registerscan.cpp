@@ -1,0 +1,549 @@
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "core/register/registerdata.h"
+#include "register/storedsentence.h"
+
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QTemporaryDir>
+#include <QTest>
+#include <random>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace palmer;
+using palmer::testdata::fileOf;
+using palmer::testdata::listed;
+using palmer::testdata::Sample;
+using palmer::testdata::writeFile;
+
+namespace {
+
+QByteArray contents(const QString &path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
+}
+
+QString sentenceOf(const Error &error) {
+    return Language(Language::Id::english).sentence(error.message);
+}
+
+/// What opening a register says; empty: nothing is wrong.
+QString refusal(const QString &path, Register::Open open = Register::Open::keep) {
+    try {
+        Register reg(path, open);
+        return {};
+    } catch (const Error &error) {
+        return sentenceOf(error);
+    }
+}
+
+} // namespace
+
+class RegisterScanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_dir = std::make_unique<QTemporaryDir>();
+        m_folder = m_dir->filePath("files");
+        QDir().mkpath(m_folder);
+        m_path = m_dir->filePath("register.sqlite");
+    }
+
+    void aTestIsKeptWhole();
+    void onlyWhatHasChangedIsRead();
+    void aCopyIsASecondPlace();
+    void otherFieldsAreAnotherTest();
+    void whatVanishedStaysUntilPruned();
+    void brokenFilesAreListedAndChangeNothing();
+    void aFolderWithoutPermission();
+    void aMissingFolderTakesNothingAway();
+    void linksThatLeadBack();
+    void namesAreData_data();
+    void namesAreData();
+    void textsAreData();
+    void rebuiltItSaysTheSame();
+    void randomFoldersAgreeWithTheirTruth();
+    void machinesAreToldApart();
+    void foreignFilesAreLeftAsTheyAre_data();
+    void foreignFilesAreLeftAsTheyAre();
+    void aNewerSchemaIsRefused();
+    void anIntervalSurvivesARebuild();
+    void anotherProgramHoldsTheLock();
+    void stoppedItGoesOnLater();
+    void simulationsComeAfterTheScan();
+
+private:
+    QString file(const QString &name) const { return m_folder + '/' + name; }
+
+    std::unique_ptr<QTemporaryDir> m_dir;
+    QString m_folder;
+    QString m_path;
+};
+
+void RegisterScanTest::aTestIsKeptWhole() {
+    Sample sample;
+    writeFile(file("a.palmer"), fileOf(sample));
+    Register reg(m_path);
+    const ScanResult result = scan(reg, {m_folder});
+    QCOMPARE(result.files, 1);
+    QCOMPARE(result.read, 1);
+    QCOMPARE(result.tests, 1);
+    QCOMPARE(result.machines, 1);
+    TestFilter filter;
+    filter.withCurves = true;
+    const auto list = tests(reg.database(), filter);
+    QCOMPARE(list.size(), std::size_t{1});
+    // What comes out is what went in, to the last bit.
+    const auto document = std::make_shared<const Document>(readDocument(fileOf(sample)));
+    RegisteredTest expected = registeredTests(evaluate(document), "Palmer " PALMER_VERSION).front();
+    QVERIFY(expected.results.size() > 8);
+    QVERIFY(expected.results.front().own > 0 && expected.results.front().shared != 0);
+    QCOMPARE(list.front().test.results.size(), expected.results.size());
+    QVERIFY(list.front().test == expected);
+    QCOMPARE(list.front().places.size(), std::size_t{1});
+    QCOMPARE(list.front().places.front().path, file("a.palmer"));
+    QCOMPARE(list.front().places.front().test, 1);
+    // The parts make up U again: u² = r² + Σc².
+    for (const RegisteredResult &one : list.front().test.results) {
+        double squares = one.own * one.own;
+        for (std::size_t i = 0; i < expected.parts.size(); ++i) {
+            if (one.shared >> i & 1U)
+                squares += std::pow(expected.parts[i].u * one.sharedFactor, 2);
+        }
+        const double u = *one.expandedUncertainty / 2;
+        QVERIFY2(std::abs(std::sqrt(squares) - u) <= 1e-12 * u, one.id.c_str());
+    }
+}
+
+void RegisterScanTest::onlyWhatHasChangedIsRead() {
+    writeFile(file("a.palmer"), fileOf({}));
+    Sample other;
+    other.axis = "Y";
+    writeFile(file("b.palmer"), fileOf(other));
+    const QDateTime before = QDateTime::currentDateTime().addDays(-2);
+    for (const char *name : {"a.palmer", "b.palmer"}) {
+        QFile old(file(name));
+        QVERIFY(old.open(QIODevice::ReadWrite));
+        QVERIFY(old.setFileTime(before, QFileDevice::FileModificationTime));
+    }
+    Register reg(m_path);
+    QCOMPARE(scan(reg, {m_folder}).read, 2);
+    QCOMPARE(scan(reg, {m_folder}).read, 0);
+    const QByteArray list = listed(reg.database());
+    // Touched, with the same bytes: not read again as another.
+    QFile touched(file("a.palmer"));
+    QVERIFY(touched.open(QIODevice::ReadWrite));
+    QVERIFY(touched.setFileTime(before.addDays(1), QFileDevice::FileModificationTime));
+    touched.close();
+    QCOMPARE(scan(reg, {m_folder}).read, 0);
+    QCOMPARE(listed(reg.database()), list);
+    // Other bytes of the same size, written within the same second.
+    Sample changed;
+    changed.level = 9.5;
+    for (const char *remarks : {"a", "b", "c"}) {
+        changed.remarks = remarks;
+        writeFile(file("a.palmer"), fileOf(changed));
+        QCOMPARE(scan(reg, {m_folder}).read, 1);
+    }
+    QCOMPARE(tests(reg.database(), {}).size(), std::size_t{2});
+    QVERIFY(listed(reg.database()) != list);
+}
+
+void RegisterScanTest::aCopyIsASecondPlace() {
+    writeFile(file("a.palmer"), fileOf({}));
+    writeFile(file("below/copy.palmer"), fileOf({}));
+    Register reg(m_path);
+    const ScanResult result = scan(reg, {m_folder});
+    QCOMPARE(result.files, 2);
+    QCOMPARE(result.tests, 1);
+    const auto list = tests(reg.database(), {});
+    QCOMPARE(list.front().places.size(), std::size_t{2});
+    QFile::remove(file("a.palmer"));
+    (void)scan(reg, {m_folder}, {.prune = true});
+    QCOMPARE(tests(reg.database(), {}).front().places.front().path, file("below/copy.palmer"));
+}
+
+void RegisterScanTest::otherFieldsAreAnotherTest() {
+    Sample sample;
+    writeFile(file("a.palmer"), fileOf(sample));
+    sample.remarks = "the same readings";
+    writeFile(file("b.palmer"), fileOf(sample));
+    sample.remarks.clear();
+    sample.serial = "000-018";
+    writeFile(file("c.palmer"), fileOf(sample));
+    Register reg(m_path);
+    QCOMPARE(scan(reg, {m_folder}).tests, 3);
+    const auto list = tests(reg.database(), {});
+    QCOMPARE(list[0].test.fingerprint, list[1].test.fingerprint);
+    QVERIFY(list[0].test.digest != list[1].test.digest);
+}
+
+void RegisterScanTest::whatVanishedStaysUntilPruned() {
+    writeFile(file("a.palmer"), fileOf({}));
+    Register reg(m_path);
+    (void)scan(reg, {m_folder});
+    QFile::remove(file("a.palmer"));
+    const ScanResult gone = scan(reg, {m_folder});
+    QCOMPARE(gone.notFound, 1);
+    QCOMPARE(gone.tests, 1);
+    QCOMPARE(tests(reg.database(), {}).front().places.front().state, QString("notFound"));
+    QCOMPARE(troubledSources(reg.database()).size(), std::size_t{1});
+    // It comes back.
+    writeFile(file("a.palmer"), fileOf({}));
+    QCOMPARE(scan(reg, {m_folder}).notFound, 0);
+    QCOMPARE(tests(reg.database(), {}).front().places.front().state, QString("read"));
+    QFile::remove(file("a.palmer"));
+    const ScanResult pruned = scan(reg, {m_folder}, {.prune = true});
+    QCOMPARE(pruned.pruned, 1);
+    QCOMPARE(pruned.tests, 0);
+    QCOMPARE(machines(reg.database()).size(), std::size_t{0});
+    QCOMPARE(listed(reg.database()), QByteArray());
+}
+
+void RegisterScanTest::brokenFilesAreListedAndChangeNothing() {
+    const QByteArray whole = fileOf({});
+    writeFile(file("whole.palmer"), whole);
+    writeFile(file("empty.palmer"), {});
+    writeFile(file("half.palmer"), whole.first(whole.size() / 2));
+    writeFile(file("text.palmer"), "no JSON at all");
+    writeFile(file("newer.palmer"), QByteArray(whole).replace("\"version\": 2", "\"version\": 99"));
+    writeFile(file("cut.pdf"), "%PDF-1.7\n1 0 obj");
+    writeFile(file("notes.txt"), "not looked at");
+    QDir().mkpath(file("folder.palmer"));
+    QFile::link("/dev/zero", file("endless.palmer"));
+    QFile::link(file("nowhere"), file("broken link.palmer"));
+    Register reg(m_path);
+    const ScanResult result = scan(reg, {m_folder});
+    QCOMPARE(result.tests, 1);
+    QStringList broken;
+    for (const Unreadable &one : result.unreadable)
+        broken << QFileInfo(one.path).fileName();
+    QCOMPARE(broken, (QStringList{"cut.pdf", "empty.palmer", "endless.palmer", "half.palmer", "newer.palmer",
+                                  "text.palmer"}));
+    for (const Unreadable &one : result.unreadable) {
+        const QString sentence = sentenceFrom(one.error, Language(Language::Id::french));
+        QVERIFY2(sentence.size() > 10, qPrintable(sentence));
+        QVERIFY(sentence != sentenceFrom(one.error, Language(Language::Id::english)));
+    }
+    // The same again from what the register keeps.
+    const ScanResult again = scan(reg, {m_folder});
+    QCOMPARE(again.unreadable.size(), std::size_t{6});
+    QCOMPARE(again.read, 0);
+    QCOMPARE(troubledSources(reg.database()).size(), std::size_t{6});
+    // Mended.
+    writeFile(file("half.palmer"), whole);
+    QCOMPARE(scan(reg, {m_folder}).unreadable.size(), std::size_t{5});
+}
+
+void RegisterScanTest::aFolderWithoutPermission() {
+    constexpr uid_t nobody = 65534;
+    const bool isRoot = ::geteuid() == 0; // who may read any folder: as somebody else then
+    writeFile(file("closed/a.palmer"), fileOf({}));
+    for (const QString &path : {m_dir->path(), m_folder})
+        ::chmod(QFile::encodeName(path).constData(), 0777);
+    ScanResult result;
+    {
+        if (isRoot)
+            QCOMPARE(::seteuid(nobody), 0);
+        Register reg(m_path);
+        QCOMPARE(scan(reg, {m_folder}).tests, 1);
+        if (isRoot)
+            QCOMPARE(::seteuid(0), 0);
+        ::chmod(QFile::encodeName(file("closed")).constData(), 0);
+        if (isRoot)
+            QCOMPARE(::seteuid(nobody), 0);
+        result = scan(reg, {m_folder});
+    }
+    if (isRoot)
+        QCOMPARE(::seteuid(0), 0);
+    ::chmod(QFile::encodeName(file("closed")).constData(), 0755);
+    QCOMPARE(result.unreadable.size(), std::size_t{1});
+    QCOMPARE(result.notFound, 0); // nobody knows
+    QCOMPARE(result.tests, 1);
+}
+
+void RegisterScanTest::aMissingFolderTakesNothingAway() {
+    writeFile(file("a.palmer"), fileOf({}));
+    Register reg(m_path);
+    (void)scan(reg, {m_folder});
+    QVERIFY(QDir().rename(m_folder, m_folder + " elsewhere")); // as a share that is not mounted
+    const ScanResult result = scan(reg, {m_folder}, {.prune = true});
+    QCOMPARE(result.unreadable.size(), std::size_t{1});
+    QCOMPARE(result.pruned, 0);
+    QCOMPARE(result.tests, 1);
+}
+
+void RegisterScanTest::linksThatLeadBack() {
+    writeFile(file("a/one.palmer"), fileOf({}));
+    QFile::link(m_folder, file("a/up"));
+    QFile::link(file("a"), file("a/self"));
+    QFile::link(file("loop"), file("loop"));
+    QDir().mkpath(m_dir->filePath("elsewhere"));
+    Sample other;
+    other.axis = "Y";
+    writeFile(m_dir->filePath("elsewhere/two.palmer"), fileOf(other));
+    QFile::link(m_dir->filePath("elsewhere"), file("linked"));
+    Register reg(m_path);
+    const ScanResult result = scan(reg, {m_folder});
+    QCOMPARE(result.files, 2);
+    QCOMPARE(result.tests, 2);
+}
+
+void RegisterScanTest::namesAreData_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("apostrophe") << "l'essai.palmer";
+    QTest::newRow("quotation marks") << "\"A\".palmer";
+    QTest::newRow("line breaks") << "two\nlines\r.palmer";
+    QTest::newRow("a statement") << "'); drop table test; --.palmer";
+    QTest::newRow("a place of a value") << "?1 :name %1 %2.palmer";
+    QTest::newRow("other scripts") << "機械 Ω é\u0301 \U0001F600.palmer";
+    QTest::newRow("backslash") << "a\\b.palmer";
+    QTest::newRow("capitals") << "A.PALMER";
+}
+
+void RegisterScanTest::namesAreData() {
+    QFETCH(QString, name);
+    writeFile(file(name), fileOf({}));
+    Register reg(m_path);
+    QCOMPARE(scan(reg, {m_folder}).tests, 1);
+    QCOMPARE(tests(reg.database(), {}).front().places.front().path, file(name));
+    QCOMPARE(scan(reg, {m_folder}).tests, 1);
+    QFile::remove(file(name));
+    QCOMPARE(scan(reg, {m_folder}, {.prune = true}).tests, 0);
+}
+
+void RegisterScanTest::textsAreData() {
+    Sample sample;
+    sample.machine = "M'); drop table test; --";
+    sample.serial = "1' or '1'='1";
+    writeFile(file("a.palmer"), fileOf(sample));
+    Register reg(m_path);
+    (void)scan(reg, {m_folder});
+    const auto all = machines(reg.database());
+    QCOMPARE(all.size(), std::size_t{1});
+    QCOMPARE(all.front().name, QString("M'); drop table test; --"));
+    QCOMPARE(machinesCalled(all, "' or 2=2 --").size(), std::size_t{0});
+    TestFilter filter;
+    filter.since = "' or '1'='1";
+    QCOMPARE(tests(reg.database(), filter).size(), std::size_t{1}); // "2024…" stands behind "'"
+    filter.since = "9";
+    QCOMPARE(tests(reg.database(), filter).size(), std::size_t{0});
+}
+
+void RegisterScanTest::rebuiltItSaysTheSame() {
+    for (int i = 0; i < 30; ++i) {
+        Sample sample;
+        sample.level = 8 + 0.1 * i;
+        sample.serial = "000-0" + std::to_string(i % 3);
+        sample.machine = i % 2 ? "Called so" : "and later so";
+        sample.date = "20" + std::to_string(10 + i % 12) + "-03-0" + std::to_string(1 + i % 9);
+        writeFile(file(QString("%1.palmer").arg(i)), fileOf(sample));
+    }
+    writeFile(file("copy.palmer"), contents(file("3.palmer")));
+    QByteArray first;
+    {
+        Register reg(m_path);
+        (void)scan(reg, {m_folder}, {.jobs = 1});
+        first = listed(reg.database());
+    }
+    QCOMPARE(first.count('\n'), 30);
+    {
+        Register reg(m_path, Register::Open::rebuild);
+        QCOMPARE(listed(reg.database()), QByteArray());
+        (void)scan(reg, {m_folder}, {.jobs = 4});
+        QCOMPARE(listed(reg.database()), first);
+    }
+    for (const char *ending : {"", "-wal", "-shm"})
+        QFile::remove(m_path + ending);
+    // In two steps, the second half first.
+    Register reg(m_path);
+    for (int i = 15; i < 30; ++i)
+        (void)scan(reg, {file(QString("%1.palmer").arg(i))});
+    (void)scan(reg, {m_folder});
+    QCOMPARE(listed(reg.database()), first);
+}
+
+/// Files are written, changed, copied, moved and removed at random; after each scan the register says what
+/// the folder holds, and what one made anew says.
+void RegisterScanTest::randomFoldersAgreeWithTheirTruth() {
+    std::mt19937 random(11);
+    std::map<QString, QByteArray> truth;
+    Register reg(m_path);
+    for (int step = 0; step < 25; ++step) {
+        for (int change = 0; change < 4; ++change) {
+            const QString name = file(QString("%1/%2.palmer").arg(random() % 3).arg(random() % 6));
+            Sample sample;
+            sample.level = 5 + static_cast<double>(random() % 100) / 10;
+            sample.axis = std::string(1, static_cast<char>('X' + random() % 3));
+            switch (random() % 4) {
+            case 0:
+                QFile::remove(name);
+                truth.erase(name);
+                break;
+            case 1:
+                if (!truth.empty()) {
+                    const QByteArray copy = truth.begin()->second;
+                    writeFile(name, copy);
+                    truth[name] = copy;
+                }
+                break;
+            default:
+                writeFile(name, fileOf(sample));
+                truth[name] = fileOf(sample);
+            }
+        }
+        const ScanResult result = scan(reg, {m_folder}, {.prune = true});
+        std::set<QByteArray> different;
+        for (const auto &[name, bytes] : truth)
+            different.insert(bytes);
+        QCOMPARE(result.tests, static_cast<int>(different.size()));
+        QCOMPARE(result.files, static_cast<int>(truth.size()));
+        std::size_t places = 0;
+        for (const ListedTest &test : tests(reg.database(), {}))
+            places += test.places.size();
+        QCOMPARE(places, truth.size());
+    }
+    const QString anew = m_dir->filePath("anew.sqlite");
+    Register other(anew);
+    (void)scan(other, {m_folder});
+    QCOMPARE(listed(other.database()), listed(reg.database()));
+}
+
+void RegisterScanTest::machinesAreToldApart() {
+    const auto add = [this](const char *name, const std::string &maker, const std::string &serial,
+                            const std::string &date) {
+        Sample sample;
+        sample.machine = std::string("Machine ") + name;
+        sample.maker = maker;
+        sample.serial = serial;
+        sample.date = date;
+        writeFile(file(QString("%1.palmer").arg(name)), fileOf(sample));
+    };
+    add("a", "Maker A", "000-017", "2020-01-01");
+    add("b", "MAKER-A", "000 017.", "2021-01-01"); // the same, called anew
+    add("c", "Maker B", "000-017", "2021-01-01");
+    add("d", "Maker A", "", "2021-01-01");
+    add("e", "Maker A", " - ", "2021-01-01"); // no serial number either
+    Register reg(m_path);
+    (void)scan(reg, {m_folder});
+    const auto all = machines(reg.database());
+    QCOMPARE(all.size(), std::size_t{3});
+    QCOMPARE(all[0].title(), QString("Machine b")); // as in its newest test
+    QCOMPARE(all[1].title(), QString("Machine c"));
+    QVERIFY(all[0].isIdentified && all[1].isIdentified && !all[2].isIdentified);
+    QCOMPARE(machinesCalled(all, "000017").size(), std::size_t{2});
+    QCOMPARE(machinesCalled(all, "machine B").size(), std::size_t{1});
+    QCOMPARE(machinesCalled(all, "maker").size(), std::size_t{3});
+    // Without its newest test it is called as before.
+    QFile::remove(file("b.palmer"));
+    (void)scan(reg, {m_folder}, {.prune = true});
+    QCOMPARE(machines(reg.database())[0].title(), QString("Machine a"));
+}
+
+void RegisterScanTest::foreignFilesAreLeftAsTheyAre_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("a text") << QByteArray("this is my only copy\n");
+    QTest::newRow("a test file") << fileOf({});
+    QTest::newRow("the head of a database and rubbish") << QByteArray("SQLite format 3\0rubbish", 23);
+    QTest::newRow("a database of something else") << QByteArray("database");
+}
+
+void RegisterScanTest::foreignFilesAreLeftAsTheyAre() {
+    QFETCH(QByteArray, bytes);
+    if (bytes == "database") {
+        QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "other");
+        other.setDatabaseName(m_path);
+        QVERIFY(other.open());
+        QVERIFY(QSqlQuery(other).exec("create table letters (id integer)"));
+        other = {};
+        QSqlDatabase::removeDatabase("other");
+    } else {
+        writeFile(m_path, bytes);
+    }
+    const QByteArray before = contents(m_path);
+    QVERIFY(refusal(m_path).contains("is no register"));
+    QVERIFY(refusal(m_path, Register::Open::rebuild).contains("is no register"));
+    QCOMPARE(contents(m_path), before);
+    QVERIFY(!QFile::exists(m_path + "-wal"));
+}
+
+void RegisterScanTest::aNewerSchemaIsRefused() {
+    writeFile(file("a.palmer"), fileOf({}));
+    {
+        Register reg(m_path);
+        (void)scan(reg, {m_folder});
+        reg.database().execute("update register set value = '99' where name = 'schema'");
+        reg.database().execute("create table comes_later (id integer)");
+    }
+    QVERIFY(refusal(m_path).contains("newer version"));
+    QCOMPARE(refusal(m_path, Register::Open::rebuild), QString());
+    Register reg(m_path);
+    QCOMPARE(scan(reg, {m_folder}).tests, 1);
+}
+
+void RegisterScanTest::anIntervalSurvivesARebuild() {
+    writeFile(file("a.palmer"), fileOf({}));
+    {
+        Register reg(m_path);
+        (void)scan(reg, {m_folder});
+        setInterval(reg.database(), machines(reg.database()).front().id, 6);
+    }
+    Register reg(m_path, Register::Open::rebuild);
+    (void)scan(reg, {m_folder});
+    QCOMPARE(machines(reg.database()).front().months, std::optional(6));
+}
+
+void RegisterScanTest::anotherProgramHoldsTheLock() {
+    writeFile(file("a.palmer"), fileOf({}));
+    Register holder(m_path);
+    Register reg(m_path);
+    Transaction transaction(holder.database());
+    QString said;
+    try {
+        (void)scan(reg, {m_folder});
+    } catch (const Error &error) {
+        said = sentenceOf(error);
+    }
+    QVERIFY2(said.contains("locked by another program"), qPrintable(said));
+    transaction.commit();
+    QCOMPARE(scan(reg, {m_folder}).tests, 1);
+}
+
+void RegisterScanTest::stoppedItGoesOnLater() {
+    for (int i = 0; i < 20; ++i) {
+        Sample sample;
+        sample.level = 5 + i;
+        writeFile(file(QString("%1.palmer").arg(i)), fileOf(sample));
+    }
+    std::stop_source stop;
+    stop.request_stop();
+    Register reg(m_path);
+    QVERIFY(scan(reg, {m_folder}, {.stop = stop.get_token()}).stopped);
+    QCOMPARE(scan(reg, {m_folder}).tests, 20);
+}
+
+void RegisterScanTest::simulationsComeAfterTheScan() {
+    Sample sample;
+    sample.uncertainty.replace(sample.uncertainty.find("budget"), 6, "monteCarlo");
+    writeFile(file("a.palmer"), fileOf(sample));
+    Register reg(m_path);
+    bool simulated = false;
+    (void)scan(reg, {m_folder}, {.progress = [&](const ScanProgress &progress) {
+                   simulated = simulated || progress.simulating;
+               }});
+    QVERIFY(simulated);
+    const RegisteredTest test = tests(reg.database(), {}).front().test;
+    QVERIFY(!test.awaitsSimulation);
+    QVERIFY(test.results.front().expandedUncertainty);
+    QVERIFY(!test.results.front().k);
+    simulated = false;
+    (void)scan(reg, {m_folder}, {.progress = [&](const ScanProgress &progress) {
+                   simulated = simulated || progress.simulating;
+               }});
+    QVERIFY(!simulated);
+}
+
+QTEST_GUILESS_MAIN(RegisterScanTest)
+#include "registerscan.moc"

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "ui/figures/drawfigure.h"
+
+namespace palmer::ui {
+
+/// Draws a row of small trends, or one alone with its names and legend. `area` in points.
+FigureTransform drawTrendFigure(QPainter &painter, const QRectF &area, const TrendFigure &figure,
+                                Medium medium);
+
+} // namespace palmer::ui

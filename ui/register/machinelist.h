@@ -1,0 +1,69 @@
+#pragma once
+
+#include "register/due.h"
+#include "register/queries.h"
+
+#include <QAbstractListModel>
+#include <QStyledItemDelegate>
+#include <map>
+#include <vector>
+
+namespace palmer::ui {
+
+/// A machine as the list shows it.
+struct MachineRow {
+    ListedMachine machine;
+    std::vector<AxisState> axes;
+    MachineDue due;
+
+    /// Days until something is to be done for it; null: nothing is due within the warning time.
+    [[nodiscard]] std::optional<int> daysToTest(const QDate &today) const;
+    [[nodiscard]] std::optional<int> daysToCertificate(const QDate &today) const;
+    [[nodiscard]] bool isToDo(const QDate &today) const;
+};
+
+inline constexpr int warningDays = 30;
+
+/// The machines, filtered by words and by what is to be done.
+class MachineModel : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    using QAbstractListModel::QAbstractListModel;
+
+    enum Role { idRole = Qt::UserRole + 1 };
+
+    void setRows(std::vector<MachineRow> rows);
+    void setFilter(const QString &words, bool onlyToDo);
+    [[nodiscard]] const MachineRow &row(int index) const {
+        return m_all[m_shown[static_cast<std::size_t>(index)]];
+    }
+    [[nodiscard]] int rowOf(int machine) const; ///< −1: not shown
+    [[nodiscard]] int toDoCount() const;
+    [[nodiscard]] int machineCount() const { return static_cast<int>(m_all.size()); }
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+
+private:
+    void filter();
+
+    std::vector<MachineRow> m_all;
+    std::vector<std::size_t> m_shown;
+    QString m_words;
+    bool m_onlyToDo = false;
+};
+
+/// Draws a machine: its name, the marks of its axes, what is due.
+class MachineDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,49 @@
+#include "ui/register/openregister.h"
+
+#include "ui/register/registerservice.h"
+#include "ui/register/registerwindow.h"
+#include "ui/window/mainwindow.h"
+
+#include <QApplication>
+#include <QPointer>
+
+namespace palmer::ui {
+
+namespace {
+
+/// In a window that is there, or a new one where all were closed.
+void openFromRegister(const QString &path) {
+    for (QWidget *widget : QApplication::topLevelWidgets()) {
+        if (auto *window = qobject_cast<MainWindow *>(widget)) {
+            window->openFile(path);
+            return;
+        }
+    }
+    auto *window = new MainWindow; // deletes itself when it is closed
+    window->show();
+    window->openFile(path);
+}
+
+} // namespace
+
+void showRegister() {
+    static QPointer<RegisterWindow> window;
+    if (!window) {
+        window = new RegisterWindow(RegisterService::instance());
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        QObject::connect(window, &RegisterWindow::openAsked, window, &openFromRegister);
+    }
+    window->show();
+    window->raise();
+    window->activateWindow();
+}
+
+void startRegister() {
+    (void)RegisterService::instance();
+}
+
+void noteSavedFile(const QString &path) {
+    RegisterService::instance().fileSaved(path);
+}
+
+} // namespace palmer::ui

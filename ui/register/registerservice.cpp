@@ -1,0 +1,144 @@
+#include "ui/register/registerservice.h"
+
+#include "register/register.h"
+#include "register/walk.h"
+#include "ui/windowlanguage.h"
+
+#include <QApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QDirIterator>
+#include <QSettings>
+
+namespace palmer::ui {
+
+namespace {
+
+const QString foldersKey = QStringLiteral("register/folders");
+constexpr int soon = 1500;       ///< ms: changes come in swarms
+constexpr int later = 120'000;   ///< ms, without any sign of a change
+constexpr int mostWatched = 400; ///< folders; the rest is scanned after the pause
+
+struct Scanned {
+    ScanResult result;
+    QString trouble;
+    QStringList folders; ///< to be watched
+};
+
+QStringList watchable(const QStringList &folders, const std::stop_token &stop) {
+    QStringList result = folders;
+    for (const QString &folder : folders) {
+        QDirIterator walk(folder, QDir::Dirs | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
+        while (walk.hasNext() && result.size() < mostWatched && !stop.stop_requested())
+            result << walk.next();
+    }
+    return result;
+}
+
+} // namespace
+
+RegisterService &RegisterService::instance() {
+    static RegisterService *service = [] {
+        auto *made =
+            new RegisterService(Register::standardPath(), QSettings().value(foldersKey).toStringList(), qApp);
+        made->m_keepsFolders = true;
+        return made;
+    }();
+    return *service;
+}
+
+RegisterService::RegisterService(QString address, QStringList folders, QObject *parent)
+    : QObject(parent)
+    , m_address(std::move(address))
+    , m_folders(std::move(folders)) {
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(soon);
+    m_later.setInterval(later);
+    connect(&m_soon, &QTimer::timeout, this, &RegisterService::rescan);
+    connect(&m_later, &QTimer::timeout, this, &RegisterService::rescan);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, [this] { m_soon.start(); });
+    if (!m_folders.isEmpty()) {
+        m_later.start();
+        m_soon.start(0);
+    }
+}
+
+RegisterService::~RegisterService() = default;
+
+void RegisterService::setFolders(const QStringList &folders) {
+    m_folders.clear();
+    for (const QString &folder : folders)
+        m_folders << cleanPath(folder);
+    m_folders.removeDuplicates();
+    if (m_keepsFolders)
+        QSettings().setValue(foldersKey, m_folders);
+    m_lane.cancel();
+    if (m_folders.isEmpty())
+        m_later.stop();
+    else
+        m_later.start();
+    rescan();
+}
+
+void RegisterService::rescan() {
+    if (!m_folders.isEmpty() && !m_lane.isBusy())
+        start(m_folders, true);
+    else if (!m_folders.isEmpty())
+        m_soon.start();
+    emit stateChanged();
+}
+
+void RegisterService::fileSaved(const QString &path) {
+    if (isBelow(cleanPath(path), m_folders))
+        start({path}, false);
+}
+
+void RegisterService::start(const QStringList &places, bool isWhole) {
+    m_lane.start(
+        [this, address = m_address, places, isWhole,
+         language = windowLanguage()](const Background::Job &job) {
+            Scanned done;
+            try {
+                Register reg(address);
+                ScanOptions options;
+                options.stop = job.stop();
+                options.progress = [&](const ScanProgress &progress) {
+                    job.tell([this, progress] { emit progressed(progress.done, progress.total); });
+                };
+                done.result = scan(reg, places, options);
+            } catch (const Error &error) {
+                done.trouble = language.sentence(error.message);
+            }
+            if (isWhole)
+                done.folders = watchable(places, job.stop());
+            return done;
+        },
+        [this, isWhole](Scanned done) {
+            m_trouble = done.trouble;
+            const bool hasChanged = done.result.read > 0 || done.result.notFound != m_result.notFound ||
+                                    done.result.unreadable.size() != m_result.unreadable.size() ||
+                                    done.result.tests != m_result.tests;
+            if (isWhole && done.trouble.isEmpty()) {
+                m_result = std::move(done.result);
+                m_scannedAt = QDateTime::currentDateTime();
+                watch(done.folders);
+            }
+            if (hasChanged)
+                emit changed();
+            emit stateChanged();
+        });
+    emit stateChanged();
+}
+
+void RegisterService::watch(const QStringList &folders) {
+    const QStringList before = m_watcher.directories();
+    QStringList fresh;
+    for (const QString &folder : folders) {
+        if (!before.contains(folder))
+            fresh << folder;
+    }
+    if (!fresh.isEmpty())
+        m_watcher.addPaths(fresh);
+}
+
+} // namespace palmer::ui

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "register/scan.h"
+#include "ui/model/background.h"
+
+#include <QDateTime>
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+
+namespace palmer::ui {
+
+/// Keeps the register of the user at what his folders hold while the program runs: scans them at the start,
+/// when something in them changes, after a pause in any case (a share tells nothing of what others write),
+/// and what is saved at once. One for all windows; everything is done beside them.
+class RegisterService : public QObject {
+    Q_OBJECT
+
+public:
+    /// Made when it is first asked for; scans at once where folders are chosen.
+    static RegisterService &instance();
+    /// Of a test: with a register and folders of its own.
+    RegisterService(QString address, QStringList folders, QObject *parent = nullptr);
+    ~RegisterService() override;
+
+    [[nodiscard]] const QString &address() const { return m_address; }
+    [[nodiscard]] const QStringList &folders() const { return m_folders; }
+    void setFolders(const QStringList &folders);
+
+    [[nodiscard]] bool isScanning() const { return m_lane.isBusy(); }
+    [[nodiscard]] const ScanResult &result() const { return m_result; } ///< of the last scan of all folders
+    [[nodiscard]] const QString &trouble() const { return m_trouble; }  ///< of the register; empty: none
+    [[nodiscard]] const QDateTime &scannedAt() const { return m_scannedAt; }
+
+    void rescan();
+    /// Brings one file up to date, wherever it stands below the folders.
+    void fileSaved(const QString &path);
+
+signals:
+    void changed(); ///< the content of the register
+    void stateChanged();
+    void progressed(int done, int total);
+
+private:
+    void start(const QStringList &places, bool isWhole);
+    void watch(const QStringList &folders);
+
+    QString m_address;
+    QStringList m_folders;
+    bool m_keepsFolders = false;
+    ScanResult m_result;
+    QString m_trouble;
+    QDateTime m_scannedAt;
+    QFileSystemWatcher m_watcher;
+    QTimer m_soon;
+    QTimer m_later;
+    Background m_lane;
+};
+
+} // namespace palmer::ui

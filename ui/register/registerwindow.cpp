@@ -1,0 +1,1103 @@
+#include "ui/register/registerwindow.h"
+
+#include "document/filewords.h"
+#include "document/savedocument.h"
+#include "export/resultsjson.h"
+#include "register/history.h"
+#include "register/listing.h"
+#include "register/reevaluate.h"
+#include "register/register.h"
+#include "register/storedsentence.h"
+#include "register/trendfigure.h"
+#include "register/trendoutput.h"
+#include "report/accordancetext.h"
+#include "report/wording.h"
+#include "ui/figures/exportfigure.h"
+#include "ui/pdf/writepdf.h"
+#include "ui/register/curvechart.h"
+#include "ui/register/foldersdialog.h"
+#include "ui/register/registerservice.h"
+#include "ui/register/testtable.h"
+#include "ui/register/trendchart.h"
+#include "ui/results/chip.h"
+#include "ui/sizeonscreen.h"
+#include "ui/theme.h"
+#include "ui/window/languageswitch.h"
+#include "ui/window/thinsplitter.h"
+#include "ui/windowlanguage.h"
+
+#include <QBuffer>
+#include <QButtonGroup>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTableView>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <set>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr int menuHeight = 28;
+constexpr int toolHeight = 44;
+constexpr int listWidth = 248;
+constexpr int headHeight = 52;
+constexpr int filterHeight = 40;
+constexpr int rowHeight = 26;
+constexpr int tableHead = 28;
+constexpr int factsWidth = 256;
+constexpr int statusHeight = 27;
+constexpr int margin = 16;
+
+const QString intervalsKey = QStringLiteral("register/intervals");
+
+/// Months offered as interval; 0: none.
+constexpr std::array months{0, 1, 3, 6, 12, 18, 24, 36, 60};
+
+QLabel *made(const char *name, TextSize size) {
+    auto *label = new QLabel;
+    label->setObjectName(QString::fromLatin1(name));
+    label->setFont(themeFont(size));
+    return label;
+}
+
+struct MachinesRead {
+    std::vector<MachineRow> rows;
+    QString trouble;
+};
+
+} // namespace
+
+RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
+    : QMainWindow(parent)
+    , m_service(service) {
+    constexpr QSize usual(1280, 800);
+    setObjectName(QStringLiteral("registerWindow"));
+    setAcceptDrops(true);
+    makeActions();
+    m_stack = new QStackedWidget;
+    m_stack->addWidget(makeFirstUse());
+    auto *splitter = new ThinSplitter(Qt::Horizontal);
+    splitter->addWidget(makeLeft());
+    splitter->addWidget(makeRight());
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({listWidth, usual.width() - listWidth});
+    m_stack->addWidget(splitter);
+    setCentralWidget(m_stack);
+    m_total = new QLabel;
+    m_total->setObjectName(QStringLiteral("total"));
+    m_state = new QLabel;
+    m_state->setObjectName(QStringLiteral("scanState"));
+    m_unreadable = new QLabel;
+    m_unreadable->setObjectName(QStringLiteral("unreadable"));
+    m_progress = new QProgressBar;
+    m_progress->setMaximumWidth(140);
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    for (QWidget *one : std::initializer_list<QWidget *>{m_total, m_state, m_progress, m_unreadable})
+        statusBar()->addWidget(one);
+    statusBar()->setContentsMargins(margin, 0, margin, 0);
+    statusBar()->setFixedHeight(statusHeight);
+    statusBar()->setSizeGripEnabled(false);
+    connect(&m_service, &RegisterService::changed, this, &RegisterWindow::loadMachines);
+    connect(&m_service, &RegisterService::stateChanged, this, &RegisterWindow::showState);
+    connect(&m_service, &RegisterService::progressed, this, [this](int done, int total) {
+        m_progress->setRange(0, total);
+        m_progress->setValue(done);
+        m_progress->setVisible(done < total);
+        m_state->setText(tr("reading %1 of %2 files").arg(done).arg(total));
+    });
+    retranslate();
+    resize(sizeOnScreen(*this, usual));
+    loadMachines();
+}
+
+RegisterWindow::~RegisterWindow() = default;
+
+bool RegisterWindow::isQuiet() const {
+    return !m_machineLane.isBusy() && !m_testLane.isBusy() && !m_historyLane.isBusy() &&
+           !m_service.isScanning();
+}
+
+void RegisterWindow::makeActions() {
+    menuBar()->setFixedHeight(menuHeight);
+    m_registerMenu = menuBar()->addMenu(QString());
+    m_testMenu = menuBar()->addMenu(QString());
+    const auto action = [this](QMenu *menu, const char *name, const char *icon) {
+        auto *made = new QAction(this);
+        made->setObjectName(QString::fromLatin1(name));
+        if (icon)
+            made->setIcon(lineIcon(QString::fromLatin1(icon)));
+        menu->addAction(made);
+        return made;
+    };
+    m_foldersAction = action(m_registerMenu, "folders", "folder");
+    m_rescanAction = action(m_registerMenu, "rescan", "redo");
+    m_rescanAction->setShortcut(QKeySequence::Refresh);
+    m_registerMenu->addSeparator();
+    m_closeAction = action(m_registerMenu, "closeRegister", nullptr);
+    m_closeAction->setShortcut(QKeySequence::Close);
+    m_openAction = action(m_testMenu, "openTest", "open");
+    m_compareAction = action(m_testMenu, "compareCurves", "curves");
+    m_compareAction->setCheckable(true);
+    m_historyAction = action(m_testMenu, "history", "report");
+    auto *bar = addToolBar(QString());
+    bar->setObjectName(QStringLiteral("registerTools"));
+    bar->setMovable(false);
+    bar->setFixedHeight(toolHeight);
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->setIconSize({16, 16});
+    bar->addAction(m_foldersAction);
+    bar->addAction(m_rescanAction);
+    bar->addSeparator();
+    bar->addAction(m_openAction);
+    bar->addAction(m_compareAction);
+    bar->addSeparator();
+    bar->addAction(m_historyAction);
+    auto *space = new QWidget;
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(space);
+    bar->addWidget(new LanguageSwitch(LanguageSwitch::Names::codes));
+    connect(m_foldersAction, &QAction::triggered, this, &RegisterWindow::chooseFolders);
+    connect(m_rescanAction, &QAction::triggered, &m_service, &RegisterService::rescan);
+    connect(m_closeAction, &QAction::triggered, this, &QWidget::close);
+    connect(m_openAction, &QAction::triggered, this, &RegisterWindow::openChosen);
+    connect(m_compareAction, &QAction::toggled, this, &RegisterWindow::compareCurves);
+    connect(m_historyAction, &QAction::triggered, this, &RegisterWindow::writeHistory);
+}
+
+QWidget *RegisterWindow::makeFirstUse() {
+    auto *page = new QWidget;
+    page->setObjectName(QStringLiteral("registerFirstUse"));
+    page->setAutoFillBackground(true);
+    page->setBackgroundRole(QPalette::Base);
+    m_welcomeTitle = made("registerWelcome", TextSize::title);
+    m_welcomeTitle->setAlignment(Qt::AlignCenter);
+    QFont large = themeFont(TextSize::title);
+    large.setPixelSize(20);
+    m_welcomeTitle->setFont(large);
+    m_welcomeText = made("registerExplanation", TextSize::base);
+    m_welcomeText->setAlignment(Qt::AlignCenter);
+    m_welcomeFacts = made("registerFacts", TextSize::small);
+    m_welcomeFacts->setAlignment(Qt::AlignCenter);
+    m_welcomeButton = new QPushButton;
+    m_welcomeButton->setObjectName(QStringLiteral("chooseFolder"));
+    m_welcomeButton->setFixedSize(208, 36);
+    m_welcomeButton->setDefault(true);
+    auto *layout = new QVBoxLayout(page);
+    layout->addStretch(3);
+    layout->addWidget(m_welcomeTitle);
+    layout->addSpacing(8);
+    layout->addWidget(m_welcomeText);
+    layout->addSpacing(20);
+    layout->addWidget(m_welcomeButton, 0, Qt::AlignCenter);
+    layout->addSpacing(40);
+    layout->addWidget(m_welcomeFacts);
+    layout->addStretch(4);
+    connect(m_welcomeButton, &QPushButton::clicked, this, &RegisterWindow::addFolder);
+    return page;
+}
+
+QWidget *RegisterWindow::makeLeft() {
+    auto *side = new QWidget;
+    side->setMinimumWidth(200);
+    m_machinesTitle = made("machinesTitle", TextSize::head);
+    m_search = new QLineEdit;
+    m_search->setObjectName(QStringLiteral("machineSearch"));
+    m_search->setClearButtonEnabled(true);
+    m_all = new QToolButton;
+    m_toDo = new QToolButton;
+    m_all->setObjectName(QStringLiteral("allMachines"));
+    m_toDo->setObjectName(QStringLiteral("machinesToDo"));
+    auto *choice = new QButtonGroup(this);
+    auto *switches = new QHBoxLayout;
+    switches->setSpacing(0);
+    for (QToolButton *button : {m_all, m_toDo}) {
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        choice->addButton(button);
+        switches->addWidget(button);
+    }
+    m_all->setChecked(true);
+    m_machines = new MachineModel(this);
+    m_machineList = new QListView;
+    m_machineList->setObjectName(QStringLiteral("machines"));
+    m_machineList->setModel(m_machines);
+    m_machineList->setItemDelegate(new MachineDelegate(m_machineList));
+    m_machineList->setFrameShape(QFrame::NoFrame);
+    m_machineList->setUniformItemSizes(true);
+    m_machineList->setMouseTracking(true);
+    m_machineList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_noMachine = made("noMachine", TextSize::base);
+    m_noMachine->setWordWrap(true);
+    auto *above = new QVBoxLayout;
+    above->setContentsMargins(margin, 10, margin, 8);
+    above->addWidget(m_machinesTitle);
+    above->addWidget(m_search);
+    above->addLayout(switches);
+    above->addWidget(m_noMachine);
+    auto *layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(above);
+    layout->addWidget(m_machineList, 1);
+    const auto filter = [this] {
+        const int before = m_machine;
+        m_machines->setFilter(m_search->text(), m_toDo->isChecked());
+        const int row = m_machines->rowOf(before);
+        if (row >= 0)
+            m_machineList->setCurrentIndex(m_machines->index(row));
+    };
+    connect(m_search, &QLineEdit::textChanged, this, filter);
+    connect(choice, &QButtonGroup::buttonClicked, this, filter);
+    connect(m_machineList->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &RegisterWindow::chooseMachine);
+    return side;
+}
+
+QWidget *RegisterWindow::makeRight() {
+    auto *side = new QWidget;
+    side->setAutoFillBackground(true);
+    side->setBackgroundRole(QPalette::Base);
+    auto *head = new QWidget;
+    head->setFixedHeight(headHeight);
+    m_name = made("machineName", TextSize::title);
+    m_facts = made("machineFacts", TextSize::small);
+    m_intervalLabel = made("intervalLabel", TextSize::small);
+    m_interval = new QComboBox;
+    m_interval->setObjectName(QStringLiteral("interval"));
+    m_due = new Chip;
+    m_due->setObjectName(QStringLiteral("due"));
+    auto *names = new QVBoxLayout;
+    names->setSpacing(2);
+    names->addWidget(m_name);
+    names->addWidget(m_facts);
+    auto *row = new QHBoxLayout(head);
+    row->setContentsMargins(margin, 4, margin, 4);
+    row->addLayout(names, 1);
+    row->addWidget(m_intervalLabel);
+    row->addWidget(m_interval);
+    row->addWidget(m_due);
+    connect(m_interval, &QComboBox::activated, this, &RegisterWindow::setMonths);
+    auto *splitter = new ThinSplitter(Qt::Vertical);
+    splitter->addWidget(makeTests());
+    splitter->addWidget(makeTrend());
+    splitter->setSizes({280, 360});
+    auto *layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(head);
+    layout->addWidget(splitter, 1);
+    return side;
+}
+
+QWidget *RegisterWindow::makeTests() {
+    auto *part = new QWidget;
+    auto *filters = new QWidget;
+    filters->setFixedHeight(filterHeight);
+    auto *row = new QHBoxLayout(filters);
+    row->setContentsMargins(margin, 8, margin, 8);
+    row->setSpacing(6);
+    constexpr std::array names{"filterAxis", "filterSince",  "filterEdition",   "filterPurpose",
+                               "filterRole", "filterLimits", "filterAccordance"};
+    for (std::size_t i = 0; i < filterCount; ++i) {
+        auto *button = new QPushButton;
+        button->setObjectName(QString::fromLatin1(names.at(i)));
+        button->setMenu(new QMenu(button));
+        button->setFixedHeight(24);
+        m_filters.at(i).button = button;
+        row->addWidget(button);
+        connect(button->menu(), &QMenu::aboutToShow, this,
+                [this, i] { fillFilterMenu(static_cast<Filter>(i)); });
+    }
+    row->addStretch();
+    m_shownCount = made("shownCount", TextSize::small);
+    m_clear = new QPushButton;
+    m_clear->setObjectName(QStringLiteral("clearFilters"));
+    m_clear->setFlat(true);
+    row->addWidget(m_shownCount);
+    row->addWidget(m_clear);
+    connect(m_clear, &QPushButton::clicked, this, [this] {
+        for (FilterButton &filter : m_filters)
+            filter.chosen.clear();
+        showTests();
+    });
+    m_tests = new TestTableModel(this);
+    m_sorted = new QSortFilterProxyModel(this);
+    m_sorted->setSourceModel(m_tests);
+    m_sorted->setSortRole(TestTableModel::sortRole);
+    m_table = new QTableView;
+    m_table->setObjectName(QStringLiteral("tests"));
+    m_table->setModel(m_sorted);
+    m_table->setItemDelegate(new TestDelegate(m_table));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(TestTableModel::dateColumn, Qt::DescendingOrder);
+    m_table->setShowGrid(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_table->horizontalHeader()->setFixedHeight(tableHead);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    connect(m_table, &QTableView::doubleClicked, this, &RegisterWindow::openChosen);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &RegisterWindow::showChosen);
+    auto *layout = new QVBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(filters);
+    auto *framed = new QHBoxLayout;
+    framed->setContentsMargins(margin, 0, margin, 8);
+    framed->addWidget(m_table);
+    layout->addLayout(framed, 1);
+    return part;
+}
+
+QWidget *RegisterWindow::makeTrend() {
+    auto *part = new QWidget;
+    m_trendTitle = made("trendTitle", TextSize::head);
+    m_parameterButtons = new QButtonGroup(this);
+    m_parameterRow = new QHBoxLayout;
+    m_parameterRow->setSpacing(0);
+    m_under = new QPushButton;
+    m_under->setObjectName(QStringLiteral("evaluateUnder"));
+    m_under->setMenu(new QMenu(m_under));
+    connect(m_under->menu(), &QMenu::aboutToShow, this, [this] {
+        m_under->menu()->clear();
+        m_under->menu()->addAction(tr("Each test under its own edition"), this,
+                                   [this] { evaluateUnder({}); });
+        for (const Edition *edition : editions()) {
+            const bool fits = std::ranges::any_of(m_allTests, [&](const ListedTest &test) {
+                return test.test.kind == edition->kind &&
+                       QString::fromStdString(test.test.axis) == trendAxis();
+            });
+            if (fits)
+                m_under->menu()->addAction(
+                    QString::fromUtf8(edition->word), this,
+                    [this, word = std::string(edition->word)] { evaluateUnder(word); });
+        }
+    });
+    auto *copy = new QToolButton;
+    copy->setObjectName(QStringLiteral("copyTrend"));
+    copy->setIcon(lineIcon(QStringLiteral("copy")));
+    copy->setAutoRaise(true);
+    copy->setToolTip(tr("Copy the chart"));
+    copy->setAccessibleName(tr("Copy the chart"));
+    connect(copy, &QToolButton::clicked, this, [this] {
+        if (!m_trend->panel().values.empty())
+            QGuiApplication::clipboard()->setPixmap(m_trend->grab());
+    });
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_trendTitle);
+    head->addStretch();
+    head->addLayout(m_parameterRow);
+    head->addWidget(m_under);
+    head->addWidget(copy);
+    m_trend = new TrendChart;
+    m_legend = made("trendLegend", TextSize::tiny);
+    m_legend->setAlignment(Qt::AlignCenter);
+    m_legend->setSizePolicy(QSizePolicy::Ignored,
+                            QSizePolicy::Preferred); // the list of machines keeps its width
+    auto *left = new QWidget;
+    auto *leftLayout = new QVBoxLayout(left);
+    leftLayout->setContentsMargins(margin, 8, 8, 8);
+    leftLayout->addLayout(head);
+    leftLayout->addWidget(m_trend, 1);
+    leftLayout->addWidget(m_legend);
+    m_factsColumn = new QWidget;
+    m_factsColumn->setFixedWidth(factsWidth);
+    m_statement = made("trendFacts", TextSize::base);
+    m_statement->setWordWrap(true);
+    m_statement->setTextFormat(Qt::RichText);
+    m_statement->setAlignment(Qt::AlignTop);
+    m_statement->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto *facts = new QVBoxLayout(m_factsColumn);
+    facts->setContentsMargins(margin, 12, margin, 8);
+    facts->addWidget(m_statement, 1);
+    m_comparison = new CurveComparison;
+    m_comparison->hide();
+    connect(m_comparison, &CurveComparison::closed, this, [this] { m_compareAction->setChecked(false); });
+    connect(m_trend, &TrendChart::testChosen, this, &RegisterWindow::chooseByDigest);
+    auto *layout = new QHBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(left, 3);
+    layout->addWidget(m_factsColumn);
+    layout->addWidget(m_comparison, 3);
+    return part;
+}
+
+void RegisterWindow::changeEvent(QEvent *event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+void RegisterWindow::retranslate() {
+    setWindowTitle(tr("Register") + QStringLiteral(" – Palmer"));
+    m_registerMenu->setTitle(tr("&Register"));
+    m_testMenu->setTitle(tr("&Test"));
+    m_foldersAction->setText(tr("&Folders…"));
+    m_rescanAction->setText(tr("&Rescan"));
+    m_closeAction->setText(tr("&Close"));
+    m_openAction->setText(tr("&Open test"));
+    m_compareAction->setText(tr("&Compare curves"));
+    m_historyAction->setText(tr("&History report…"));
+    m_search->setPlaceholderText(tr("Machine, serial number, type"));
+    m_search->setAccessibleName(tr("Search machines"));
+    m_machineList->setAccessibleName(tr("Machines"));
+    m_table->setAccessibleName(tr("Tests"));
+    m_intervalLabel->setText(tr("Interval"));
+    m_interval->setAccessibleName(tr("Interval"));
+    m_clear->setText(tr("Clear filters"));
+    m_under->setText(tr("Evaluate all under…"));
+    m_welcomeTitle->setText(tr("All tests of all your machines, over the years"));
+    m_welcomeText->setText(
+        tr("Name the folder in which the tests are kept. Palmer reads the .palmer files in it\n"
+           "and the PDF reports that contain them, and sorts them by machine."));
+    m_welcomeButton->setText(tr("Choose a folder…"));
+    m_welcomeFacts->setText(
+        tr("or drop a folder into the window\n\nNothing is changed: your files stay the only "
+           "record. Folders below are included. The index can be made anew at any time."));
+    {
+        const QSignalBlocker blocker(m_interval);
+        const int before = m_interval->currentIndex();
+        m_interval->clear();
+        for (const int count : months)
+            m_interval->addItem(count == 0 ? tr("none") : tr("%n month(s)", nullptr, count), count);
+        m_interval->setCurrentIndex(std::max(before, 0));
+    }
+    QStringList legend;
+    for (const QString &text : trendLegend(windowLanguage()))
+        legend << text;
+    constexpr std::array signs{"○ ", "● ", "□ ", "━ ", "▬ ", "┊ "};
+    for (qsizetype i = 0; i < legend.size(); ++i)
+        legend[i].prepend(QString::fromUtf8(signs.at(static_cast<std::size_t>(i))));
+    m_legend->setText(legend.join(QStringLiteral("     ")));
+    m_tests->retranslate();
+    showHead();
+    showTests();
+    showState();
+}
+
+void RegisterWindow::setFolders(const QStringList &folders) {
+    m_service.setFolders(folders);
+    showState();
+    loadMachines();
+}
+
+void RegisterWindow::loadMachines() {
+    m_machineLane.cancel();
+    const bool isThere = isServerAddress(m_service.address()) || QFileInfo::exists(m_service.address());
+    if (!isThere) {
+        takeMachines({});
+        return;
+    }
+    m_machineLane.start(
+        [address = m_service.address(), language = windowLanguage(),
+         kept = QSettings().value(intervalsKey).toMap()](const Background::Job &) {
+            MachinesRead read;
+            try {
+                Register reg(address);
+                std::vector<ListedMachine> list = machines(reg.database());
+                for (ListedMachine &machine : list) { // an index made anew knows no intervals
+                    const auto months = kept.constFind(machine.identity);
+                    if (machine.months || months == kept.constEnd())
+                        continue;
+                    machine.months = months->toInt();
+                    setInterval(reg.database(), machine.id, machine.months);
+                }
+                const auto due = dueDates(reg.database(), list);
+                const auto states = axisStates(reg.database());
+                for (ListedMachine &machine : list) {
+                    MachineRow row;
+                    const int id = machine.id;
+                    row.machine = std::move(machine);
+                    if (const auto found = due.find(id); found != due.end())
+                        row.due = found->second;
+                    if (const auto found = states.find(id); found != states.end())
+                        row.axes = found->second;
+                    read.rows.push_back(std::move(row));
+                }
+            } catch (const Error &error) {
+                read.trouble = language.sentence(error.message);
+            }
+            return read;
+        },
+        [this](MachinesRead read) {
+            if (!read.trouble.isEmpty())
+                m_state->setText(read.trouble);
+            takeMachines(std::move(read.rows));
+        });
+}
+
+void RegisterWindow::takeMachines(std::vector<MachineRow> rows) {
+    QString identity = m_identities[m_machine];
+    m_identities.clear();
+    for (const MachineRow &row : rows)
+        m_identities.emplace(row.machine.id, row.machine.identity);
+    const QSignalBlocker blocker(m_machineList->selectionModel());
+    m_machines->setRows(std::move(rows));
+    m_machine = 0;
+    for (const auto &[id, known] : m_identities) {
+        if (known == identity)
+            m_machine = id;
+    }
+    int row = m_machines->rowOf(m_machine);
+    if (row < 0 && m_machines->rowCount() > 0)
+        row = 0;
+    m_machine = row < 0 ? 0 : m_machines->row(row).machine.id;
+    if (row >= 0)
+        m_machineList->selectionModel()->setCurrentIndex(m_machines->index(row),
+                                                         QItemSelectionModel::ClearAndSelect);
+    m_machineList->viewport()->update();
+    showState();
+    loadTests();
+}
+
+void RegisterWindow::chooseMachine(const QModelIndex &index) {
+    const int machine = index.isValid() ? m_machines->row(index.row()).machine.id : m_machine;
+    if (machine == m_machine)
+        return;
+    m_machine = machine;
+    m_edition.clear();
+    m_anew.clear();
+    loadTests();
+}
+
+void RegisterWindow::loadTests() {
+    m_testLane.cancel();
+    if (m_machine == 0) {
+        takeTests({});
+        return;
+    }
+    m_testLane.start(
+        [address = m_service.address(), machine = m_machine](const Background::Job &) {
+            std::vector<ListedTest> list;
+            try {
+                Register reg(address);
+                TestFilter filter;
+                filter.machines = {machine};
+                filter.withCurves = true;
+                list = tests(reg.database(), filter);
+            } catch (const Error &) { // said where the machines are read
+                list.clear();
+            }
+            return list;
+        },
+        [this](std::vector<ListedTest> list) { takeTests(std::move(list)); });
+}
+
+void RegisterWindow::takeTests(std::vector<ListedTest> tests) {
+    m_allTests = std::move(tests);
+    const bool hasAxis = std::ranges::any_of(m_allTests, [this](const ListedTest &test) {
+        return filterValue(byAxis, test) == m_filters[byAxis].chosen;
+    });
+    if (!hasAxis && !m_allTests.empty()) { // the trend is of one axis
+        std::set<std::pair<Kind, QString>> axes;
+        for (const ListedTest &test : m_allTests)
+            axes.emplace(test.test.kind, QString::fromStdString(test.test.axis));
+        m_filters[byAxis].chosen = axes.begin()->second;
+    }
+    showHead();
+    showTests();
+}
+
+void RegisterWindow::showHead() {
+    const int row = m_machines->rowOf(m_machine);
+    m_due->setVisible(false);
+    m_interval->setEnabled(row >= 0);
+    if (row < 0) {
+        m_name->setText({});
+        m_facts->setText({});
+        return;
+    }
+    const MachineRow &machine = m_machines->row(row);
+    m_name->setText(machine.machine.title());
+    QStringList facts{machine.machine.manufacturer, machine.machine.model,
+                      machine.machine.serialNumber.isEmpty() ? tr("not identified: no serial number")
+                                                             : tr("No. %1").arg(machine.machine.serialNumber),
+                      machine.machine.location};
+    facts.removeAll(QString());
+    m_facts->setText(facts.join(QStringLiteral(" · ")));
+    const int index = m_interval->findData(machine.machine.months.value_or(0));
+    m_interval->setCurrentIndex(std::max(index, 0));
+    if (machine.due.test) {
+        const bool late = *machine.due.test < QDate::currentDate();
+        const QString day = windowLanguage().shortDate(machine.due.test->toString(Qt::ISODate).toStdString());
+        m_due->setContent(late ? tr("overdue since %1").arg(day) : tr("next test before %1").arg(day),
+                          QStringLiteral("clock"), late ? Token::bad : Token::ok,
+                          late ? Token::badGround : Token::okGround);
+        m_due->setVisible(true);
+    }
+}
+
+QString RegisterWindow::filterValue(Filter filter, const ListedTest &listed) const {
+    const RegisteredTest &test = listed.test;
+    switch (filter) {
+    case byAxis:
+        return QString::fromStdString(test.axis);
+    case bySince:
+        return QString::fromStdString(test.date.value_or("")).left(4);
+    case byEdition:
+        return QString::fromStdString(test.edition);
+    case byPurpose:
+        return QString::fromLatin1(fileWord(test.purpose));
+    case byRole:
+        return QString::fromLatin1(fileWord(test.role));
+    case byLimits:
+        return QString::fromLatin1(limitsWord(test.verdict));
+    case byAccordance:
+        return QString::fromLatin1(accordanceWord(test.accordance));
+    case filterCount:
+        break;
+    }
+    return {};
+}
+
+QString RegisterWindow::filterName(Filter filter, const QString &value) const {
+    const Language &language = windowLanguage();
+    const auto said = [&](const Text &text) { return text.empty() ? tr("not stated") : language.text(text); };
+    switch (filter) {
+    case byPurpose:
+        for (const auto &row : fileWords<Purpose>) {
+            if (value == QLatin1StringView(row.word))
+                return said(purposeText(row.value));
+        }
+        break;
+    case byRole:
+        for (const auto &row : fileWords<TestRole>) {
+            if (value == QLatin1StringView(row.word))
+                return said(roleText(row.value));
+        }
+        break;
+    case byLimits:
+        for (const Verdict verdict : {Verdict::conforms, Verdict::notProven, Verdict::doesNotConform}) {
+            if (value == QLatin1StringView(limitsWord(verdict)))
+                return said(limitsText(verdict, true));
+        }
+        return said(limitsText(std::nullopt, false));
+    case byAccordance:
+        for (const Accordance accordance : {Accordance::notChecked, Accordance::no, Accordance::notShown,
+                                            Accordance::partly, Accordance::yes}) {
+            if (value == QLatin1StringView(accordanceWord(accordance)))
+                return said(accordanceWords(accordance));
+        }
+        break;
+    case bySince:
+        return tr("since %1").arg(value);
+    default:
+        break;
+    }
+    return value.isEmpty() ? tr("not stated") : value;
+}
+
+void RegisterWindow::fillFilterMenu(Filter filter) {
+    QMenu *menu = m_filters.at(filter).button->menu();
+    menu->clear();
+    std::set<QString> values;
+    for (const ListedTest &test : m_allTests)
+        values.insert(filterValue(filter, test));
+    const auto choose = [this, filter](const QString &value) {
+        m_filters.at(filter).chosen = value;
+        if (filter == byAxis) {
+            m_edition.clear();
+            m_anew.clear();
+        }
+        showTests();
+    };
+    menu->addAction(tr("All"), this, [choose] { choose({}); });
+    menu->addSeparator();
+    for (const QString &value : values) {
+        if (value.isEmpty())
+            continue;
+        QAction *action =
+            menu->addAction(filterName(filter, value), this, [choose, value] { choose(value); });
+        action->setCheckable(true);
+        action->setChecked(value == m_filters.at(filter).chosen);
+    }
+}
+
+bool RegisterWindow::passes(const ListedTest &test) const {
+    for (std::size_t i = 0; i < filterCount; ++i) {
+        const QString &chosen = m_filters.at(i).chosen;
+        if (chosen.isEmpty())
+            continue;
+        const QString value = filterValue(static_cast<Filter>(i), test);
+        if (i == bySince ? value < chosen : value != chosen)
+            return false;
+    }
+    return true;
+}
+
+void RegisterWindow::showFilters() {
+    const std::array names{tr("Axis"), tr("Since"),  tr("Edition"), tr("Purpose"),
+                           tr("Role"), tr("Limits"), tr("Test")};
+    bool any = false;
+    for (std::size_t i = 0; i < filterCount; ++i) {
+        const FilterButton &filter = m_filters.at(i);
+        const bool isSet = !filter.chosen.isEmpty();
+        any = any || isSet;
+        filter.button->setText(!isSet        ? names.at(i)
+                               : i == byAxis ? tr("Axis %1").arg(filter.chosen)
+                                             : filterName(static_cast<Filter>(i), filter.chosen));
+        filter.button->setCheckable(true);
+        filter.button->setChecked(isSet);
+    }
+    m_clear->setEnabled(any);
+}
+
+void RegisterWindow::showTests() {
+    std::vector<ListedTest> shown;
+    for (const ListedTest &test : m_allTests) {
+        if (passes(test))
+            shown.push_back(test);
+    }
+    m_shownCount->setText(tr("%1 of %2 tests").arg(shown.size()).arg(m_allTests.size()));
+    m_tests->setTests(std::move(shown));
+    fitColumns();
+    showFilters();
+    showChosen();
+    showTrend();
+}
+
+void RegisterWindow::fitColumns() {
+    constexpr int markWidth = 30;
+    constexpr int resultWidth = 88;
+    constexpr int limitsWidth = 110;
+    constexpr int padding = 14;
+    constexpr int wide = 1250; ///< of the table: all results find room
+    constexpr int fewResults = 3;
+    m_table->resizeColumnsToContents();
+    for (int i = TestTableModel::dateColumn; i < TestTableModel::firstResult; ++i)
+        m_table->setColumnWidth(i, m_table->columnWidth(i) + padding);
+    m_table->setColumnWidth(TestTableModel::markColumn, markWidth);
+    const int results = static_cast<int>(m_tests->results().size());
+    const bool isWide = m_table->width() >= wide;
+    for (int i = 0; i < results; ++i) {
+        m_table->setColumnHidden(TestTableModel::firstResult + i, !isWide && i >= fewResults);
+        m_table->setColumnWidth(TestTableModel::firstResult + i, resultWidth);
+    }
+    m_table->setColumnHidden(TestTableModel::firstResult + results, false); // where another axis had a result
+    m_table->setColumnHidden(TestTableModel::firstResult + results + 1, false);
+    m_table->setColumnWidth(TestTableModel::firstResult + results, limitsWidth);
+}
+
+void RegisterWindow::resizeEvent(QResizeEvent *event) {
+    QMainWindow::resizeEvent(event);
+    fitColumns();
+}
+
+QString RegisterWindow::trendAxis() const {
+    if (!m_filters[byAxis].chosen.isEmpty())
+        return m_filters[byAxis].chosen;
+    return m_allTests.empty() ? QString() : QString::fromStdString(m_allTests.back().test.axis);
+}
+
+void RegisterWindow::showTrend() {
+    const QString axis = trendAxis();
+    std::vector<ListedTest> list;
+    for (const ListedTest &test : m_edition.empty() ? m_allTests : m_anew) {
+        const bool isSince =
+            m_filters[bySince].chosen.isEmpty() || filterValue(bySince, test) >= m_filters[bySince].chosen;
+        if (QString::fromStdString(test.test.axis) == axis && isSince)
+            list.push_back(test);
+    }
+    std::vector<std::string> parameters = parametersOf(list);
+    constexpr std::size_t mostButtons = 5;
+    if (parameters.size() > mostButtons)
+        parameters.resize(mostButtons);
+    if (std::ranges::find(parameters, m_parameter) == parameters.end())
+        m_parameter = parameters.empty() ? std::string() : parameters.front();
+    while (QLayoutItem *item = m_parameterRow->takeAt(0)) {
+        if (item->widget())
+            item->widget()->deleteLater();
+        delete item;
+    }
+    for (const std::string &parameter : parameters) {
+        auto *button = new QToolButton;
+        button->setText(plainSymbolOf(parameter));
+        button->setObjectName(QStringLiteral("parameter ") + QString::fromStdString(parameter));
+        button->setCheckable(true);
+        button->setChecked(parameter == m_parameter);
+        m_parameterButtons->addButton(button);
+        m_parameterRow->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, parameter] {
+            m_parameter = parameter;
+            showTrend();
+        });
+    }
+    const MachineTrend trend = machineTrend(list, m_parameter);
+    m_trend->setTrend(trend, QDate::currentDate());
+    m_trendTitle->setText(m_parameter.empty()
+                              ? tr("Trend")
+                              : tr("Trend of %1, %2").arg(plainSymbolOf(m_parameter), axis) +
+                                    (m_edition.empty()
+                                         ? QString()
+                                         : QStringLiteral(" · ") + QString::fromStdString(m_edition)));
+    m_under->setEnabled(!list.empty());
+    showFacts(trend);
+    showChosen();
+}
+
+void RegisterWindow::showFacts(const MachineTrend &trend) {
+    if (trend.series.empty()) {
+        m_statement->clear();
+        return;
+    }
+    const Language &language = windowLanguage();
+    const Quantity quantity = trendQuantity(trend);
+    QString html;
+    if (trend.limit)
+        html += QStringLiteral("<p style='margin:0'>%1</p>")
+                    .arg(tr("Limit %1").arg(language.quantity(*trend.limit, quantity, 1)).toHtmlEscaped());
+    html +=
+        QStringLiteral(
+            "<p style='margin-top:2px;margin-bottom:8px;font-size:large'><b>%1</b></p><table width='100%'>")
+            .arg(trendStatement(trend, language).toHtmlEscaped());
+    for (const KeyValue &fact : trendFacts(trend, language))
+        html += QStringLiteral("<tr><td style='padding:2px 8px 2px 0'>%1</td><td align='right'>%2</td></tr>")
+                    .arg(fact.key.toHtmlEscaped(), fact.value.toHtmlEscaped());
+    html += QStringLiteral("</table>");
+    for (std::size_t i = 1; i < trend.series.size(); ++i)
+        html += QStringLiteral("<p>□ %1</p>")
+                    .arg(seriesName(trend.series[i], trend.angular, language).toHtmlEscaped());
+    html +=
+        QStringLiteral("<p style='color:%1'><small>%2</small></p>")
+            .arg(token(Token::secondaryText, palette()).name(), trendMethod(trend, language).toHtmlEscaped());
+    m_statement->setText(html);
+}
+
+std::vector<const ListedTest *> RegisterWindow::chosenTests() const {
+    std::vector<const ListedTest *> chosen;
+    for (const QModelIndex &index : m_table->selectionModel()->selectedRows())
+        chosen.push_back(&m_tests->test(m_sorted->mapToSource(index).row()));
+    std::ranges::sort(chosen, {}, [](const ListedTest *test) {
+        return std::tuple(test->test.date.value_or(""), test->test.time.value_or(""), test->id);
+    });
+    return chosen;
+}
+
+void RegisterWindow::showChosen() {
+    const auto chosen = chosenTests();
+    std::map<QString, int> digests;
+    std::map<int, int> numbers;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        digests.emplace(chosen[i]->test.digest, static_cast<int>(i) + 1);
+        if (chosen.size() > 1)
+            numbers.emplace(chosen[i]->id, static_cast<int>(i) + 1);
+    }
+    m_tests->setNumbers(std::move(numbers));
+    m_trend->setChosen(digests);
+    m_openAction->setEnabled(chosen.size() == 1);
+    const bool comparable =
+        chosen.size() > 1 && std::ranges::all_of(chosen, [&](const ListedTest *test) {
+            return test->test.axis == chosen.front()->test.axis && !test->test.curve.empty();
+        });
+    m_compareAction->setEnabled(comparable || m_compareAction->isChecked());
+    if (m_compareAction->isChecked() && comparable) {
+        std::vector<ListedTest> list;
+        for (const ListedTest *test : chosen)
+            list.push_back(*test);
+        m_comparison->setTests(std::move(list));
+    }
+    m_historyAction->setEnabled(m_machine != 0);
+}
+
+void RegisterWindow::compareCurves(bool compare) {
+    m_factsColumn->setVisible(!compare);
+    m_comparison->setVisible(compare);
+    showChosen();
+}
+
+void RegisterWindow::chooseByDigest(const QString &digest) {
+    for (int row = 0; row < m_sorted->rowCount(); ++row) {
+        if (m_tests->test(m_sorted->mapToSource(m_sorted->index(row, 0)).row()).test.digest == digest) {
+            m_table->selectRow(row);
+            m_table->scrollTo(m_sorted->index(row, 0));
+        }
+    }
+}
+
+void RegisterWindow::openChosen() {
+    const auto chosen = chosenTests();
+    if (chosen.size() == 1)
+        emit openAsked(chosen.front()->places.front().path);
+}
+
+void RegisterWindow::evaluateUnder(const std::string &edition) {
+    m_edition = edition;
+    m_anew.clear();
+    if (edition.empty()) {
+        showTrend();
+        return;
+    }
+    std::vector<ListedTest> list;
+    for (const ListedTest &test : m_allTests) {
+        if (QString::fromStdString(test.test.axis) == trendAxis())
+            list.push_back(test);
+    }
+    m_testLane.start(
+        [list = std::move(list), edition](const Background::Job &) mutable {
+            (void)reevaluate(list, *findEdition(edition));
+            return list;
+        },
+        [this](std::vector<ListedTest> anew) {
+            m_anew = std::move(anew);
+            showTrend();
+        });
+}
+
+void RegisterWindow::showState() {
+    const bool hasFolders = !m_service.folders().isEmpty();
+    const bool isEmpty = !hasFolders && m_machines->machineCount() == 0;
+    m_stack->setCurrentIndex(isEmpty ? 0 : 1);
+    m_rescanAction->setEnabled(hasFolders);
+    m_historyAction->setEnabled(m_machine != 0);
+    const int count = m_machines->machineCount();
+    m_machinesTitle->setText(tr("Machines") + QStringLiteral("  %1").arg(count));
+    m_all->setText(tr("All"));
+    m_toDo->setText(tr("To do %1").arg(m_machines->toDoCount()));
+    m_noMachine->setText(m_service.isScanning() ? tr("The folders are being read…") : tr("No machine yet"));
+    m_noMachine->setVisible(count == 0);
+    const ScanResult &result = m_service.result();
+    m_total->setText(count == 0 ? QString()
+                                : tr("%n machine(s)", nullptr, count) + QStringLiteral(" · ") +
+                                      tr("%n test(s)", nullptr, result.tests));
+    m_total->setVisible(result.tests > 0);
+    const QString folders =
+        hasFolders ? tr("%n folder(s) watched", nullptr, static_cast<int>(m_service.folders().size()))
+                   : tr("No folder is watched");
+    if (!m_service.trouble().isEmpty())
+        m_state->setText(m_service.trouble());
+    else if (m_service.isScanning())
+        m_state->setText(folders + QStringLiteral(", ") + tr("being read"));
+    else if (m_service.scannedAt().isValid())
+        m_state->setText(folders + QStringLiteral(", ") +
+                         tr("up to date at %1").arg(m_service.scannedAt().toString(QStringLiteral("HH:mm"))));
+    else
+        m_state->setText(folders);
+    m_progress->setVisible(m_progress->isVisible() && m_service.isScanning());
+    const int unreadable = static_cast<int>(result.unreadable.size());
+    m_unreadable->setVisible(unreadable > 0);
+    m_unreadable->setText(tr("%n unreadable file(s)", nullptr, unreadable));
+    QPalette look = m_unreadable->palette();
+    look.setColor(QPalette::WindowText, token(Token::bad, palette()));
+    m_unreadable->setPalette(look);
+    QStringList reasons;
+    constexpr std::size_t most = 12;
+    for (std::size_t i = 0; i < std::min(result.unreadable.size(), most); ++i)
+        reasons << result.unreadable[i].path + QStringLiteral(": ") +
+                       sentenceFrom(result.unreadable[i].error, windowLanguage());
+    m_unreadable->setToolTip(reasons.join(u'\n'));
+}
+
+void RegisterWindow::chooseFolders() {
+    FoldersDialog dialog(m_service.folders(), this);
+    if (dialog.exec() == QDialog::Accepted)
+        setFolders(dialog.folders());
+}
+
+void RegisterWindow::addFolder() {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose a folder"));
+    if (!folder.isEmpty())
+        setFolders(m_service.folders() + QStringList{folder});
+}
+
+void RegisterWindow::dragEnterEvent(QDragEnterEvent *event) {
+    for (const QUrl &url : event->mimeData()->urls()) {
+        if (QFileInfo(url.toLocalFile()).isDir())
+            event->acceptProposedAction();
+    }
+}
+
+void RegisterWindow::dropEvent(QDropEvent *event) {
+    QStringList folders = m_service.folders();
+    for (const QUrl &url : event->mimeData()->urls()) {
+        if (QFileInfo(url.toLocalFile()).isDir())
+            folders << url.toLocalFile();
+    }
+    setFolders(folders);
+}
+
+void RegisterWindow::setMonths(int index) {
+    const int row = m_machines->rowOf(m_machine);
+    if (row < 0 || index < 0)
+        return;
+    const int count = months.at(static_cast<std::size_t>(index));
+    QSettings settings; // so that an index made anew knows it
+    QVariantMap kept = settings.value(intervalsKey).toMap();
+    kept.remove(m_identities[m_machine]);
+    if (count > 0)
+        kept.insert(m_identities[m_machine], count);
+    settings.setValue(intervalsKey, kept);
+    m_machineLane.start(
+        [address = m_service.address(), machine = m_machine, count](const Background::Job &) {
+            try {
+                Register reg(address);
+                setInterval(reg.database(), machine, count > 0 ? std::optional(count) : std::nullopt);
+            } catch (const Error &) {
+                return false;
+            }
+            return true;
+        },
+        [this](bool) { loadMachines(); });
+}
+
+void RegisterWindow::writeHistory() {
+    const int row = m_machines->rowOf(m_machine);
+    if (row < 0)
+        return;
+    const ListedMachine machine = m_machines->row(row).machine;
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Save the history"), machine.title() + QStringLiteral(".pdf"), tr("PDF documents (*.pdf)"));
+    if (path.isEmpty())
+        return;
+    m_historyLane.start(
+        [address = m_service.address(), machine, language = windowLanguage()](const Background::Job &) {
+            Register reg(address);
+            return composeHistory(historyOf(reg.database(), machine, QDate::currentDate(),
+                                            QStringLiteral("Palmer " PALMER_VERSION)),
+                                  language);
+        },
+        [this, path](const Report &report) {
+            try {
+                QBuffer pdf;
+                pdf.open(QIODevice::WriteOnly);
+                writePdf(report, pdf);
+                saveBytes(pdf.data(), path);
+            } catch (const Error &error) {
+                QMessageBox::warning(this, tr("The history was not saved"),
+                                     windowLanguage().sentence(error.message));
+            }
+        });
+}
+
+} // namespace palmer::ui

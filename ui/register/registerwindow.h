@@ -1,0 +1,157 @@
+#pragma once
+
+#include "register/machinetrend.h"
+#include "ui/model/background.h"
+#include "ui/register/machinelist.h"
+
+#include <QMainWindow>
+#include <array>
+#include <map>
+#include <vector>
+
+class QAction;
+class QButtonGroup;
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QLineEdit;
+class QListView;
+class QProgressBar;
+class QPushButton;
+class QSortFilterProxyModel;
+class QSplitter;
+class QStackedWidget;
+class QTableView;
+class QToolButton;
+
+namespace palmer::ui {
+
+class Chip;
+class CurveComparison;
+class RegisterService;
+class TestTableModel;
+class TrendChart;
+
+/// The register: machines at the left, the tests of one of them, the trend of a parameter, curves over each
+/// other. Shows what the register says, which is read beside the window; computes nothing.
+class RegisterWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit RegisterWindow(RegisterService &service, QWidget *parent = nullptr);
+    ~RegisterWindow() override;
+
+    void setFolders(const QStringList &folders);
+    /// Nothing is being read.
+    [[nodiscard]] bool isQuiet() const;
+
+signals:
+    void openAsked(const QString &path); ///< the file of a test
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    struct FilterButton {
+        QPushButton *button = nullptr;
+        QString chosen; ///< empty: all
+    };
+    enum Filter { byAxis, bySince, byEdition, byPurpose, byRole, byLimits, byAccordance, filterCount };
+
+    QWidget *makeFirstUse();
+    QWidget *makeLeft();
+    QWidget *makeRight();
+    QWidget *makeTests();
+    QWidget *makeTrend();
+    void makeActions();
+    void retranslate();
+
+    void loadMachines();
+    void takeMachines(std::vector<MachineRow> rows);
+    void chooseMachine(const QModelIndex &index);
+    void loadTests();
+    void takeTests(std::vector<ListedTest> tests);
+    void showHead();
+    void showTests();
+    void showFilters();
+    void fitColumns();
+    void fillFilterMenu(Filter filter);
+    [[nodiscard]] QString filterValue(Filter filter, const ListedTest &test) const;
+    [[nodiscard]] QString filterName(Filter filter, const QString &value) const;
+    [[nodiscard]] bool passes(const ListedTest &test) const;
+    void showTrend();
+    void showFacts(const MachineTrend &trend);
+    void showChosen();
+    void showState();
+    [[nodiscard]] QString trendAxis() const;
+    [[nodiscard]] std::vector<const ListedTest *> chosenTests() const;
+    void chooseByDigest(const QString &digest);
+    void openChosen();
+    void compareCurves(bool compare);
+    void evaluateUnder(const std::string &edition);
+    void chooseFolders();
+    void addFolder();
+    void writeHistory();
+    void setMonths(int index);
+
+    RegisterService &m_service;
+    QStackedWidget *m_stack = nullptr;
+    MachineModel *m_machines = nullptr;
+    QListView *m_machineList = nullptr;
+    QLineEdit *m_search = nullptr;
+    QToolButton *m_all = nullptr;
+    QToolButton *m_toDo = nullptr;
+    QLabel *m_machinesTitle = nullptr;
+    QLabel *m_noMachine = nullptr;
+    QLabel *m_name = nullptr;
+    QLabel *m_facts = nullptr;
+    QLabel *m_intervalLabel = nullptr;
+    QComboBox *m_interval = nullptr;
+    Chip *m_due = nullptr;
+    std::array<FilterButton, filterCount> m_filters;
+    QLabel *m_shownCount = nullptr;
+    QPushButton *m_clear = nullptr;
+    TestTableModel *m_tests = nullptr;
+    QSortFilterProxyModel *m_sorted = nullptr;
+    QTableView *m_table = nullptr;
+    QLabel *m_trendTitle = nullptr;
+    QHBoxLayout *m_parameterRow = nullptr;
+    QButtonGroup *m_parameterButtons = nullptr;
+    QPushButton *m_under = nullptr;
+    TrendChart *m_trend = nullptr;
+    QLabel *m_legend = nullptr;
+    QLabel *m_statement = nullptr;
+    QWidget *m_factsColumn = nullptr;
+    CurveComparison *m_comparison = nullptr;
+    QLabel *m_welcomeTitle = nullptr;
+    QLabel *m_welcomeText = nullptr;
+    QPushButton *m_welcomeButton = nullptr;
+    QLabel *m_welcomeFacts = nullptr;
+    QLabel *m_total = nullptr;
+    QLabel *m_state = nullptr;
+    QLabel *m_unreadable = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QAction *m_foldersAction = nullptr;
+    QAction *m_rescanAction = nullptr;
+    QAction *m_openAction = nullptr;
+    QAction *m_compareAction = nullptr;
+    QAction *m_historyAction = nullptr;
+    QAction *m_closeAction = nullptr;
+    QMenu *m_registerMenu = nullptr;
+    QMenu *m_testMenu = nullptr;
+
+    int m_machine = 0;                  ///< id of the chosen one; 0: none
+    std::vector<ListedTest> m_allTests; ///< of the chosen machine
+    std::vector<ListedTest> m_anew;     ///< those of the axis, evaluated under m_edition
+    std::string m_edition;              ///< empty: each its own
+    std::string m_parameter;
+    std::map<int, QString> m_identities;
+    Background m_machineLane;
+    Background m_testLane;
+    Background m_historyLane;
+};
+
+} // namespace palmer::ui

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "register/queries.h"
+
+#include <QAbstractTableModel>
+#include <QStyledItemDelegate>
+#include <map>
+#include <vector>
+
+namespace palmer::ui {
+
+/// The tests of a machine: a row each, with the main results of the axis in view.
+class TestTableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    enum Column { markColumn, dateColumn, axisColumn, editionColumn, purposeColumn, roleColumn, firstResult };
+    enum Role { sortRole = Qt::UserRole + 1, uncertaintyRole, iconRole, tokenRole, numberRole };
+
+    void setTests(std::vector<ListedTest> tests);
+    [[nodiscard]] const ListedTest &test(int row) const { return m_tests[static_cast<std::size_t>(row)]; }
+    /// The number of its curve, from 1, shown in place of the mark of the point.
+    void setNumbers(std::map<int, int> numbers);
+    [[nodiscard]] const std::vector<std::string> &results() const { return m_results; }
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    void retranslate();
+
+private:
+    [[nodiscard]] QVariant resultData(const RegisteredTest &test, std::size_t result, int role) const;
+    [[nodiscard]] QVariant limitsData(const RegisteredTest &test, int role) const;
+    [[nodiscard]] QVariant accordanceData(const RegisteredTest &test, int role) const;
+
+    std::vector<ListedTest> m_tests;
+    std::vector<std::string> m_results; ///< ids of the result columns
+    std::map<int, int> m_numbers;       ///< by id of the test
+};
+
+/// Draws marks, values with their U, and words with their mark.
+class TestDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override;
+};
+
+} // namespace palmer::ui

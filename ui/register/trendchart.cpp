@@ -1,0 +1,397 @@
+#include "ui/register/trendchart.h"
+
+#include "register/listing.h"
+#include "register/trendfigure.h"
+#include "report/wording.h"
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
+
+#include <QAreaSeries>
+#include <QChart>
+#include <QEvent>
+#include <QGraphicsLayout>
+#include <QLegend>
+#include <QLineSeries>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QValueAxis>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr double markRadius = 4.2;
+constexpr double chosenRadius = 8;
+constexpr double capWidth = 3;
+constexpr double hatchHeight = 6;
+constexpr double hatchStep = 6;
+constexpr double reach = 9; ///< of the pointer, px
+constexpr int strip = 24;   ///< above the plot, for interventions
+constexpr double bandLight = 0.13;
+constexpr double bandDark = 0.20;
+constexpr int mostTicks = 12;
+
+} // namespace
+
+TrendChart::TrendChart(QWidget *parent)
+    : QChartView(parent) {
+    setObjectName(QStringLiteral("trendChart"));
+    setRenderHint(QPainter::Antialiasing);
+    setMouseTracking(true);
+    setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // the marks are drawn over the whole
+    setRubberBand(QChartView::HorizontalRubberBand);
+    setFrameShape(QFrame::NoFrame);
+    chart()->legend()->hide();
+    chart()->layout()->setContentsMargins(0, 0, 0, 0);
+    chart()->setMargins(QMargins(0, strip, 8, 0));
+    chart()->setBackgroundRoundness(0);
+    setMinimumHeight(180);
+    setAccessibleName(tr("Trend"));
+}
+
+void TrendChart::setTrend(const MachineTrend &trend, const QDate &today) {
+    m_trend = trend;
+    m_today = today;
+    m_hovered.reset();
+    rebuild();
+}
+
+void TrendChart::setChosen(const std::map<QString, int> &numbers) {
+    m_chosen = numbers;
+    viewport()->update();
+}
+
+void TrendChart::changeEvent(QEvent *event) {
+    QChartView::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange)
+        rebuild();
+}
+
+void TrendChart::addLine(const std::vector<QPointF> &points, const QPen &pen) {
+    auto *line = new QLineSeries;
+    for (const QPointF &point : points)
+        line->append(point);
+    line->setPen(pen);
+    chart()->addSeries(line);
+    line->attachAxis(m_x);
+    line->attachAxis(m_y);
+}
+
+void TrendChart::rebuild() {
+    chart()->removeAllSeries();
+    for (QAbstractAxis *axis : chart()->axes()) {
+        chart()->removeAxis(axis);
+        delete axis;
+    }
+    m_entries.clear();
+    for (const TrendSeries &series : m_trend.series) {
+        for (const TrendEntry &entry : series.entries)
+            m_entries.push_back(&entry);
+    }
+    m_panel = trendPanel(m_trend, trendSpan({m_trend}, m_today), m_today, windowLanguage(), mostTicks);
+    const QPalette look = palette();
+    QLocale numbers(windowLanguage().code());
+    numbers.setNumberOptions(QLocale::OmitGroupSeparator); // years
+    chart()->setLocale(numbers);
+    chart()->setLocalizeNumbers(true);
+    chart()->setBackgroundBrush(look.color(QPalette::Base));
+    const QColor accent = token(Token::accent, look);
+    const QColor text = look.color(QPalette::Text);
+    const auto axis = [&](Qt::Alignment side, const FigureAxis &range, bool years) {
+        auto *made = new QValueAxis;
+        made->setRange(range.from, range.to);
+        made->setTickType(QValueAxis::TicksDynamic);
+        made->setTickAnchor(0);
+        made->setTickInterval(years ? std::max(1.0, range.step) : range.step);
+        made->setLabelFormat(years            ? QStringLiteral("%.0f")
+                             : range.step < 1 ? QStringLiteral("%.1f")
+                                              : QStringLiteral("%.0f"));
+        made->setLabelsColor(token(Token::secondaryText, look));
+        made->setLabelsFont(themeFont(TextSize::tiny));
+        made->setGridLineColor(token(Token::line, look));
+        made->setLinePenColor(text);
+        chart()->addAxis(made, side);
+        return made;
+    };
+    m_x = axis(Qt::AlignBottom, m_panel.x, true);
+    m_y = axis(Qt::AlignLeft, m_panel.y, false);
+    if (!m_panel.band.empty()) {
+        auto *upper = new QLineSeries(this);
+        auto *lower = new QLineSeries(this);
+        for (const BandPoint &point : m_panel.band) {
+            upper->append(point.x, point.upper);
+            lower->append(point.x, point.lower);
+        }
+        auto *band = new QAreaSeries(upper, lower);
+        QColor fill = accent;
+        fill.setAlphaF(static_cast<float>(isDark(look) ? bandDark : bandLight));
+        band->setBrush(fill);
+        band->setPen(QPen(accent, 0.8));
+        chart()->addSeries(band);
+        band->attachAxis(m_x);
+        band->attachAxis(m_y);
+    }
+    for (const auto &joined : m_panel.joined)
+        addLine(joined, QPen(token(Token::secondaryText, look), 1));
+    for (const auto &limit : m_panel.limits)
+        addLine(limit, QPen(text, 2));
+    addLine(m_panel.line, QPen(accent, 2));
+    QPen dashed(accent, 2);
+    dashed.setDashPattern({4, 3});
+    addLine(m_panel.later, dashed);
+    viewport()->update();
+}
+
+void TrendChart::showAll() {
+    if (!m_x)
+        return;
+    m_x->setRange(m_panel.x.from, m_panel.x.to);
+    m_y->setRange(m_panel.y.from, m_panel.y.to);
+}
+
+QPointF TrendChart::place(const QPointF &value) const {
+    return chart()->mapToPosition(value);
+}
+
+std::optional<std::size_t> TrendChart::valueAt(const QPointF &position) const {
+    std::optional<std::size_t> nearest;
+    double least = reach;
+    for (std::size_t i = 0; i < m_panel.values.size(); ++i) {
+        const QPointF at = place({m_panel.values[i].x, m_panel.values[i].y});
+        const double away = std::hypot(at.x() - position.x(), at.y() - position.y());
+        if (away <= least) {
+            least = away;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+QString TrendChart::label(std::size_t value) const {
+    const TrendEntry &entry = *m_entries[value];
+    const ShownResult shown = shownResult(entry.result, m_trend.angular, windowLanguage());
+    QString text =
+        windowLanguage().shortDate(entry.date) + QStringLiteral(" · ") + m_panel.symbol + u' ' + shown.value;
+    if (!shown.uncertainty.isEmpty())
+        text += QStringLiteral(" ± ") + shown.uncertainty;
+    return text + u' ' + m_panel.y.unit;
+}
+
+void TrendChart::drawForeground(QPainter *painter, const QRectF &rect) {
+    QChartView::drawForeground(painter, rect);
+    if (!m_x || m_panel.values.empty())
+        return;
+    const QRectF plot = chart()->plotArea();
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QPalette look = palette();
+    const double today = std::clamp(place({m_panel.today, 0}).x(), plot.left(), plot.right());
+    QColor ground = token(Token::secondaryText, look);
+    ground.setAlphaF(0.07F);
+    painter->fillRect(QRectF(QPointF(today, plot.top()), plot.bottomRight()), ground);
+    if (today < plot.right()) {
+        painter->setPen(QPen(token(Token::secondaryText, look), 1));
+        painter->drawLine(QPointF(today, plot.top()), QPointF(today, plot.bottom()));
+        painter->setFont(themeFont(TextSize::tiny));
+        const double width = painter->fontMetrics().horizontalAdvance(tr("today"));
+        const bool fits = today + 5 + width < plot.right();
+        painter->drawText(QPointF(fits ? today + 5 : today - 5 - width, plot.top() + 14), tr("today"));
+    }
+    drawInterventions(*painter, plot);
+    painter->setClipRect(plot.adjusted(-chosenRadius, -chosenRadius, chosenRadius, chosenRadius));
+    drawValues(*painter, plot);
+    drawNotBefore(*painter, plot);
+    drawLabel(*painter, plot);
+    painter->restore();
+}
+
+void TrendChart::drawInterventions(QPainter &painter, const QRectF &plot) const {
+    const QPalette look = palette();
+    const QColor colour = token(Token::explanation, look);
+    QColor pale = colour;
+    pale.setAlphaF(0.55F);
+    painter.setFont(themeFont(TextSize::tiny));
+    double free = plot.left() - 40;
+    for (const TrendIntervention &one : m_panel.interventions) {
+        const double at = place({one.x, 0}).x();
+        if (at < plot.left() || at > plot.right())
+            continue;
+        painter.setPen(QPen(pale, 1, Qt::DashLine));
+        painter.drawLine(QPointF(at, plot.top()), QPointF(at, plot.bottom()));
+        const double width = painter.fontMetrics().horizontalAdvance(one.name);
+        const double left = std::min(at - width / 2, plot.right() - width);
+        painter.setPen(colour);
+        if (left > free) {
+            painter.drawText(QPointF(left, plot.top() - 8), one.name);
+            free = left + width + 6;
+        }
+        if (one.found && one.left) {
+            const QPointF from = place(*one.found);
+            const QPointF to = place(*one.left);
+            painter.setPen(QPen(colour, 1.4));
+            painter.drawLine(from, to);
+            const double turn = std::atan2(to.y() - from.y(), to.x() - from.x());
+            for (const double side : {-0.45, 0.45})
+                painter.drawLine(to, to - 6 * QPointF(std::cos(turn + side), std::sin(turn + side)));
+        }
+    }
+    // The side of the limit that is not allowed.
+    painter.save();
+    painter.setClipRect(plot);
+    painter.setPen(QPen(token(Token::secondaryText, look), 0.8));
+    const double above = m_trend.bound == Bound::lower ? -1 : 1;
+    for (const auto &limit : m_panel.limits) {
+        for (std::size_t i = 0; i + 1 < limit.size(); ++i) {
+            if (limit[i].y() != limit[i + 1].y())
+                continue;
+            const QPointF from = place(limit[i]);
+            const QPointF to = place(limit[i + 1]);
+            for (double at = from.x(); at < to.x(); at += hatchStep)
+                painter.drawLine(QPointF(at, from.y()),
+                                 QPointF(at + hatchHeight, from.y() - above * hatchHeight));
+        }
+    }
+    painter.restore();
+}
+
+void TrendChart::drawValues(QPainter &painter, const QRectF &plot) const {
+    const QPalette look = palette();
+    const QColor base = look.color(QPalette::Base);
+    for (std::size_t i = 0; i < m_panel.values.size(); ++i) {
+        const TrendValue &value = m_panel.values[i];
+        const QPointF at = place({value.x, value.y});
+        if (at.x() < plot.left() || at.x() > plot.right())
+            continue;
+        const bool other = value.mark == TrendMark::otherSeries;
+        QColor colour = token(other ? Token::secondaryText : Token::accent, look);
+        if (value.exceeds)
+            colour = token(Token::bad, look);
+        if (value.expanded) {
+            painter.setPen(QPen(token(Token::secondaryText, look), 1.1));
+            const double top = place({value.x, value.y + *value.expanded}).y();
+            const double bottom = place({value.x, value.y - *value.expanded}).y();
+            painter.drawLine(QPointF(at.x(), top), QPointF(at.x(), bottom));
+            painter.drawLine(QPointF(at.x() - capWidth, top), QPointF(at.x() + capWidth, top));
+            painter.drawLine(QPointF(at.x() - capWidth, bottom), QPointF(at.x() + capWidth, bottom));
+        }
+        painter.setPen(QPen(colour, 1.5));
+        painter.setBrush(value.mark == TrendMark::asLeft ? colour : base);
+        if (other)
+            painter.drawRect(
+                QRectF(at.x() - markRadius, at.y() - markRadius, 2 * markRadius, 2 * markRadius));
+        else
+            painter.drawEllipse(at, markRadius, markRadius);
+        if (value.exceeds)
+            drawLineIcon(painter, QRect(static_cast<int>(at.x()) - 24, static_cast<int>(at.y()) - 8, 16, 16),
+                         QStringLiteral("cross"), colour);
+        const auto chosen = m_chosen.find(m_entries[i]->digest);
+        if (chosen == m_chosen.end())
+            continue;
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(token(Token::accent, look), 1.5));
+        painter.drawEllipse(at, chosenRadius, chosenRadius);
+        if (m_chosen.size() > 1) {
+            painter.setFont(themeFont(TextSize::tiny));
+            painter.drawText(at + QPointF(chosenRadius + 2, -4), QString::number(chosen->second));
+        }
+    }
+}
+
+void TrendChart::drawNotBefore(QPainter &painter, const QRectF &plot) const {
+    if (!m_panel.notBefore)
+        return;
+    const QPointF at = place(*m_panel.notBefore);
+    if (at.x() < plot.left() || at.x() > plot.right())
+        return;
+    const QPalette look = palette();
+    const QColor accent = token(Token::accent, look);
+    painter.setPen(QPen(accent, 1.3, Qt::DotLine));
+    painter.drawLine(at, QPointF(at.x(), plot.bottom()));
+    painter.setPen(QPen(accent, 1.5));
+    painter.setBrush(look.color(QPalette::Base));
+    painter.drawPolygon(
+        QPolygonF{at + QPointF(0, -5), at + QPointF(5, 0), at + QPointF(0, 5), at + QPointF(-5, 0)});
+    QFont font = themeFont(TextSize::tiny);
+    font.setBold(true);
+    painter.setFont(font);
+    const double width = painter.fontMetrics().horizontalAdvance(m_panel.statement) + 12;
+    const double left =
+        std::clamp(at.x() - width / 2, plot.left(), std::max(plot.left(), plot.right() - width));
+    const QRectF box(left, plot.bottom() - 26, width, 20);
+    painter.drawRoundedRect(box, 3, 3);
+    painter.drawText(box, Qt::AlignCenter, m_panel.statement);
+}
+
+void TrendChart::drawLabel(QPainter &painter, const QRectF &plot) const {
+    if (!m_hovered || *m_hovered >= m_panel.values.size())
+        return;
+    const QPointF at = place({m_panel.values[*m_hovered].x, m_panel.values[*m_hovered].y});
+    const QPalette look = palette();
+    painter.setFont(themeFont(TextSize::small));
+    const QString text = label(*m_hovered);
+    const double width = painter.fontMetrics().horizontalAdvance(text) + 12;
+    const double left =
+        std::clamp(at.x() - width - 6, plot.left(), std::max(plot.left(), plot.right() - width));
+    const QRectF box(left, std::max(plot.top(), at.y() - 44), width, 22);
+    painter.setPen(QPen(token(Token::accent, look), 1));
+    painter.setBrush(look.color(QPalette::Base));
+    painter.drawEllipse(at, chosenRadius, chosenRadius);
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(look.color(QPalette::Text));
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void TrendChart::mouseMoveEvent(QMouseEvent *event) {
+    QChartView::mouseMoveEvent(event);
+    const auto hovered = valueAt(event->position());
+    if (hovered != m_hovered) {
+        m_hovered = hovered;
+        viewport()->update();
+    }
+}
+
+void TrendChart::mousePressEvent(QMouseEvent *event) {
+    m_pressed = event->position();
+    QChartView::mousePressEvent(event);
+}
+
+void TrendChart::mouseReleaseEvent(QMouseEvent *event) {
+    const bool isClick = (event->position() - m_pressed).manhattanLength() < 4;
+    if (event->button() == Qt::RightButton) { // which would zoom out in steps of Qt's own
+        showAll();
+        return;
+    }
+    if (isClick) {
+        setRubberBand(QChartView::NoRubberBand); // a click enlarges nothing
+        QChartView::mouseReleaseEvent(event);
+        setRubberBand(QChartView::HorizontalRubberBand);
+        if (const auto value = valueAt(event->position()))
+            emit testChosen(m_entries[*value]->digest);
+        return;
+    }
+    QChartView::mouseReleaseEvent(event);
+}
+
+void TrendChart::mouseDoubleClickEvent(QMouseEvent *) {
+    showAll();
+}
+
+void TrendChart::wheelEvent(QWheelEvent *event) {
+    if (!m_x)
+        return;
+    constexpr double step = 1.2;
+    constexpr double shortest = 0.1; // years
+    const double factor = event->angleDelta().y() > 0 ? 1 / step : step;
+    const double about = chart()->mapToValue(event->position()).x();
+    const double from = std::max(m_panel.x.from, about - (about - m_x->min()) * factor);
+    const double to = std::min(m_panel.x.to, about + (m_x->max() - about) * factor);
+    if (to - from > shortest)
+        m_x->setRange(from, to);
+    event->accept();
+}
+
+} // namespace palmer::ui

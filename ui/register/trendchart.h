@@ -1,0 +1,66 @@
+#pragma once
+
+#include "figures/figure.h"
+#include "register/machinetrend.h"
+
+#include <QChartView>
+#include <QDate>
+#include <map>
+#include <vector>
+
+class QLineSeries;
+class QScatterSeries;
+class QValueAxis;
+
+namespace palmer::ui {
+
+/// The trend of a parameter as a chart: hover names a test, a click chooses it, dragging a stretch of time
+/// enlarges it, the wheel enlarges about the pointer, a double click shows all of it again.
+class TrendChart : public QChartView {
+    Q_OBJECT
+
+public:
+    explicit TrendChart(QWidget *parent = nullptr);
+
+    void setTrend(const MachineTrend &trend, const QDate &today);
+    /// Marks the chosen tests (by digest) with the numbers of their curves.
+    void setChosen(const std::map<QString, int> &numbers);
+    /// What a test is called under the pointer.
+    [[nodiscard]] QString label(std::size_t value) const;
+    [[nodiscard]] const TrendPanel &panel() const { return m_panel; }
+    void showAll();
+
+signals:
+    void testChosen(const QString &digest);
+
+protected:
+    void drawForeground(QPainter *painter, const QRectF &rect) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void rebuild();
+    void addLine(const std::vector<QPointF> &points, const QPen &pen);
+    [[nodiscard]] QPointF place(const QPointF &value) const;
+    [[nodiscard]] std::optional<std::size_t> valueAt(const QPointF &position) const;
+    void drawInterventions(QPainter &painter, const QRectF &plot) const;
+    void drawValues(QPainter &painter, const QRectF &plot) const;
+    void drawLabel(QPainter &painter, const QRectF &plot) const;
+    void drawNotBefore(QPainter &painter, const QRectF &plot) const;
+
+    MachineTrend m_trend;
+    TrendPanel m_panel;
+    QDate m_today;
+    std::vector<const TrendEntry *> m_entries; ///< of the values of the panel
+    std::map<QString, int> m_chosen;
+    std::optional<std::size_t> m_hovered;
+    QPointF m_pressed;
+    QValueAxis *m_x = nullptr;
+    QValueAxis *m_y = nullptr;
+};
+
+} // namespace palmer::ui
