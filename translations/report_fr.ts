@@ -7463,5 +7463,9 @@
         <source>FILE is a test file (.palmer), a report of Palmer (PDF) or a measurement file that can be imported. palmer-cli does the same work without a window.</source>
         <translation>FILE est un fichier d’essai (.palmer), un rapport de Palmer (PDF) ou un fichier de mesure qui peut être importé. palmer-cli fait le même travail sans fenêtre.</translation>
     </message>
+    <message>
+        <source>this is no PNG or SVG picture; the report is printed without it</source>
+        <translation>ce n’est ni une image PNG ni une image SVG&#x202f;; le rapport est imprimé sans elle</translation>
+    </message>
 </context>
 </TS>
