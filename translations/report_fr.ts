@@ -2921,10 +2921,6 @@
         <translation>%1 ne peut être %2&#x202f;; un nombre est attendu</translation>
     </message>
     <message>
-        <source>unknown edition %1</source>
-        <translation>édition inconnue&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>there are no points of a circle in it</source>
         <translation>il ne contient aucun point d’un cercle</translation>
     </message>
@@ -8132,23 +8128,23 @@
     </message>
     <message>
         <source>%1 cannot be %2; expected %3</source>
-        <translation>%1 ne peut pas être %2&#x202f;; attendu&#xa0;: %3</translation>
+        <translation>%1 ne peut être %2&#x202f;; attendu&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 cannot be %2: the comma may stand before thousands or before decimals; write it without</source>
-        <translation>%1 ne peut pas être %2&#xa0;: la virgule peut séparer les milliers ou les décimales&#x202f;; l’écrire sans</translation>
+        <translation>%1 ne peut être %2&#xa0;: la virgule peut séparer les milliers ou les décimales&#x202f;; l’écrire sans</translation>
     </message>
     <message>
         <source>%1 cannot be %2; expected a number from %3 to %4</source>
-        <translation>%1 ne peut pas être %2&#x202f;; attendu&#xa0;: un nombre de %3 à %4</translation>
+        <translation>%1 ne peut être %2&#x202f;; attendu&#xa0;: un nombre de %3 à %4</translation>
     </message>
     <message>
         <source>%1 cannot be %2; expected a number greater than %3</source>
-        <translation>%1 ne peut pas être %2&#x202f;; attendu&#xa0;: un nombre supérieur à %3</translation>
+        <translation>%1 ne peut être %2&#x202f;; attendu&#xa0;: un nombre supérieur à %3</translation>
     </message>
     <message>
         <source>%1 cannot be %2; expected a whole number from %3 to %4</source>
-        <translation>%1 ne peut pas être %2&#x202f;; attendu&#xa0;: un nombre entier de %3 à %4</translation>
+        <translation>%1 ne peut être %2&#x202f;; attendu&#xa0;: un nombre entier de %3 à %4</translation>
     </message>
     <message>
         <source>--%1 has no effect here: no test of the file has a budget</source>
@@ -8170,6 +8166,10 @@
     <message>
         <source>FILE is a test file (.palmer), a report of Palmer (PDF) or a measurement file that can be imported. palmer-cli does the same work without a window.</source>
         <translation>FILE est un fichier d’essai (.palmer), un rapport de Palmer (PDF) ou un fichier de mesure qui peut être importé. palmer-cli fait le même travail sans fenêtre.</translation>
+    </message>
+    <message>
+        <source>this is no PNG or SVG picture; the report is printed without it</source>
+        <translation>ce n’est ni une image PNG ni une image SVG&#x202f;; le rapport est imprimé sans elle</translation>
     </message>
     <message>
         <source>the device is full; save to a file or to another device</source>

@@ -40,7 +40,7 @@ public:
 private:
     /// `below`: the path from the first folder, with its slash.
     void walk(const fs::path &folder,
-              const QString &below) { // NOLINT(misc-no-recursion): as deep as the disk
+              const QString &below) {
         std::error_code error;
         fs::directory_iterator entries(folder, error);
         if (error)

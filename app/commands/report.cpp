@@ -9,6 +9,7 @@
 #include "commands/streams.h"
 #include "report/composereport.h"
 #include "report/dataparts.h"
+#include "ui/pdf/logo.h"
 #include "ui/pdf/writepdf.h"
 #include "validation/validation.h"
 
@@ -61,6 +62,25 @@ bool selfTest() {
     return std::ranges::all_of(validateAll(), &SetValidation::agrees);
 }
 
+/// A line for each picture of the laboratory that is none: the report is printed without it.
+void sayUnreadablePictures(const Document &document, const Input &input, const Language &language) {
+    const Laboratory &laboratory = document.report.laboratory;
+    const auto say = [&](const std::optional<std::string> &picture, const char *place) {
+        const QByteArray bytes = QByteArray::fromBase64(QByteArray::fromStdString(picture.value_or("")));
+        if (!bytes.isEmpty() && ui::Logo(bytes).empty())
+            printError(input.file,
+                       Error(Error::Kind::content,
+                             {REPORT_TEXT("report", "this is no PNG or SVG picture; the report is printed "
+                                                    "without it"),
+                              {},
+                              {}},
+                             place),
+                       language);
+    };
+    say(laboratory.logo, "report.laboratory.logo");
+    say(laboratory.mark, "report.laboratory.mark");
+}
+
 /// Composes and writes the reports of a document; each target by language.
 class Reports {
 public:
@@ -90,6 +110,7 @@ public:
         return eachDocument(m_invocation, m_inputs,
                             [this](const Input &input, Document document) -> JobResult {
                                 const auto index = static_cast<qsizetype>(&input - m_inputs.list.data());
+                                sayUnreadablePictures(document, input, m_invocation.language);
                                 return {report(std::move(document), m_outputs.at(index)), {}};
                             });
     }

@@ -202,8 +202,13 @@ void demandKnown(const ImportOptions &options) {
         if (std::string unknownRole; key == "columns" && !columnsOf(value, unknownRole))
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
                                                {key, unknownRole, roleWords()}});
-        if (key == "edition" && !findEdition(value))
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "unknown edition %1"), {value}});
+        if (key == "edition" && !findEdition(value)) {
+            std::string list;
+            for (const Edition *edition : editions())
+                list += (list.empty() ? "" : ", ") + std::string(edition->word);
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "unknown edition %1; known: %2"), {value, list}});
+        }
     }
 }
 

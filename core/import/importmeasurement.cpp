@@ -179,9 +179,24 @@ void demandStorable(const Imported &imported) {
 }
 
 /// What the reader of the format makes of the bytes; what it finds before it has to give up stays.
+/// The files of most instruments are of one kind: another choice is no choice.
+void demandKind(const Imported &imported, const Choices &choices) {
+    const char *kind = "temperatures";
+    if (imported.test && std::holds_alternative<PositioningMeasurement>(imported.test->measurement))
+        kind = "positioning";
+    else if (imported.test && std::holds_alternative<CircularMeasurement>(imported.test->measurement))
+        kind = "circular";
+    else if (imported.test)
+        kind = "drift";
+    if (choices.isChosen("kind") && choices.chosen("kind") != kind)
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                                           {"kind", std::string(choices.chosen("kind")), kind}});
+}
+
 void readInto(Imported &imported, QByteArrayView bytes, const ImportFormat &format, Choices &choices) {
     try {
         format.read({bytes, choices.options()}, choices, imported);
+        demandKind(imported, choices);
         if (imported.test)
             demandSense(*imported.test);
         settleCorrection(imported, choices);

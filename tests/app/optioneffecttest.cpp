@@ -328,7 +328,7 @@ void OptionEffectTest::everyChoiceOfTheImportHasAnEffectOrIsRefused() {
                               !match.captured(2).contains("number");
         if (key == "encoding") // plain ASCII is the same in all
             continue;
-        const bool isAsItIs = values.size() > 1 && unchanged == 1; // one word says what was found
+        const bool isAsItIs = unchanged < values.size(); // some words say what was found
         QVERIFY2(hasEffect || isRefused || isAnswer || isAsItIs, qPrintable(key + " does nothing: " + file));
     }
     QVERIFY(keys > 30);

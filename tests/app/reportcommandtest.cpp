@@ -36,6 +36,8 @@ private slots:
     void writesTheReportOfARejectedTest();
     void writesToStandardOutput();
     void sameBytesAnywhere();
+    void saysThatALogoIsNoPicture_data();
+    void saysThatALogoIsNoPicture();
     void refusesWrongUsage_data();
     void refusesWrongUsage();
     void saysWhatItCannotReadOrWrite();
@@ -89,6 +91,38 @@ void ReportCommandTest::sameBytesAnywhere() {
         QVERIFY(!contents(here).isEmpty());
         QVERIFY(contents(here) == contents(there));
     }
+}
+
+void ReportCommandTest::saysThatALogoIsNoPicture_data() {
+    QTest::addColumn<QByteArray>("picture");
+    QTest::addColumn<bool>("isPicture");
+    const QByteArray damaged =
+        QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x0a\0\0\0\x0a\x08\x02\0\0\0", 29) +
+        QByteArray::fromHex("025058ea00000007494441546761726261676500000000");
+    QTest::newRow("a PNG that is damaged") << damaged << false;
+    QTest::newRow("the beginning of one") << QByteArray("\x89PNG\r\n") << false;
+    QTest::newRow("a text") << QByteArray("foo") << false;
+    QTest::newRow("a drawing")
+        << QByteArray(
+               R"(<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><path d="M0 0h9v9z"/></svg>)")
+        << true;
+}
+
+void ReportCommandTest::saysThatALogoIsNoPicture() {
+    QFETCH(const QByteArray, picture);
+    QFETCH(const bool, isPicture);
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("r.pdf");
+    const CliResult result = run({"report", example, "--language", "en", "-o", out, "--set",
+                                  "report.laboratory.logo=" + QString::fromLatin1(picture.toBase64())});
+    QCOMPARE(result.code, 0);
+    QVERIFY(contents(out).startsWith("%PDF-"));
+    if (isPicture) {
+        QCOMPARE(result.err, QByteArray());
+        return;
+    }
+    QCOMPARE(result.err.count('\n'), 1); // and nothing of libpng
+    QVERIFY2(result.err.contains("report.laboratory.logo: this is no PNG or SVG picture"), result.err);
 }
 
 void ReportCommandTest::refusesWrongUsage_data() {

@@ -2,12 +2,44 @@
 
 #include <QPainter>
 #include <QSvgRenderer>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace palmer::ui {
 
 namespace {
 
 constexpr int largestSide = 1200; ///< pixels: 3000 dots per inch at 10 mm
+
+/// Standard error goes nowhere as long as this lives: libpng writes there by itself about a damaged picture,
+/// and what is to be said of it is said once.
+class QuietErrors {
+public:
+    QuietErrors()
+        : m_before(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (m_before >= 0 && nowhere >= 0)
+            ::dup2(nowhere, STDERR_FILENO);
+        if (nowhere >= 0)
+            ::close(nowhere);
+    }
+    ~QuietErrors() {
+        if (m_before < 0)
+            return;
+        ::dup2(m_before, STDERR_FILENO);
+        ::close(m_before);
+    }
+    QuietErrors(const QuietErrors &) = delete;
+    QuietErrors &operator=(const QuietErrors &) = delete;
+
+private:
+    int m_before;
+};
+
+QImage pngImage(const QByteArray &bytes) {
+    const QuietErrors quiet;
+    return QImage::fromData(bytes, "PNG");
+}
 
 QImage onWhite(const QImage &image) {
     QImage result(image.size(), QImage::Format_RGB32);
@@ -23,7 +55,7 @@ Logo::Logo(const QByteArray &bytes) {
     if (bytes.isEmpty())
         return;
     if (bytes.startsWith("\x89PNG")) {
-        QImage image = QImage::fromData(bytes, "PNG");
+        QImage image = pngImage(bytes);
         if (image.isNull())
             return;
         if (std::max(image.width(), image.height()) > largestSide)
