@@ -7353,7 +7353,7 @@
     <message>
         <source>Condition</source>
         <comment>of a test</comment>
-        <translation>Condition</translation>
+        <translation>Conditions</translation>
     </message>
     <message>
         <source>Stated</source>
