@@ -7917,11 +7917,11 @@
     </message>
     <message>
         <source>Circles: as found, full: as left, squares: another series, not joined; bar: ± U. Black: agreed limit. Blue: line with its bounds of 95 %. %1 * not reached within twice the observed time: nothing is said beyond.</source>
-        <translation>Cercles : avant réglage, pleins : après réglage, carrés : autre série, non reliée&#x202f;; barre : ± U. Noir : limite convenue. Bleu : droite et ses bornes à 95 %. %1 * non atteinte dans le double de la durée observée : rien n’est dit au-delà.</translation>
+        <translation>Cercles&#xa0;: avant réglage, pleins&#xa0;: après réglage, carrés&#xa0;: autre série, non reliée&#x202f;; barre&#xa0;: ±&#xa0;U. Noir&#xa0;: limite convenue. Bleu&#xa0;: droite et ses bornes à 95&#xa0;%. %1 * non atteinte dans le double de la durée observée&#xa0;: rien n’est dit au-delà.</translation>
     </message>
     <message>
         <source>line, bounds of 95 %</source>
-        <translation>droite, bornes à 95 %</translation>
+        <translation>droite, bornes à 95&#xa0;%</translation>
     </message>
     <message>
         <source>Test %1: %2</source>
@@ -7970,7 +7970,7 @@
     <message>
         <source>Condition</source>
         <comment>of a test</comment>
-        <translation>Condition</translation>
+        <translation>Conditions</translation>
     </message>
     <message>
         <source>Stated</source>
@@ -8223,6 +8223,10 @@
         <source>%1 over %2</source>
         <comment>the differential expansion over a length</comment>
         <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>unknown language %1; known: fr, en</source>
+        <translation>langue inconnue %1&#x202f;; connues&#xa0;: fr, en</translation>
     </message>
 </context>
 </TS>

@@ -37,19 +37,18 @@ public:
     void add(const TableOfTest &source) {
         if (m_columns.empty())
             m_columns = source.table.columns;
-        std::size_t at = m_subjects.size(); // new subjects stand behind the one before
-        for (const std::vector<Cell> &row : source.table.rows) {
-            const auto own = [&](const Subject &subject) {
-                return std::equal(subject.key.begin(), subject.key.end(), row.begin());
-            };
-            auto subject = std::ranges::find_if(m_subjects, own);
-            if (subject == m_subjects.end()) {
-                const auto end = row.begin() + static_cast<std::ptrdiff_t>(m_keys);
-                subject = m_subjects.insert(m_subjects.begin() + static_cast<std::ptrdiff_t>(at),
-                                            {{row.begin(), end}, {}});
+        const auto &rows = source.table.rows;
+        std::vector<std::size_t> known(rows.size() + 1, rows.size()); // the next row whose subject is
+        for (std::size_t i = rows.size(); i-- > 0;)
+            known[i] = find(rows[i]) != m_subjects.end() ? i : known[i + 1];
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            auto subject = find(rows[i]);
+            if (subject == m_subjects.end()) { // stands before that
+                const auto next = known[i] < rows.size() ? find(rows[known[i]]) : m_subjects.end();
+                const auto end = rows[i].begin() + static_cast<std::ptrdiff_t>(m_keys);
+                subject = m_subjects.insert(next, {{rows[i].begin(), end}, {}});
             }
-            at = static_cast<std::size_t>(subject - m_subjects.begin()) + 1;
-            addStatement(*subject, row, source.test);
+            addStatement(*subject, rows[i], source.test);
         }
     }
 
@@ -91,6 +90,12 @@ private:
         std::vector<Cell> key;
         std::vector<Statement> statements;
     };
+
+    [[nodiscard]] std::vector<Subject>::iterator find(const std::vector<Cell> &row) {
+        return std::ranges::find_if(m_subjects, [&](const Subject &subject) {
+            return std::equal(subject.key.begin(), subject.key.end(), row.begin());
+        });
+    }
 
     void addStatement(Subject &subject, const std::vector<Cell> &row, int test) const {
         std::vector<Cell> cells(row.begin() + static_cast<std::ptrdiff_t>(m_keys), row.end());

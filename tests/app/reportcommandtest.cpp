@@ -35,6 +35,7 @@ private slots:
     void writesAFileForEachLanguage();
     void writesTheReportOfARejectedTest();
     void writesToStandardOutput();
+    void saysBeforehandThatAReportIsLong();
     void sameBytesAnywhere();
     void saysThatALogoIsNoPicture_data();
     void saysThatALogoIsNoPicture();
@@ -77,6 +78,38 @@ void ReportCommandTest::writesToStandardOutput() {
     const CliResult result = run({"report", example, "--language", "fr", "-o", "-"});
     QCOMPARE(result.code, 0);
     QVERIFY(result.out == contents(out));
+}
+
+/// More rows than are printed unasked, and asked for: said on stderr; else nothing is.
+void ReportCommandTest::saysBeforehandThatAReportIsLong() {
+    const QTemporaryDir folder;
+    const auto saidOf = [&](int targets, bool all) {
+        QStringList positions;
+        QStringList deviations;
+        for (int i = 0; i < targets; ++i) {
+            positions << QString::number(i);
+            deviations << QString::number(0.001 * (i % 7));
+        }
+        const QString file = folder.filePath("long.palmer");
+        QFile written(file);
+        if (!written.open(QIODevice::WriteOnly))
+            qFatal("cannot write");
+        const QString text =
+            QStringLiteral(
+                R"({"format": "palmer test report", "version": 2, "report": {"languages": ["en"]%1},
+"tests": [{"kind": "positioning", "id": "x", "edition": "ISO 230-2:2006", "axis": {"name": "X"}, "targets": [%2],
+"runs": [{"approach": "positive", "deviations": [%3]}, {"approach": "negative", "deviations": [%3]}]}]})")
+                .arg(all ? R"(, "include": ["allReadings"])" : "", positions.join(", "),
+                     deviations.join(", "));
+        written.write(text.toUtf8());
+        written.close();
+        return run({"report", file, "-o", folder.filePath("long.pdf"), "--force"}).err;
+    };
+    QCOMPARE(saidOf(2001, false), QByteArray());
+    QCOMPARE(saidOf(2000, true), QByteArray());
+    const QByteArray said = saidOf(2001, true);
+    QVERIFY2(said.startsWith("palmer-cli: all readings are to be printed, on about "), said.constData());
+    QCOMPARE(said.count('\n'), 1);
 }
 
 void ReportCommandTest::sameBytesAnywhere() {

@@ -726,7 +726,11 @@ Strips blockStrips(const std::vector<Block> &blocks, double width, double talles
             strips.back().verdict = std::holds_alternative<VerdictLine>(block);
             above = &block;
         } else if (std::holds_alternative<PageBreak>(block)) {
-            above = nullptr;
+            // A head needs a page of its own; other parts may follow results that found no room there.
+            const auto *next = i + 1 < blocks.size() ? std::get_if<Heading>(&blocks[i + 1]) : nullptr;
+            strips.front().soft = next && next->level == 1;
+            if (!strips.front().soft)
+                above = nullptr;
         }
         result.insert(result.end(), std::make_move_iterator(strips.begin()),
                       std::make_move_iterator(strips.end()));

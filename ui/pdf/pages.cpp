@@ -65,7 +65,8 @@ public:
     void fill(const Strips &strips) {
         for (std::size_t i = 0; i < strips.size();) {
             if (strips[i].pageBreak) {
-                if (!m_page.strips.empty())
+                const bool goesOn = strips[i].soft && m_page.running;
+                if (!m_page.strips.empty() && !goesOn)
                     turnPage();
                 ++i;
             } else if (strips[i].running) {

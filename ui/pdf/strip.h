@@ -23,11 +23,12 @@ struct Strip {
     bool verdict = false; ///< ends the results of a test, for which gaps give way
     double least = 0;     ///< of a figure: the height down to which it gives way, too
     std::function<std::function<void(QPainter &, QPointF)>(double height)>
-        drawOf;                         ///< of a figure: at a height
-    bool withNext = false;              ///< never the last of a page
-    double closingRule = 0;             ///< length of the rule below it where its table is split
-    std::shared_ptr<Strip> head;        ///< of the table it continues: repeated where it begins a page
-    bool pageBreak = false;             ///< nothing but the end of a page
+        drawOf;                  ///< of a figure: at a height
+    bool withNext = false;       ///< never the last of a page
+    double closingRule = 0;      ///< length of the rule below it where its table is split
+    std::shared_ptr<Strip> head; ///< of the table it continues: repeated where it begins a page
+    bool pageBreak = false;      ///< nothing but the end of a page
+    bool soft = false; ///< of such an end: not of a page that only goes on with what stands before it
     std::optional<RunningHead> running; ///< nothing but the running head from here on
     int block = -1;                     ///< index of the block that it begins
     QString link;                       ///< the anchor it leads to

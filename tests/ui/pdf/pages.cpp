@@ -184,6 +184,7 @@ private slots:
     void signaturesAreNeverSplit();
     void headOfASplitTableRepeats();
     void runningHeadBeginsOnTheSecondPage();
+    void aPartBeginsBehindWhatFoundNoRoom();
     void signaturesNeverStandAlone();
     void resultsStayWhole();
     void resultsStandOnTheFirstPage();
@@ -276,6 +277,30 @@ void PagesTest::runningHeadBeginsOnTheSecondPage() {
         QCOMPARE(pages[i].contains(u"FIRST"), heads[i] == u"FIRST");
         QCOMPARE(pages[i].contains(u"SECOND"), heads[i] == u"SECOND");
     }
+}
+
+/// A page that only goes on with a test may be filled up with the next part; the first page of a test, and
+/// that of the next head, are its own.
+void PagesTest::aPartBeginsBehindWhatFoundNoRoom() {
+    const RunningHead running{u"Laboratory"_s, u"Test"_s};
+    const auto pageOfNext = [&](int lines, const std::vector<Block> &next) {
+        std::vector<Block> blocks{running, filler(lines), PageBreak{}};
+        blocks.insert(blocks.end(), next.begin(), next.end());
+        const QStringList pages = pageTexts(pdfOf(reportOfBlocks(std::move(blocks))));
+        for (qsizetype i = 0; i < pages.size(); ++i) {
+            if (pages[i].contains(u"NEXT"))
+                return i + 1;
+        }
+        return qsizetype(0);
+    };
+    const std::vector<Block> part{Heading{1, u"NEXT"_s}, Paragraph{u"below"_s}};
+    const std::vector<Block> section{Heading{2, u"NEXT"_s}, Paragraph{u"below"_s}};
+    TestHead head;
+    head.title = u"NEXT"_s;
+    QCOMPARE(pageOfNext(10, part), qsizetype(2));
+    QCOMPARE(pageOfNext(100, part), qsizetype(2));
+    QCOMPARE(pageOfNext(100, section), qsizetype(3));
+    QCOMPARE(pageOfNext(100, {running, head}), qsizetype(3));
 }
 
 void PagesTest::signaturesNeverStandAlone() {
