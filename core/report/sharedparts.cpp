@@ -158,9 +158,10 @@ public:
             m_table.columns.push_back(column(REPORT_TEXT("report", "End"), Quantity::temperature, 12));
         }
         m_table.columns.push_back(column(REPORT_TEXT("report", "Air pressure"), Quantity::pressure, 17));
+        m_table.columns.back().gapBefore = 2;
         m_table.columns.push_back(column(REPORT_TEXT("report", "Relative humidity"), Quantity::percent, 17));
         m_table.columns.push_back(
-            column(REPORT_TEXT("report", "Temperature gradient"), Quantity::gradient, 21));
+            column(REPORT_TEXT("report", "Temperature gradient"), Quantity::gradient, 19));
         m_table.columns.push_back(column(REPORT_TEXT("report", "α machine"), Quantity::expansion, 19));
         m_table.columns.push_back(column(REPORT_TEXT("report", "α instrument"), Quantity::expansion, 19));
     }
@@ -284,7 +285,6 @@ public:
         m_table.columns.push_back({QString(), {}, Alignment::left, true, 1}); // what is left over
         for (std::vector<Cell> &row : m_table.rows)
             row.push_back(blankCell());
-        m_table.unbroken = true;
         return std::exchange(m_table, {});
     }
 
