@@ -117,6 +117,15 @@ struct Describe {
         return joined(figure.title, parts << figure.note);
     }
 
+    QString operator()(const TrendFigure &figure) const {
+        QStringList parts{figure.label, figure.note};
+        for (const TrendPanel &panel : figure.panels)
+            parts << (panel.symbol + u' ' + panel.statement).trimmed();
+        for (const QString &entry : figure.legend)
+            parts << entry;
+        return joined(figure.title, parts);
+    }
+
     QString operator()(const HistogramFigure &figure) const {
         return joined(figure.title, {figure.evaluatedText, figure.meanText, figure.coverageText});
     }
