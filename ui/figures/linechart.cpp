@@ -87,11 +87,13 @@ void LineChart::build() {
     chart()->removeAllSeries();
     chart()->setBackgroundBrush(palette().color(QPalette::Base));
     chart()->setBackgroundPen(Qt::NoPen);
+    const bool few = std::ranges::all_of(
+        m_figure.lines, [](const FigureLine &line) { return line.points.size() < fewPoints; });
     for (std::size_t i = 0; i < m_figure.lines.size(); ++i) {
         auto *series = new QLineSeries;
         series->setName(m_figure.lines[i].name);
         series->setPen(onScreen(linePen(m_figure.lines[i].role, medium)));
-        series->setPointsVisible(m_figure.lines[i].points.size() < fewPoints);
+        series->setPointsVisible(few);
         series->setMarkerSize(markerSize);
         chart()->addSeries(series);
         series->attachAxis(m_x);
