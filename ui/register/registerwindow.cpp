@@ -12,7 +12,6 @@
 #include "register/trendoutput.h"
 #include "report/accordancetext.h"
 #include "report/wording.h"
-#include "ui/figures/exportfigure.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/register/curvechart.h"
 #include "ui/register/foldersdialog.h"
@@ -423,6 +422,7 @@ QWidget *RegisterWindow::makeTrend() {
     m_trend = new TrendChart;
     m_legend = made("trendLegend", TextSize::tiny);
     m_legend->setAlignment(Qt::AlignCenter);
+    m_legend->setWordWrap(true);
     m_legend->setSizePolicy(QSizePolicy::Ignored,
                             QSizePolicy::Preferred); // the list of machines keeps its width
     auto *left = new QWidget;
@@ -500,6 +500,8 @@ void RegisterWindow::retranslate() {
     constexpr std::array signs{"○ ", "● ", "□ ", "━ ", "▬ ", "┊ "};
     for (qsizetype i = 0; i < legend.size(); ++i)
         legend[i].prepend(QString::fromUtf8(signs.at(static_cast<std::size_t>(i))));
+    for (QString &text : legend)
+        text.replace(u' ', QChar(QChar::Nbsp)); // it breaks between the marks alone
     m_legend->setText(legend.join(QStringLiteral("     ")));
     m_tests->retranslate();
     showHead();
