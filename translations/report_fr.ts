@@ -7467,5 +7467,9 @@
         <source>this is no PNG or SVG picture; the report is printed without it</source>
         <translation>ce n’est ni une image PNG ni une image SVG&#x202f;; le rapport est imprimé sans elle</translation>
     </message>
+    <message>
+        <source>The logo or the mark of the laboratory is no PNG or SVG picture: the report is printed without it.</source>
+        <translation>Le logo ou la marque du laboratoire n’est pas une image PNG ou SVG&#xa0;: le rapport est imprimé sans cette image.</translation>
+    </message>
 </context>
 </TS>
