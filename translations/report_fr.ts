@@ -8172,6 +8172,10 @@
         <translation>ce n’est ni une image PNG ni une image SVG&#x202f;; le rapport est imprimé sans elle</translation>
     </message>
     <message>
+        <source>The logo or the mark of the laboratory is no PNG or SVG picture: the report is printed without it.</source>
+        <translation>Le logo ou la marque du laboratoire n’est pas une image PNG ou SVG&#xa0;: le rapport est imprimé sans cette image.</translation>
+    </message>
+    <message>
         <source>the device is full; save to a file or to another device</source>
         <translation>le périphérique est plein&#x202f;; enregistrer dans un fichier ou sur un autre périphérique</translation>
     </message>

@@ -1,5 +1,6 @@
 #include "document/evaluateddocument.h"
 
+#include "document/picture.h"
 #include "document/testsofverdict.h"
 
 #include "kernel/evaluation/conformity.h"
@@ -7,6 +8,7 @@
 #include "kernel/evaluation/positioningcase.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace palmer {
@@ -51,11 +53,33 @@ bool isRepeated(const Document &document, const Test &test) {
     return std::ranges::any_of(document.tests, alike);
 }
 
+/// Whether there is no picture or one that can be printed. What was looked at last is remembered: it is asked
+/// for every test at every change.
+bool isReadable(const std::optional<std::string> &picture) {
+    if (!picture || picture->empty())
+        return true;
+    struct Known {
+        std::string picture;
+        bool readable = false;
+    };
+    thread_local std::array<Known, 2> known; // logo and mark
+    thread_local std::size_t oldest = 0;
+    const auto found = std::ranges::find(known, *picture, &Known::picture);
+    if (found != known.end())
+        return found->readable;
+    Known &one = known.at(oldest);
+    oldest = (oldest + 1) % known.size();
+    one = {*picture, isPicture(QByteArray::fromBase64(QByteArray::fromStdString(*picture)))};
+    return one.readable;
+}
+
 Surroundings surroundings(const Document &document, const Test &test) {
     Surroundings result;
     result.machine = &document.machine;
     result.repeated = isRepeated(document, test);
     result.adjustmentsStated = !document.report.adjustments.empty();
+    result.picturesReadable =
+        isReadable(document.report.laboratory.logo) && isReadable(document.report.laboratory.mark);
     result.reportDate = document.report.date;
     result.performedFrom = document.report.performedFrom;
     result.performedTo = document.report.performedTo;
@@ -81,9 +105,10 @@ Surroundings surroundings(const Document &document, const Test &test) {
 bool sameContent(const Surroundings &a, const Surroundings &b) {
     return *a.machine == *b.machine && a.otherTestOfLongAxis == b.otherTestOfLongAxis &&
            a.repeated == b.repeated && a.adjustmentsStated == b.adjustmentsStated &&
-           a.reportDate == b.reportDate && a.performedFrom == b.performedFrom &&
-           a.performedTo == b.performedTo && a.environmentalVariation == b.environmentalVariation &&
-           a.simulation == b.simulation && a.simulationOutdated == b.simulationOutdated &&
+           a.picturesReadable == b.picturesReadable && a.reportDate == b.reportDate &&
+           a.performedFrom == b.performedFrom && a.performedTo == b.performedTo &&
+           a.environmentalVariation == b.environmentalVariation && a.simulation == b.simulation &&
+           a.simulationOutdated == b.simulationOutdated &&
            std::ranges::equal(a.instruments, b.instruments,
                               [](const Instrument *x, const Instrument *y) { return *x == *y; });
 }

@@ -152,9 +152,16 @@ void ReportCommandTest::saysThatALogoIsNoPicture() {
     QVERIFY(contents(out).startsWith("%PDF-"));
     if (isPicture) {
         QCOMPARE(result.err, QByteArray());
+        QVERIFY(!run({"check", example, "--json", "--set",
+                      "report.laboratory.logo=" + QString::fromLatin1(picture.toBase64())})
+                     .out.contains("\"pictures\""));
         return;
     }
     QCOMPARE(result.err.count('\n'), 1); // and nothing of libpng
+    const CliResult checked = run({"check", example, "--language", "en", "--json", "--set",
+                                   "report.laboratory.logo=" + QString::fromLatin1(picture.toBase64())});
+    QVERIFY2(checked.out.contains("\"id\": \"pictures\""), checked.out);
+    QCOMPARE(checked.err, QByteArray());
     QVERIFY2(result.err.contains("report.laboratory.logo: this is no PNG or SVG picture"), result.err);
 }
 

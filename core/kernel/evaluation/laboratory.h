@@ -52,6 +52,14 @@ std::optional<Message> adjustmentsNotStated(const Case &test) {
     return Message{REPORT_TEXT("report", "Adjustments not stated.")};
 }
 
+template <class Case>
+std::optional<Message> picturesNotReadable(const Case &test) {
+    if (test.surroundings.picturesReadable)
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "The logo or the mark of the laboratory is no PNG or SVG picture: the "
+                                         "report is printed without it.")};
+}
+
 /// Instruments whose calibration had ended, or was made after the test. Days as they are written compare.
 template <class Case>
 std::optional<Message> calibrationNotValid(const Case &test) {
@@ -92,6 +100,7 @@ inline constexpr std::array checkTable{
     RequirementOf<Case>{"purpose", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, unless<purposeNotStated<Case>>, {}, {}, {"purpose"}},
     RequirementOf<Case>{"role", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, unless<roleNotStated<Case>>, {}, {}, {"role"}},
     RequirementOf<Case>{"role", Source::laboratory, "", Grade::note, Subject::report, nullptr, unless<adjustmentsNotStated<Case>>, {}, {}, {"report.adjustments"}},
+    RequirementOf<Case>{"pictures", Source::laboratory, "", Grade::note, Subject::report, nullptr, unless<picturesNotReadable<Case>>, {}, {}, {"report.laboratory.logo"}},
     RequirementOf<Case>{"calibrationDue", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, unless<calibrationNotValid<Case>>, {}, {}, {"instruments.calibrationDue"}},
     RequirementOf<Case>{"dates", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, unless<datesContradict<Case>>, {}, {}, {"date"}},
 };

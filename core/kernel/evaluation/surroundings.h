@@ -20,6 +20,7 @@ struct Surroundings {
     /// adjustment, for anything that is known.
     bool repeated = false;
     bool adjustmentsStated = false;           ///< of the report
+    bool picturesReadable = true;             ///< logo and mark of the laboratory, where there are any
     std::optional<std::string> reportDate;    ///< YYYY-MM-DD, as the two below
     std::optional<std::string> performedFrom; ///< when the tests of the report were made
     std::optional<std::string> performedTo;

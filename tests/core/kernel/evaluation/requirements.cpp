@@ -590,6 +590,11 @@ void Requirements::rows_data() {
         check("as found", role(true, TestRole::asFound, false), "role", false);
         check("as left, adjustments stated", role(true, TestRole::asLeft, true), "role", false);
         check("as left, adjustments not stated", role(true, TestRole::asLeft, false), "role", true);
+        const auto pictured = [](bool readable) -> Change {
+            return [=](Setup &s) { s.around.picturesReadable = readable; };
+        };
+        check("pictures that can be printed", pictured(true), "pictures", false);
+        check("a picture that is none", pictured(false), "pictures", true);
         const auto calibrated = [](const char *from, const char *due) -> Change {
             return [=](Setup &s) {
                 s.laser.calibrationDate = from;
