@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 # One target carries what every translation unit of the project is compiled with.
 add_library(palmer_options INTERFACE)
 target_compile_options(palmer_options INTERFACE

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Read by run and check: the Debian packages, and how to build. POSIX shell.
 
 buildPackages="g++ cmake ninja-build git ccache libeigen3-dev nlohmann-json3-dev libbenchmark-dev

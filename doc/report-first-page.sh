@@ -1,4 +1,6 @@
 #!/bin/sh
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Makes doc/report-first-page.png after ./run; needs poppler-utils and imagemagick.
 set -eu
 cd "$(dirname "$0")/.."

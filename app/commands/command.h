@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "kernel/words/message.h"
@@ -27,7 +29,8 @@ enum ExitCode : int {
 /// has one dash.
 struct Option {
     const char *name = nullptr;
-    const char *value = nullptr; ///< placeholder in the help; empty for a switch; "csv|text": one of these words
+    const char *value =
+        nullptr; ///< placeholder in the help; empty for a switch; "csv|text": one of these words
     Text description;
     bool repeats = false; ///< may stand several times
     /// What it has no effect without, and is refused: one of these, each an argument ("circular"), an option

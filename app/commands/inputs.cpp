@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/inputs.h"
 
 #include "commands/optionvalues.h"
@@ -39,8 +41,7 @@ public:
 
 private:
     /// `below`: the path from the first folder, with its slash.
-    void walk(const fs::path &folder,
-              const QString &below) {
+    void walk(const fs::path &folder, const QString &below) {
         std::error_code error;
         fs::directory_iterator entries(folder, error);
         if (error)

@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The Monte Carlo simulation of a positioning test as a vectorised NumPy program, to compare times with.
 
 The same model as MonteCarlo/positioning of palmer-benchmarks: worked example of ISO 230-2:1988 as reconstructed

@@ -1,4 +1,6 @@
 #!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 """pandas.read_csv on the table of the benchmark ReadTable, to compare with (python3-pandas).
 
     PALMER_BENCHMARK_TABLE=/tmp/table.csv palmer-benchmarks --benchmark_filter=ReadTable

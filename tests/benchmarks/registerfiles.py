@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Writes test files of many machines over eight years, to try a register with: made-up data whose truth is known.
 
     registerfiles.py FOLDER [--files 10000] [--machines 30] [--circles] [--seed 1]

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A fuzz target without a fuzzer: its corpus, then as many random changes of it as asked for, always the
 // same. For compilers without libFuzzer, and for a short run among the tests.
 //

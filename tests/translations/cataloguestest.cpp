@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include <QDir>
@@ -73,8 +75,8 @@ const QSet<QString> sameInBoth{
     "page %1 / %2", "Centre",       "Centre %1", "Source",     "Centre, F", "Compensation", "Points",
     "Angles",       "Correction C", "positions", "rad",        "mrad",      "µrad",         "µin",
     "min",          "Format",       "Arc (°)",   "air",        "machine",   "point .",      "Page",
-    "Type",         "Validation",   "Angle",     "Sources",    "source 1",  "amplitude",
-    "compensation", "collision", "intervention"};
+    "Type",         "Validation",   "Angle",     "Sources",    "source 1",  "amplitude",    "compensation",
+    "collision",    "intervention"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/model/documentmodel.h"
 
 #include "document/savedocument.h"
@@ -13,7 +15,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr std::size_t mostMemory = std::size_t{256} * 1024 * 1024; ///< of all steps together, about
-constexpr std::size_t readingSize = 24;               ///< bytes a reading takes in a test that is copied
+constexpr std::size_t readingSize = 24; ///< bytes a reading takes in a test that is copied
 constexpr int leastSteps = 10;
 constexpr int mostSteps = 1000;
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pdf/textblock.h"
 
 #include "language/papercharacters.h"
@@ -52,7 +54,8 @@ const Face &face(const TextRun &run, const TextStyle &style) {
 
 thread_local std::size_t measured = 0; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): a count
 /// Kept only where somebody asks.
-thread_local std::optional<std::vector<QRectF>> foreignPlaces; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+thread_local std::optional<std::vector<QRectF>>
+    foreignPlaces; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 bool needsOtherFont(const QString &text) {
     constexpr char16_t endOfLatin = 0x370;

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/decideuncertainty.h"
 
 #include <algorithm>
@@ -145,10 +147,11 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
                  {REPORT_TEXT("report", "The Monte Carlo simulation that is to give the uncertainty was not "
                                         "run.")});
         else if (simulationDecides && !missing.empty())
-            note(evaluation, "monteCarlo",
-                 {REPORT_TEXT("report", "The Monte Carlo simulation that is to give the uncertainty cannot be "
-                                        "run: it takes all results at once, and of some the budget lacks an "
-                                        "input.")});
+            note(
+                evaluation, "monteCarlo",
+                {REPORT_TEXT("report", "The Monte Carlo simulation that is to give the uncertainty cannot be "
+                                       "run: it takes all results at once, and of some the budget lacks an "
+                                       "input.")});
         return;
     }
     if (uncertainty.outdated)

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "kernel/evaluation/commonchecks.h"
@@ -56,8 +58,9 @@ template <class Case>
 std::optional<Message> picturesNotReadable(const Case &test) {
     if (test.surroundings.picturesReadable)
         return std::nullopt;
-    return Message{REPORT_TEXT("report", "The logo or the mark of the laboratory is no PNG or SVG picture: the "
-                                         "report is printed without it.")};
+    return Message{REPORT_TEXT("report",
+                               "The logo or the mark of the laboratory is no PNG or SVG picture: the "
+                               "report is printed without it.")};
 }
 
 /// Instruments whose calibration had ended, or was made after the test. Days as they are written compare.

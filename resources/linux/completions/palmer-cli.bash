@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Completion for bash. What may follow, palmer-cli itself says; where it says nothing, files are offered.
 _palmer_cli()
 {

@@ -1,4 +1,6 @@
 #compdef palmer-cli
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Completion for zsh. What may follow, palmer-cli itself says; where it says nothing, files are offered.
 local line
 local -a found meanings

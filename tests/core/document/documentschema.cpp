@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/completefile.h"
 #include "document/edits.h"
 #include "document/filewords.h"
@@ -68,7 +70,8 @@ const std::map<std::string, const char *> beyondSchema{
     {"expected null, for this reading stands in “excluded”", "are not null in their run"},
     {"this reading is excluded twice; expected it once", "or are excluded twice"},
     {"“%1” stands here twice; expected it once", "a point agreed twice, ids that are not unique"},
-    {"expected the id of an instrument of this file; “%1” is none", "ids that are not unique or name nothing"},
+    {"expected the id of an instrument of this file; “%1” is none",
+     "ids that are not unique or name nothing"},
     {"expected the id of a drift test of this file; “%1” is none", "ids that are not unique or name nothing"},
 };
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Validates documents, one JSON text a line in the file of the second argument, against the schema in the file of
 the first. Prints 1 or 0 a line."""
 import json

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reports, forgeries and damaged files in numbers, each by chance from one seed:
 //
 //     verifyreports REPORTS FORGERIES DAMAGED [SEED]

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "ui/window/shownwindow.h"
@@ -64,7 +66,8 @@ void LayoutTest::elevenTargetsAndFiveRunsNeedNoScrolling_data() {
     // 772: what the title of a window manager leaves of 800.
     for (const int height : {800, 772}) {
         QTest::addRow("example, %d", height) << examplePath("iso230-2-1988-example") << QSize(1280, height);
-        QTest::addRow("fractions of targets, %d", height) << QStringLiteral(DOCUMENTS "/limits-2006.palmer") << QSize(1280, height);
+        QTest::addRow("fractions of targets, %d", height)
+            << QStringLiteral(DOCUMENTS "/limits-2006.palmer") << QSize(1280, height);
     }
 }
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 /// How many targets are asked for (ISO 230-2, 4.3.2 and 4.3.3; of rotary axes practice), for those who judge

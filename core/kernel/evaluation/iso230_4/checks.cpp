@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_4/checks.h"
 
 #include "kernel/evaluation/commonchecks.h"
@@ -214,8 +216,8 @@ Sentence recentred(const CircularCase &test) {
 Sentence feedbackSignal(const CircularCase &test) {
     const std::string &scale = test.measurement.positionFeedback;
     constexpr std::array<std::string_view, 4> linear{"linear", "Linear", "linéaire", "Linéaire"};
-    const bool linearScale =
-        std::ranges::any_of(linear, [&](std::string_view word) { return scale.find(word) != std::string::npos; });
+    const bool linearScale = std::ranges::any_of(
+        linear, [&](std::string_view word) { return scale.find(word) != std::string::npos; });
     if (!test.feedback() || linearScale)
         return std::nullopt;
     return plain(REPORT_TEXT("report",

@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 the Palmer authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Writes computedlines.h: lines through random points, computed another way than the program does: V as a dense matrix of
 decimals with 50 digits, its inverse by elimination, s² by bisection."""
 import random

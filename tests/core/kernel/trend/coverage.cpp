@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How often what a trend says holds: palmer-trend-coverage [TRIALS]. Prints a table.
 #include "core/kernel/trend/simulatedtrends.h"
 
