@@ -361,6 +361,16 @@ private slots:
         QCOMPARE(axes[0].axis, QString("X"));
         QCOMPARE(axes[0].verdict, std::optional(Verdict::conforms));
         QCOMPARE(axes[1].verdict, std::optional(Verdict::doesNotConform));
+        // Of one day the test as left is the newer one.
+        for (const char *role : {"asFound", "asLeft"}) {
+            Sample sample;
+            sample.axis = "Z";
+            sample.role = role;
+            sample.level = sample.role == "asLeft" ? 5 : 30;
+            writeFile(dir.filePath(QString(role) + ".palmer"), fileOf(sample));
+        }
+        (void)scan(reg, {dir.path()});
+        QCOMPARE(axisStates(reg.database()).begin()->second.back().verdict, std::optional(Verdict::conforms));
     }
     void aDayLiesWhereItIs() {
         for (const QDate day :
