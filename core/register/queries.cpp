@@ -295,16 +295,25 @@ std::vector<ListedMachine> machines(Database &database) {
 
 std::map<int, std::vector<AxisState>> axisStates(Database &database) {
     std::map<int, std::vector<AxisState>> result;
-    QSqlQuery &query = database.run(
-        QStringLiteral("select machine, axis, kind, verdict, accordance from (select machine, axis, kind, "
-                       "verdict, accordance, "
-                       "row_number() over (partition by machine, axis order by date desc, time desc, digest "
-                       "desc) as place from "
-                       "test where kind <> 'drift' and date is not null) as newest where place = 1"));
-    while (query.next())
-        result[query.value(0).toInt()].push_back({query.value(1).toString(), fromWord<Kind>(query.value(2)),
-                                                  verdictFrom(query.value(3)),
-                                                  accordanceFrom(query.value(4))});
+    // Of several tests of one day the later one, as tests() sorts them.
+    std::map<std::pair<int, QString>, std::pair<QString, AxisState>> newest;
+    QSqlQuery &query = database.run(QStringLiteral(
+        "select test.machine, test.axis, test.kind, test.verdict, test.accordance, test.time, test.role, "
+        "test.digest from test, (select machine, axis, max(date) as day from test where date is not null and "
+        "kind <> 'drift' group by machine, axis) as last where test.machine = last.machine and test.axis = "
+        "last.axis and test.date = last.day and test.kind <> 'drift'"));
+    while (query.next()) {
+        AxisState state{query.value(1).toString(), fromWord<Kind>(query.value(2)),
+                        verdictFrom(query.value(3)), accordanceFrom(query.value(4))};
+        const QString place = query.value(5).toString() + u' ' +
+                              QString::number(order(fromWord<TestRole>(query.value(6)))) + u' ' +
+                              query.value(7).toString();
+        auto &known = newest[{query.value(0).toInt(), state.axis}];
+        if (known.first.isEmpty() || place > known.first)
+            known = {place, std::move(state)};
+    }
+    for (auto &[key, known] : newest)
+        result[key.first].push_back(std::move(known.second));
     for (auto &[machine, axes] : result)
         std::ranges::sort(axes, {},
                           [](const AxisState &state) { return std::tuple(state.kind, state.axis); });

@@ -28,7 +28,7 @@ constexpr std::array firstStep{
     "setup text not null, correction text not null, purpose text not null, role text not null, verdict text, "
     "rule text not null, accordance text not null, unmet integer not null, undeclared integer not null, "
     "departures integer not null, fingerprint text not null, parts text not null, awaits integer not null)",
-    "create index test_machine on test (machine)",
+    "create index test_machine on test (machine, axis, date, kind, purpose)",
     "create table place (source integer not null references source(id), position integer not null, "
     "test integer not null references test(id), primary key (source, position))",
     "create index place_test on place (test)",
@@ -41,6 +41,7 @@ constexpr std::array firstStep{
     "create table instrument (test integer not null references test(id), position integer not null, "
     "description text not null, serial text not null, certificate text not null, due text)",
     "create index instrument_test on instrument (test)",
+    "create index instrument_due on instrument (description, serial, due)",
     "create table curve (test integer primary key references test(id), points text not null)",
     "insert into register (name, value) values ('writer', '')",
 };

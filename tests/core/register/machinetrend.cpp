@@ -6,6 +6,7 @@
 #include "core/register/registerdata.h"
 #include "register/due.h"
 #include "register/reevaluate.h"
+#include "register/trendfigure.h"
 #include "register/trendoutput.h"
 
 #include <QTemporaryDir>
@@ -300,6 +301,47 @@ private slots:
         QCOMPARE(reevaluate(list, *findEdition("ISO 230-2:2006")).size(), std::size_t{1});
         QCOMPARE(list.size(), std::size_t{4});
     }
+    void theDrawnTrendIsTheComputedOne() {
+        auto tests = sinceRepair();
+        tests.insert(tests.begin(), made("2021-01-01", 11));
+        tests.front().test.edition = "ISO 230-2:1988";
+        tests.front().test.results.front().limit = 0.018;
+        tests[3].test.results.front().verdict = Verdict::doesNotConform;
+        const MachineTrend trend = machineTrend(tests, "A");
+        const QDate today(2026, 11, 22);
+        const Language language(Language::Id::english);
+        const TrendPanel panel = trendPanel(trend, trendSpan({trend}, today), today, language, 8);
+        QCOMPARE(panel.values.size(), std::size_t{10});
+        QCOMPARE(panel.values.back().mark, TrendMark::otherSeries);
+        QCOMPARE(panel.values[3].mark, TrendMark::asLeft);
+        QVERIFY(panel.values[2].exceeds && !panel.values[1].exceeds);
+        // Joined within a role and between interventions: 2023 – 2023, and the five after the repair.
+        QCOMPARE(panel.joined.size(), std::size_t{5});
+        // One line of limits with one step down.
+        QCOMPARE(panel.limits.size(), std::size_t{1});
+        QCOMPARE(panel.limits.front().size(), std::size_t{4});
+        QCOMPARE(panel.limits.front().front().y(), 18.0);
+        QCOMPARE(panel.limits.front().back().y(), 16.0);
+        QCOMPARE(panel.interventions.size(), std::size_t{2});
+        QVERIFY(panel.interventions[1].found && panel.interventions[1].left);
+        QCOMPARE(panel.interventions[1].found->y(), 19.3);
+        QCOMPARE(panel.interventions[1].left->y(), 9.4);
+        // "Not before" lies on the upper edge of the band and on the limit.
+        QVERIFY(panel.notBefore);
+        QCOMPARE(panel.notBefore->y(), 16.0);
+        const auto right = std::ranges::find_if(
+            panel.band, [&](const BandPoint &point) { return point.x >= panel.notBefore->x(); });
+        QVERIFY(right != panel.band.begin() && right != panel.band.end());
+        const BandPoint &left = *std::prev(right);
+        const double part = (panel.notBefore->x() - left.x) / (right->x - left.x);
+        // The edge is drawn by straight pieces of a tenth of a year, days are whole.
+        QVERIFY(std::abs(left.upper + part * (right->upper - left.upper) - 16) < 0.05);
+        QVERIFY(panel.y.from <= 8.4 && panel.y.to >= 20.3); // with the bars of ± U
+        QVERIFY(!trendFigure("A", trend, today, language).legend.empty());
+        // Without a test nothing is drawn, and nothing breaks.
+        const MachineTrend none = machineTrend({}, "A");
+        QVERIFY(trendPanel(none, trendSpan({none}, today), today, language, 8).values.empty());
+    }
     void statesAreThoseOfTheNewestTests() {
         QTemporaryDir dir;
         const auto add = [&](const char *name, const char *axis, const char *date, double level) {
@@ -321,6 +363,16 @@ private slots:
         QCOMPARE(axes[0].axis, QString("X"));
         QCOMPARE(axes[0].verdict, std::optional(Verdict::conforms));
         QCOMPARE(axes[1].verdict, std::optional(Verdict::doesNotConform));
+        // Of one day the test as left is the newer one.
+        for (const char *role : {"asFound", "asLeft"}) {
+            Sample sample;
+            sample.axis = "Z";
+            sample.role = role;
+            sample.level = sample.role == "asLeft" ? 5 : 30;
+            writeFile(dir.filePath(QString(role) + ".palmer"), fileOf(sample));
+        }
+        (void)scan(reg, {dir.path()});
+        QCOMPARE(axisStates(reg.database()).begin()->second.back().verdict, std::optional(Verdict::conforms));
     }
     void aDayLiesWhereItIs() {
         for (const QDate day :
