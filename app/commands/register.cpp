@@ -37,7 +37,7 @@ constexpr std::array options{
     Option{"kind", "positioning|circular|drift", REPORT_TEXT("report", "list: the kind of test")},
     Option{"since", "DATE", REPORT_TEXT("report", "list: tests from that day on (YYYY-MM-DD)")},
     Option{"until", "DATE", REPORT_TEXT("report", "list: tests up to that day")},
-    Option{"verdict", "respected|notProven|exceeded|noneAgreed", REPORT_TEXT("report", "list: how the tests stand to their limits")},
+    Option{"verdict", "respected|notProven|exceeded|noneAgreed|conforms|doesNotConform", REPORT_TEXT("report", "list: how the tests stand to their limits")},
     Option{"due", "DATE", REPORT_TEXT("report", "list: tests after which another, or the certificate of an instrument, is due up to that day")},
     Option{"interval", "MONTHS", REPORT_TEXT("report", "list: months between tests, of machines that have no interval of their own")},
     Option{"text", "WORDS", REPORT_TEXT("report", "list: each of the words somewhere in names, title, date, edition, instruments or file")},
@@ -58,9 +58,9 @@ constexpr std::array options{
 
 /// A part of the command and the options it takes besides `register`.
 struct Part {
-    const char *name;
+    const char *name = nullptr;
     std::vector<const char *> options;
-    int (*run)(const Invocation &);
+    int (*run)(const Invocation &) = nullptr;
 };
 
 bool isTerminal() {
@@ -71,7 +71,7 @@ QString dateOption(const Invocation &invocation, const char *option) {
     const QString given = invocation.value(QLatin1StringView(option)).value_or(QString());
     constexpr qsizetype length = 10;
     if (!given.isEmpty() && (given.size() != length || !QDate::fromString(given, Qt::ISODate).isValid()))
-        refuse(option, given);
+        refuse(option, given, "YYYY-MM-DD");
     return given;
 }
 
@@ -183,14 +183,14 @@ std::optional<Kind> kindOption(const Invocation &invocation) {
         if (*given == QLatin1StringView(row.word))
             return row.value;
     }
-    refuse("kind", *given);
+    refuse("kind", *given, "positioning, circular, drift");
 }
 
 QString verdictOption(const Invocation &invocation) {
     const QString given = invocation.value(QLatin1StringView("verdict")).value_or(QString());
     struct Word {
-        const char *said;
-        const char *limits;
+        const char *said = nullptr;
+        const char *limits = nullptr;
     };
     constexpr std::array words{Word{"respected", "respected"}, Word{"notProven", "notProven"},
                                Word{"exceeded", "exceeded"},   Word{"noneAgreed", "noneAgreed"},
@@ -200,7 +200,7 @@ QString verdictOption(const Invocation &invocation) {
             return QString::fromLatin1(word.limits);
     }
     if (!given.isEmpty())
-        refuse("verdict", given);
+        refuse("verdict", given, "respected, notProven, exceeded, noneAgreed");
     return {};
 }
 
@@ -234,7 +234,7 @@ public:
         if (const auto months = numberOf(invocation, "interval")) {
             constexpr double most = 1200;
             if (*months < 1 || *months > most || *months != std::floor(*months))
-                refuse("interval", *invocation.value(QLatin1StringView("interval")));
+                refuse("interval", *invocation.value(QLatin1StringView("interval")), "1 … 1200");
             m_interval = static_cast<int>(*months);
         }
     }

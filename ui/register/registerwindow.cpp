@@ -811,7 +811,8 @@ void RegisterWindow::fitColumns() {
     }
     m_table->setColumnHidden(TestTableModel::firstResult + results, false); // where another axis had a result
     m_table->setColumnHidden(TestTableModel::firstResult + results + 1, false);
-    m_table->setColumnWidth(TestTableModel::firstResult + results, limitsWidth);
+    const int limits = TestTableModel::firstResult + results;
+    m_table->setColumnWidth(limits, std::max(limitsWidth, m_table->columnWidth(limits) + padding));
 }
 
 void RegisterWindow::resizeEvent(QResizeEvent *event) {
