@@ -37,7 +37,7 @@ constexpr std::array options{
     Option{"kind", "positioning|circular|drift", REPORT_TEXT("report", "list: the kind of test")},
     Option{"since", "DATE", REPORT_TEXT("report", "list: tests from that day on (YYYY-MM-DD)")},
     Option{"until", "DATE", REPORT_TEXT("report", "list: tests up to that day")},
-    Option{"verdict", "respected|notProven|exceeded|noneAgreed|conforms|doesNotConform", REPORT_TEXT("report", "list: how the tests stand to their limits")},
+    Option{"verdict", "respected|notProven|exceeded|noneAgreed", REPORT_TEXT("report", "list: how the tests stand to their limits")},
     Option{"due", "DATE", REPORT_TEXT("report", "list: tests after which another, or the certificate of an instrument, is due up to that day")},
     Option{"interval", "MONTHS", REPORT_TEXT("report", "list: months between tests, of machines that have no interval of their own")},
     Option{"text", "WORDS", REPORT_TEXT("report", "list: each of the words somewhere in names, title, date, edition, instruments or file")},
@@ -186,24 +186,6 @@ std::optional<Kind> kindOption(const Invocation &invocation) {
     refuse("kind", *given, "positioning, circular, drift");
 }
 
-QString verdictOption(const Invocation &invocation) {
-    const QString given = invocation.value(QLatin1StringView("verdict")).value_or(QString());
-    struct Word {
-        const char *said = nullptr;
-        const char *limits = nullptr;
-    };
-    constexpr std::array words{Word{"respected", "respected"}, Word{"notProven", "notProven"},
-                               Word{"exceeded", "exceeded"},   Word{"noneAgreed", "noneAgreed"},
-                               Word{"conforms", "respected"},  Word{"doesNotConform", "exceeded"}};
-    for (const Word &word : words) {
-        if (given == QLatin1StringView(word.said))
-            return QString::fromLatin1(word.limits);
-    }
-    if (!given.isEmpty())
-        refuse("verdict", given, "respected, notProven, exceeded, noneAgreed");
-    return {};
-}
-
 void listFiles(Database &database, const Invocation &invocation) {
     for (const ListedSource &source : troubledSources(database)) {
         const bool isGone = source.state == QLatin1StringView("notFound");
@@ -226,7 +208,7 @@ public:
         m_filter.kind = kindOption(invocation);
         m_filter.since = dateOption(invocation, "since");
         m_filter.until = dateOption(invocation, "until");
-        m_filter.limits = verdictOption(invocation);
+        m_filter.limits = invocation.value(QLatin1StringView("verdict")).value_or(QString());
         m_filter.words = invocation.value(QLatin1StringView("text")).value_or(QString());
         if (m_csv && m_json)
             throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),

@@ -188,6 +188,8 @@ PdfParts takeApart(QPDF &document) {
     for (std::size_t i = 0; i < pages.size(); ++i)
         addAnnotations(result, pages[i], static_cast<int>(i) + 1);
     demandTame(document);
+    if (document.anyWarnings()) // the library read on; another reader may have found no attachment
+        throw std::runtime_error("damaged");
     return result;
 }
 

@@ -366,6 +366,8 @@ public:
                         ++same;
                     } else {
                         fail("damaged", i, result);
+                        keep(u"damaged-%1.pdf"_s.arg(i), file);
+                        keep(u"damaged-%1-before.pdf"_s.arg(i), report.pdf);
                     }
                 } catch (const Error &) {
                     ++refused;
@@ -379,6 +381,13 @@ public:
     [[nodiscard]] int failures() const { return m_failures; }
 
 private:
+    /// To be looked at.
+    static void keep(const QString &name, const QByteArray &bytes) {
+        QFile file(QDir::temp().filePath(name));
+        if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size())
+            std::printf("  kept as %s\n", qPrintable(file.fileName()));
+    }
+
     void fail(const char *what, int index, const Verification &result) {
         ++m_failures;
         std::printf("WRONG: %s %d: %s\n", what, index,
