@@ -188,6 +188,7 @@ public:
                     continue;
                 m_low = std::min(m_low, *reading.value);
                 m_high = std::max(m_high, *reading.value);
+                m_farthest = std::max(m_farthest, std::abs(reading.position));
             }
         }
     }
@@ -210,11 +211,15 @@ private:
         // Readings in a smaller unit than the targets are no positions.
         const bool isSmall = m_stated.unit && m_stated.positionUnit && !m_followTargets &&
                              m_stated.unit->toBase(1) < m_stated.positionUnit->toBase(1);
-        const bool known = !m_stated.content.empty() || isSmall || !anyValue;
+        // "Medida 1 (µm)" is a measured position to some, and a measured deviation to others.
+        const bool areSmall = std::max(std::abs(m_low), std::abs(m_high)) < 0.5 * m_farthest;
+        const bool contradicted = m_stated.content == "positions" && !m_followTargets && anyValue && areSmall;
+        const std::string stated = contradicted ? std::string() : m_stated.content;
+        const bool known = !stated.empty() || (isSmall && !contradicted) || !anyValue;
         const auto settled = m_choices.settle("content",
-                                              !m_stated.content.empty() ? m_stated.content
-                                              : m_followTargets         ? "positions"
-                                                                        : "deviations",
+                                              !stated.empty()   ? stated
+                                              : m_followTargets ? "positions"
+                                                                : "deviations",
                                               known ? Origin::recognised : Origin::guessed);
         m_form.content = settled.value;
         m_positions = m_form.content == "positions";
@@ -301,6 +306,7 @@ private:
     PassForm m_form;
     double m_low = INFINITY;
     double m_high = -INFINITY;
+    double m_farthest = 0; ///< target, by size
     bool m_followTargets = false;
     bool m_positions = false;
     bool m_angular = false;

@@ -97,6 +97,18 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Target pos. (mm);Meas. pos. 1 (mm);Meas. pos. 2 "
         "(mm)\n0;0.001;0.002\n100;100.003;100.004\n200;200.003;200.004\n",
         "target,actual1,actual2 / 0 100 200 / ↑ 1 3 3 / ↓ 2 4 4 / directions");
+    row("signs alone as titles",
+        "+\nTarget (mm);Run 1 (µm);Run 2 (µm)\n0;1;2\n100;3;4\n\n"
+        "-\nTarget (mm);Run 1 (µm);Run 2 (µm)\n0;5;6\n100;7;8\n",
+        "target,run1,run2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ");
+    // A measured what? The values say it, and it is asked.
+    row("Medida in µm", "Posición (mm);Medida 1 (µm);Medida 2 (µm)\n0;1.2;2.2\n100;2;3\n200;-1;4\n",
+        "target,actual1,actual2 / 0 100 200 / ↑ 1.2 2 -1 / ↓ 2.2 3 4 / content directions");
+    row("Medida in µm, positions",
+        "Posición (mm);Medida 1 (µm);Medida 2 (µm)\n0;1;2\n100;100002;100003\n200;199999;200004\n",
+        "target,actual1,actual2 / 0 100 200 / ↑ 1 2 -1 / ↓ 2 3 4 / directions");
+    row("a short axis measured in µm", "Posición (mm);Medida 1 (µm)\n0;1\n1;1002\n2;1999\n",
+        "target,actual1 / 0 1 2 / ↑ 1 2 -1 / directions");
     row("rev in a title", "X axis rev 2\nTarget (mm);1 (µm);2 (µm)\n0;1;5\n100;3;7\n",
         "target,run1,run2 / 0 100 / ↑ 1 3 / ↓ 5 7 / directions");
     row("Dec in a title", "12 Dec 2023\nTarget (mm);1 (µm);2 (µm)\n0;1;5\n100;3;7\n",
