@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/digit.h"
 #include "document/documenterror.h"
 #include "document/json.h"
 #include "document/place.h"
@@ -35,10 +36,6 @@ constexpr std::array powersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7, 
                                  1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
 
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 // Whole blocks and their narrow sums: the compiler takes vectors.
 std::size_t commasIn(std::string_view list) {

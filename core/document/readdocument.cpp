@@ -3,6 +3,7 @@
 #include "document/readdocument.h"
 
 #include "document/bounds.h"
+#include "document/digit.h"
 #include "document/fields.h"
 #include "document/fileversion.h"
 #include "document/filewords.h"
@@ -34,10 +35,6 @@ using nlohmann::json;
 
 Number count(std::size_t value) {
     return {static_cast<double>(value), Quantity::count, 0};
-}
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 // The value of exactly these digits, or −1.

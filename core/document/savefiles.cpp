@@ -20,7 +20,7 @@ namespace palmer {
 
 namespace {
 
-[[noreturn]] void refuse(Text text) {
+[[noreturn]] void refuseFiles(Text text) {
     throw Error(Error::Kind::unwritable, {text, {}, {}});
 }
 
@@ -29,14 +29,14 @@ namespace {
     const QFileInfo info(path);
     const QStorageInfo disk(info.absolutePath());
     if (disk.isValid() && disk.isReadOnly())
-        refuse(REPORT_TEXT("report", "the disk is read-only; save in a folder of another disk"));
+        refuseFiles(REPORT_TEXT("report", "the disk is read-only; save in a folder of another disk"));
     if (disk.isValid() && disk.bytesAvailable() < size)
-        refuse(REPORT_TEXT("report",
-                           "the disk is full; what was there before is unchanged: free some space or "
-                           "save on another disk"));
-    refuse(REPORT_TEXT("report",
-                       "the file could not be saved, for want of permission or space; what was there before "
-                       "is unchanged: save it under another name or in another folder"));
+        refuseFiles(REPORT_TEXT("report",
+                                "the disk is full; what was there before is unchanged: free some space or "
+                                "save on another disk"));
+    refuseFiles(REPORT_TEXT(
+        "report", "the file could not be saved, for want of permission or space; what was there before "
+                  "is unchanged: save it under another name or in another folder"));
 }
 
 /// A descriptor that closes itself.
@@ -77,13 +77,13 @@ int openDevice(const QByteArray &name) {
 
 [[noreturn]] void refuseDevice(int cause) {
     if (cause == ENOSPC)
-        refuse(REPORT_TEXT("report", "the device is full; save to a file or to another device"));
+        refuseFiles(REPORT_TEXT("report", "the device is full; save to a file or to another device"));
     if (cause == ENXIO || cause == EPIPE)
-        refuse(
+        refuseFiles(
             REPORT_TEXT("report", "nobody reads from this pipe; start its reader first, or save to a file"));
-    refuse(REPORT_TEXT("report",
-                       "the device could not be written, for want of permission or because it is none that "
-                       "takes a file; save to a file"));
+    refuseFiles(REPORT_TEXT(
+        "report", "the device could not be written, for want of permission or because it is none that "
+                  "takes a file; save to a file"));
 }
 
 void writeDevice(const QByteArray &bytes, const QString &path) {
@@ -116,13 +116,13 @@ void syncFolder(const QString &path) {
 /// Where it can be seen without writing.
 void demandPlace(const QString &path) {
     if (!isUtf8FileName(path))
-        refuse(
+        refuseFiles(
             REPORT_TEXT("report", "a name to save to has to be UTF-8, and this one is not; choose another"));
     const QFileInfo info(path);
     if (info.isDir())
-        refuse(REPORT_TEXT("report", "this is a folder; expected the name of a file to save to"));
+        refuseFiles(REPORT_TEXT("report", "this is a folder; expected the name of a file to save to"));
     if (!info.absoluteDir().exists())
-        refuse(REPORT_TEXT("report", "the folder does not exist; create it or save in another folder"));
+        refuseFiles(REPORT_TEXT("report", "the folder does not exist; create it or save in another folder"));
 }
 
 /// Renaming would replace the device itself.

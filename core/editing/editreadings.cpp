@@ -16,10 +16,6 @@ namespace {
 
 constexpr double firstInterval = 100; ///< mm or degrees, where there is no other to follow
 
-bool holds(const PositioningMeasurement &measurement, const ReadingPlace &place) {
-    return place.run < measurement.runs.size() && place.target < measurement.targets.size();
-}
-
 /// Both kinds of readings that stand beside the runs count from 1.
 template <class Beside>
 bool isAt(const Beside &reading, const ReadingPlace &place) {
@@ -93,6 +89,10 @@ bool ascends(std::span<const double> positions) {
 }
 
 } // namespace
+
+bool holds(const PositioningMeasurement &measurement, const ReadingPlace &place) {
+    return place.run < measurement.runs.size() && place.target < measurement.targets.size();
+}
 
 std::optional<double> readingAt(const PositioningMeasurement &measurement, const ReadingPlace &place) {
     if (!holds(measurement, place) || place.target >= measurement.runs[place.run].deviations.size())

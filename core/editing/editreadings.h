@@ -17,6 +17,9 @@ namespace palmer {
 // reading set aside is null in its run. Deviations in mm, rotary: degrees. Places that the measurement does
 // not have are passed over.
 
+/// Whether the measurement has such a run and such a target.
+[[nodiscard]] bool holds(const PositioningMeasurement &measurement, const ReadingPlace &place);
+
 /// The deviation at that place; null where it is missing or was set aside.
 [[nodiscard]] std::optional<double> readingAt(const PositioningMeasurement &measurement,
                                               const ReadingPlace &place);

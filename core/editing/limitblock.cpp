@@ -64,7 +64,7 @@ std::optional<Amount> amountIn(const QString &cell) {
 }
 
 /// What a line says.
-struct Line {
+struct LimitLine {
     int number = 0; ///< from 1
     const LimitName *name = nullptr;
     std::vector<Amount> amounts;
@@ -72,7 +72,7 @@ struct Line {
     const Edition *edition = nullptr;
 };
 
-[[noreturn]] void refuse(Text sentence, const Line &line) {
+[[noreturn]] void refuse(Text sentence, const LimitLine &line) {
     throw Error(Error::Kind::content,
                 {sentence, {Number{static_cast<double>(line.number), Quantity::count, 0}}, {}});
 }
@@ -84,7 +84,7 @@ public:
         int number = 0;
         for (const QString &text : block.split(QRegularExpression(QStringLiteral("\r\n|\r|\n")))) {
             ++number;
-            Line line = read(cellsOf(text, block));
+            LimitLine line = read(cellsOf(text, block));
             line.number = number;
             const bool heading = m_lines.empty() && line.amounts.empty() && !line.name;
             if (heading && line.unit)
@@ -102,8 +102,8 @@ public:
     [[nodiscard]] PastedLimits into(Limits limits, std::size_t first, Quantity quantity,
                                     const DisplayUnits &units) const {
         PastedLimits result{std::move(limits), 0};
-        const bool named = std::ranges::any_of(m_lines, [](const Line &line) { return line.name; });
-        for (const Line &line : m_lines) {
+        const bool named = std::ranges::any_of(m_lines, [](const LimitLine &line) { return line.name; });
+        for (const LimitLine &line : m_lines) {
             if (line.amounts.empty())
                 continue;
             if (line.amounts.size() > 1)
@@ -130,8 +130,8 @@ public:
     }
 
 private:
-    Line read(const QStringList &cells) const {
-        Line line;
+    LimitLine read(const QStringList &cells) const {
+        LimitLine line;
         for (const QString &cell : cells) {
             const auto named = std::ranges::find_if(m_names, [&](const LimitName &name) {
                 return squeezed(cell) == squeezed(name.symbol) || cell.toStdString() == name.id;
@@ -150,7 +150,7 @@ private:
         return line;
     }
 
-    [[nodiscard]] double valueOf(const Line &line, Quantity quantity, const DisplayUnits &units) const {
+    [[nodiscard]] double valueOf(const LimitLine &line, Quantity quantity, const DisplayUnits &units) const {
         const Amount &amount = line.amounts.front();
         const Unit *unit = amount.unit ? amount.unit : line.unit ? line.unit : m_unit;
         const NumberEntry entry = unit ? enteredNumber(amount.number, Quantity::number)
@@ -167,7 +167,7 @@ private:
     }
 
     const std::vector<LimitName> &m_names;
-    std::vector<Line> m_lines;
+    std::vector<LimitLine> m_lines;
     const Unit *m_unit = nullptr; ///< of the heading
 };
 

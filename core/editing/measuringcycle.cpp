@@ -29,10 +29,6 @@ ReadingPlace placeOf(const PositioningMeasurement &measurement, std::size_t numb
     return {run, down ? targets - 1 - number % targets : number % targets};
 }
 
-bool holds(const PositioningMeasurement &measurement, const ReadingPlace &place) {
-    return place.run < measurement.runs.size() && place.target < measurement.targets.size();
-}
-
 } // namespace
 
 std::optional<ReadingPlace> nextInCycle(const PositioningMeasurement &measurement,

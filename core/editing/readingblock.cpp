@@ -20,7 +20,7 @@ namespace {
 constexpr double sameTarget = 1e-6; ///< mm or degrees
 
 /// A line of the block; null: an empty line, which has a place all the same.
-using Line = std::optional<TableRow>;
+using BlockLine = std::optional<TableRow>;
 
 bool hasNumber(const CellTable &table, const TableRow &row) {
     return std::ranges::any_of(table.cells(row), &TableCell::isNumber);
@@ -96,7 +96,7 @@ private:
         });
     }
 
-    [[nodiscard]] const TableCell *cellAt(const Line &line, std::size_t column) const {
+    [[nodiscard]] const TableCell *cellAt(const BlockLine &line, std::size_t column) const {
         if (!line || column >= line->count)
             return nullptr;
         return &m_table.cells(*line)[column];
@@ -128,7 +128,7 @@ private:
         };
         // Not for a single column: readings may be as large as their targets where these are small.
         const bool wide =
-            std::ranges::all_of(m_lines, [](const Line &line) { return line && line->count > 1; });
+            std::ranges::all_of(m_lines, [](const BlockLine &line) { return line && line->count > 1; });
         if (m_lines.size() < 2 || !wide)
             return;
         if (columnIs(0, isTarget))
@@ -149,13 +149,13 @@ private:
         const std::size_t column = positionColumnOfBlock - m_place.column;
         std::vector<double> targets = m_result.measurement.targets;
         targets.resize(std::min(targets.size(), m_place.row));
-        const bool any = std::ranges::any_of(m_lines, [&](const Line &line) {
+        const bool any = std::ranges::any_of(m_lines, [&](const BlockLine &line) {
             const TableCell *cell = cellAt(line, column);
             return cell && cell->kind != CellKind::empty;
         });
         if (!any)
             return;
-        for (const Line &line : m_lines) {
+        for (const BlockLine &line : m_lines) {
             const TableCell *cell = cellAt(line, column);
             if (!cell || !cell->isNumber()) {
                 m_result.remarks.push_back(
@@ -175,7 +175,7 @@ private:
     }
 
     void putLine(std::size_t number) {
-        const Line &line = m_lines[number];
+        const BlockLine &line = m_lines[number];
         const std::size_t row = m_place.row + number;
         const std::size_t cells = line ? line->count : 0;
         if (!line && isOneColumn() && m_place.column >= firstRunOfBlock)
@@ -190,7 +190,7 @@ private:
 
     /// Of a single column an empty cell is an empty line.
     [[nodiscard]] bool isOneColumn() const {
-        return std::ranges::all_of(m_lines, [](const Line &line) { return !line || line->count <= 1; });
+        return std::ranges::all_of(m_lines, [](const BlockLine &line) { return !line || line->count <= 1; });
     }
 
     void put(std::size_t row, std::size_t column, const TableCell &cell) {
@@ -267,7 +267,7 @@ private:
     PastedBlock m_result;
     std::optional<ReadingsAside> m_aside; ///< of the result
     CellTable m_table;
-    std::vector<Line> m_lines;
+    std::vector<BlockLine> m_lines;
     std::size_t m_skipped = 0; ///< cells at the beginning of each line that are the targets themselves
     bool m_allZero = true;
     double m_largest = 0;

@@ -3,6 +3,7 @@
 #include "export/compensation.h"
 
 #include "document/documenterror.h"
+#include "kernel/numerics/fullturn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace palmer {
 namespace {
 
 constexpr std::size_t mostPoints = 100'000;
-constexpr double fullTurn = 360;
 constexpr double largest = 1e9; ///< mm, degrees
 
 // Parts of a mm or degree that positions and values are rounded to.
@@ -35,7 +35,7 @@ double positionOf(long long steps) {
     return static_cast<double>(steps) / positionFineness;
 }
 
-[[noreturn]] void refuse(Text text, std::vector<Argument> arguments = {}) {
+[[noreturn]] void refuseCompensation(Text text, std::vector<Argument> arguments = {}) {
     throw Error(Error::Kind::content, {text, std::move(arguments)});
 }
 
@@ -44,7 +44,7 @@ Number count(std::size_t number) {
 }
 
 [[noreturn]] void refuseInterval() {
-    refuse(
+    refuseCompensation(
         REPORT_TEXT("report", "the interval of a compensation is positive and gives at most 100 000 points"));
 }
 
@@ -53,17 +53,18 @@ void demandPossible(const PositioningMeasurement &measurement, CompensationForma
     const bool csv = format == CompensationFormat::csv;
     if ((options.incremental && !csv) ||
         (options.deviations && !csv && format != CompensationFormat::weihong))
-        refuse(REPORT_TEXT("report",
-                           "this format knows absolute values of one sign only; choose compensation-csv"));
+        refuseCompensation(REPORT_TEXT(
+            "report", "this format knows absolute values of one sign only; choose compensation-csv"));
     if (format == CompensationFormat::siemens && options.perDirection)
-        refuse(REPORT_TEXT("report", "this format has one value a point; combine the directions, and "
-                                     "state the reversal value as backlash"));
+        refuseCompensation(REPORT_TEXT("report",
+                                       "this format has one value a point; combine the directions, and "
+                                       "state the reversal value as backlash"));
     if (format == CompensationFormat::siemens && !options.reference)
-        refuse(REPORT_TEXT("report",
-                           "the compensation of a SINUMERIK is 0 at the reference point of the axis: "
-                           "say where that is"));
+        refuseCompensation(
+            REPORT_TEXT("report", "the compensation of a SINUMERIK is 0 at the reference point of the axis: "
+                                  "say where that is"));
     if (format == CompensationFormat::weihong && measurement.axis.motion == Motion::rotary)
-        refuse(REPORT_TEXT("report", "axeserr.dat knows mm only; this axis is rotary"));
+        refuseCompensation(REPORT_TEXT("report", "axeserr.dat knows mm only; this axis is rotary"));
 }
 
 /// A rotary axis of one full turn, by its targets or its stated travel: the table closes.
@@ -96,7 +97,7 @@ std::vector<double> positionsOfTurn(const PositioningMeasurement &measurement,
     if (options.interval) {
         const long long step = steps(*options.interval);
         if (step <= 0 || turn % step != 0)
-            refuse(REPORT_TEXT("report", "the interval of a table of a full turn divides 360°"));
+            refuseCompensation(REPORT_TEXT("report", "the interval of a table of a full turn divides 360°"));
         return evenPositions(low, low + turn, step);
     }
     const double mean = measurementTravel(measurement) / static_cast<double>(measurement.targets.size() - 1);
@@ -113,11 +114,11 @@ std::vector<double> positionsOf(const PositioningMeasurement &measurement, Compe
     const auto possible = [](double position) { return std::abs(position) <= largest; };
     if (closes) {
         if (!possible(options.from.value_or(0)))
-            refuse(REPORT_TEXT("report", "the range of a compensation begins before it ends"));
+            refuseCompensation(REPORT_TEXT("report", "the range of a compensation begins before it ends"));
         return positionsOfTurn(measurement, options);
     }
     if (!(from < to) || !possible(from) || !possible(to))
-        refuse(REPORT_TEXT("report", "the range of a compensation begins before it ends"));
+        refuseCompensation(REPORT_TEXT("report", "the range of a compensation begins before it ends"));
     if (options.interval && !(*options.interval > 0 && *options.interval <= largest))
         refuseInterval();
     if (format == CompensationFormat::siemens) {
@@ -158,8 +159,9 @@ CompensationTable correctionsOfTargets(const PositioningMeasurement &measurement
         const double up = results.upward ? target.positive.mean : target.negative.mean;
         const double down = results.downward ? target.negative.mean : target.positive.mean;
         if (!std::isfinite(up) || !std::isfinite(down))
-            refuse(REPORT_TEXT("report", "target %1 has no mean; a compensation needs one at every target"),
-                   {count(i + 1)});
+            refuseCompensation(
+                REPORT_TEXT("report", "target %1 has no mean; a compensation needs one at every target"),
+                {count(i + 1)});
         curve.forward.push_back(-(perDirection ? up : (up + down) / 2));
         curve.reverse.push_back(-(perDirection ? down : (up + down) / 2));
     }
@@ -222,16 +224,17 @@ void demandLoadable(const CompensationTable &table, CompensationFormat format,
     if (table.positions.size() < 2)
         refuseInterval();
     if (std::ranges::adjacent_find(table.positions, std::ranges::greater_equal()) != table.positions.end())
-        refuse(REPORT_TEXT("report", "the positions of a compensation table ascend"));
+        refuseCompensation(REPORT_TEXT("report", "the positions of a compensation table ascend"));
     if (format == CompensationFormat::linuxcnc && table.positions.size() > mostLinuxcncPoints) {
         const double least =
             (table.positions.back() - table.positions.front()) / static_cast<double>(mostLinuxcncPoints - 2);
-        refuse(REPORT_TEXT("report",
-                           "LinuxCNC loads 256 points at most, this table has %1; choose an interval of "
-                           "%2 or more"),
-               {count(table.positions.size()),
-                Number{std::ceil(least * 1e3) / 1e3,
-                       of.axis.motion == Motion::linear ? Quantity::position : Quantity::angle}});
+        refuseCompensation(
+            REPORT_TEXT("report",
+                        "LinuxCNC loads 256 points at most, this table has %1; choose an interval of "
+                        "%2 or more"),
+            {count(table.positions.size()),
+             Number{std::ceil(least * 1e3) / 1e3,
+                    of.axis.motion == Motion::linear ? Quantity::position : Quantity::angle}});
     }
 }
 
@@ -242,9 +245,10 @@ CompensationTable compensationTable(const Test &test, const TestEvaluation &eval
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     const auto *results = std::get_if<PositioningResults>(&evaluation.results);
     if (!measurement || !results)
-        refuse(REPORT_TEXT("report", "a compensation is made of a positioning test; this test is none"));
+        refuseCompensation(
+            REPORT_TEXT("report", "a compensation is made of a positioning test; this test is none"));
     if (measurement->targets.size() < 2)
-        refuse(REPORT_TEXT("report", "a compensation needs two targets at least"));
+        refuseCompensation(REPORT_TEXT("report", "a compensation needs two targets at least"));
     demandPossible(*measurement, format, options);
     CompensationTable curve = correctionsOfTargets(*measurement, *results, options.perDirection);
     const bool closes = format == CompensationFormat::siemens && isFullTurn(*measurement, options);

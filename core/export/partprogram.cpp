@@ -48,7 +48,7 @@ constexpr Code codeOf(Dialect dialect) {
     return {"", "", "", "", "", false, false, false, false};
 }
 
-[[noreturn]] void refuse(Text text, std::vector<Argument> arguments = {}) {
+[[noreturn]] void refuseProgram(Text text, std::vector<Argument> arguments = {}) {
     throw Error(Error::Kind::content, {text, std::move(arguments)});
 }
 
@@ -95,15 +95,17 @@ std::string axisName(const std::string &name, Dialect dialect) {
                        std::string_view("XYZUVWABC").find(axis[0]) != std::string_view::npos &&
                        std::all_of(axis.begin() + 1, axis.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (!known)
-        refuse(REPORT_TEXT("report",
-                           "a part program cannot move the axis “%1”: it knows the letters X, Y, Z, U, "
-                           "V, W, A, B and C"),
-               {excerpt(name)});
+        refuseProgram(
+            REPORT_TEXT("report",
+                        "a part program cannot move the axis “%1”: it knows the letters X, Y, Z, U, "
+                        "V, W, A, B and C"),
+            {excerpt(name)});
     if (axis.size() > 1 && !codeOf(dialect).assigns)
-        refuse(REPORT_TEXT("report", "in this dialect the axis %1 has no name of its own: %1 before a "
-                                     "position would be axis %2 at another place; give the letter that the "
-                                     "control knows it by"),
-               {axis, axis.substr(0, 1)});
+        refuseProgram(REPORT_TEXT("report",
+                                  "in this dialect the axis %1 has no name of its own: %1 before a "
+                                  "position would be axis %2 at another place; give the letter that the "
+                                  "control knows it by"),
+                      {axis, axis.substr(0, 1)});
     return axis;
 }
 
@@ -185,21 +187,21 @@ void demandSense(const CycleProgram &program, Dialect dialect) {
     constexpr double shortest = 0.001; // s, mm/min: the digits that are written
     constexpr double longestOfKlartext = 3600;
     if (program.targets.empty() || program.runs < 1)
-        refuse(REPORT_TEXT("report", "a part program needs targets and runs"));
+        refuseProgram(REPORT_TEXT("report", "a part program needs targets and runs"));
     if (!(program.dwell >= shortest) || !std::isfinite(program.dwell) ||
         (dialect == Dialect::heidenhain && program.dwell > longestOfKlartext))
-        refuse(REPORT_TEXT("report", "the dwell of a part program cannot be %1"),
-               {Number{program.dwell, Quantity::time}});
+        refuseProgram(REPORT_TEXT("report", "the dwell of a part program cannot be %1"),
+                      {Number{program.dwell, Quantity::time}});
     if (!(program.approach > 0) || !std::isfinite(program.approach))
-        refuse(REPORT_TEXT("report", "the approach distance of a part program is above 0"));
+        refuseProgram(REPORT_TEXT("report", "the approach distance of a part program is above 0"));
     if (program.feed && (!(*program.feed >= shortest) || !std::isfinite(*program.feed)))
-        refuse(REPORT_TEXT("report", "the feed rate of a part program is above 0"));
+        refuseProgram(REPORT_TEXT("report", "the feed rate of a part program is above 0"));
     std::string last;
     for (const double target : program.targets) {
         std::string written = Decimal(target).rounded(program.decimals);
         if (written == last)
-            refuse(REPORT_TEXT("report", "two targets are the same with %1 decimals: %2"),
-                   {Number{static_cast<double>(program.decimals), Quantity::count}, written});
+            refuseProgram(REPORT_TEXT("report", "two targets are the same with %1 decimals: %2"),
+                          {Number{static_cast<double>(program.decimals), Quantity::count}, written});
         last = std::move(written);
     }
 }

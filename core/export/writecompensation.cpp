@@ -24,7 +24,7 @@ double rounded(double value, double parts) {
     return std::round(value * parts) / parts + 0.0; // no −0
 }
 
-[[noreturn]] void refuse(Text text, std::vector<Argument> arguments = {}) {
+[[noreturn]] void refuseTable(Text text, std::vector<Argument> arguments = {}) {
     throw Error(Error::Kind::content, {text, std::move(arguments)});
 }
 
@@ -59,20 +59,21 @@ void demandIdentifier(const std::string &name) {
     constexpr std::size_t longest = 32;
     const auto isLetter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
     if (name.empty())
-        refuse(REPORT_TEXT("report", "the axis of this test has no name; the table needs the one that the "
-                                     "control knows"));
+        refuseTable(REPORT_TEXT("report",
+                                "the axis of this test has no name; the table needs the one that the "
+                                "control knows"));
     if (!isLetter(name[0]) || name.size() > longest ||
         !std::ranges::all_of(name, [&](char c) { return isLetter(c) || (c >= '0' && c <= '9'); }))
-        refuse(REPORT_TEXT("report",
-                           "the axis “%1” cannot be one of a SINUMERIK: a name is a letter with letters "
-                           "and digits behind it"),
-               {excerpt(name)});
+        refuseTable(REPORT_TEXT("report",
+                                "the axis “%1” cannot be one of a SINUMERIK: a name is a letter with letters "
+                                "and digits behind it"),
+                    {excerpt(name)});
 }
 
 std::string writeSiemens(const CompensationTable &table, const CompensationOptions &options) {
     demandIdentifier(table.axis);
     if (options.encoder != 0 && options.encoder != 1)
-        refuse(
+        refuseTable(
             REPORT_TEXT("report", "a SINUMERIK has the measuring systems 0 and 1 of an axis; there is no %1"),
             {Number{static_cast<double>(options.encoder), Quantity::count}});
     const auto &positions = table.positions;
@@ -97,8 +98,8 @@ std::string writeWeihong(const CompensationTable &table, const CompensationOptio
     if (axis.size() == 1 && axis[0] >= 'x' && axis[0] <= 'z')
         axis[0] = static_cast<char>(axis[0] - 32);
     if (axis != "X" && axis != "Y" && axis != "Z")
-        refuse(REPORT_TEXT("report", "axeserr.dat knows the axes X, Y and Z only, not “%1”"),
-               {excerpt(axis)});
+        refuseTable(REPORT_TEXT("report", "axeserr.dat knows the axes X, Y and Z only, not “%1”"),
+                    {excerpt(axis)});
     const double sign = options.deviations ? -1 : 1;
     std::string text = "unit = mm\n[" + axis + "]\n";
     for (std::size_t i = 0; i < table.positions.size(); ++i)
@@ -214,7 +215,7 @@ void readCsvRow(const Line &line, DecimalMark mark, CompensationTable &table) {
         refuseLine(line);
     const double position = numberOf(cells[0], mark, line);
     if (!table.positions.empty() && !(position > table.positions.back()))
-        refuse(REPORT_TEXT("report", "the positions of a compensation table ascend"));
+        refuseTable(REPORT_TEXT("report", "the positions of a compensation table ascend"));
     table.positions.push_back(position);
     table.forward.push_back(numberOf(cells[1], mark, line));
     table.reverse.push_back(numberOf(cells.back(), mark, line));
@@ -230,7 +231,7 @@ CompensationTable readCsv(std::string_view text) {
             readCsvRow(line, form.mark, table);
     }
     if (table.positions.empty())
-        refuse(REPORT_TEXT("report", "the compensation table has no values, no step or no begin"));
+        refuseTable(REPORT_TEXT("report", "the compensation table has no values, no step or no begin"));
     const double parts = table.motion == Motion::linear ? 1e4 : 1e5;
     for (auto *values : {&table.forward, &table.reverse}) {
         double sum = 0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double percent = 100;
 constexpr double leastShare = 0.005; ///< below, "< 1" is printed
-constexpr double mostTicks = 6;
+constexpr double mostLengthTicks = 6;
 
 Quantity quantityOf(const Test &test) {
     const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
@@ -80,7 +80,7 @@ BarFigure budgetFigure(const Test &test, const TestEvaluation &evaluation, const
     figure.x.symbol = QStringLiteral("U");
     figure.x.subscript = QStringLiteral("i");
     figure.x.unit = language.unit(quantity);
-    setRange(figure.x, 0, scaleEnd(largest), mostTicks, TickSteps::lengths, language);
+    setRange(figure.x, 0, scaleEnd(largest), mostLengthTicks, TickSteps::lengths, language);
     return figure;
 }
 

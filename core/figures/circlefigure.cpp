@@ -5,6 +5,7 @@
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/numerics/centringerror.h"
+#include "kernel/numerics/fullturn.h"
 #include "language/rounding.h"
 
 #include <QRectF>
@@ -22,8 +23,6 @@ namespace palmer {
 namespace {
 
 constexpr double micrometresPerMillimetre = 1000;
-constexpr double fullTurn = 360;
-
 /// Space beside the figure for axes and their letters, mm: beside and above it.
 constexpr double sideMargin = 7;
 constexpr double topMargin = 3.5;

@@ -6,6 +6,7 @@
 #include "figures/ticks.h"
 #include "kernel/diagnosis/sourcewords.h"
 #include "kernel/diagnosis/traces.h"
+#include "kernel/numerics/fullturn.h"
 
 #include <QStringList>
 #include <algorithm>
@@ -18,8 +19,6 @@ namespace palmer {
 namespace {
 
 constexpr double micrometres = 1000; ///< of a millimetre
-constexpr double fullTurn = 360;
-
 QString nameOf(Sense sense, const std::string &index, const Language &language) {
     return language.sentence({sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise, %1")
                                                                : REPORT_TEXT("report", "clockwise, %1"),

@@ -11,7 +11,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double margin = 0.06; ///< of the range of the values, above and below
+constexpr double rangeMargin = 0.06; ///< of the range of the values, above and below
 constexpr double longTest = 600;
 constexpr double veryLongTest = 36000;
 constexpr double minute = 60;
@@ -31,7 +31,7 @@ TimeUnit timeUnit(double duration) {
 
 /// From the least to the greatest with a margin; of equal values one unit on either side.
 Interval widened(double low, double high) {
-    const double space = high > low ? (high - low) * margin : 1;
+    const double space = high > low ? (high - low) * rangeMargin : 1;
     return {low - space, high + space};
 }
 

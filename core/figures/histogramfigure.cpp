@@ -12,7 +12,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double mostTicks = 7;
+constexpr double mostBarTicks = 7;
 constexpr double sideMargin = 0.04; ///< of the range, beside what is shown
 
 /// The first and the last interval that holds anything.
@@ -64,7 +64,7 @@ std::optional<HistogramFigure> histogramFigure(const Test &test, const TestEvalu
     const double low = std::min({values.from, figure.evaluated, figure.coverage.from});
     const double high = std::max({values.to, figure.evaluated, figure.coverage.to});
     const double margin = high > low ? (high - low) * sideMargin : 1;
-    setRange(figure.x, low - margin, high + margin, mostTicks, TickSteps::values, language);
+    setRange(figure.x, low - margin, high + margin, mostBarTicks, TickSteps::values, language);
     return figure;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/pathprofile.h"
 
+#include "kernel/numerics/fullturn.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +11,6 @@
 namespace palmer {
 
 namespace {
-
-constexpr double fullTurn = 360;
 
 /// Whether from … to and `visible` overlap in any turn.
 bool overlaps(double from, double to, const Interval &visible) {

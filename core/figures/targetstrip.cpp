@@ -14,9 +14,9 @@ namespace palmer {
 namespace {
 
 constexpr double mostParts = 6;
-constexpr double margin = 0.06;    ///< of the span, on either side
-constexpr double mostStretch = 3;  ///< of the scale, to show the origin
-constexpr double leastSpan = 1e-6; ///< mm or degrees
+constexpr double spanMargin = 0.06; ///< of the span, on either side
+constexpr double mostStretch = 3;   ///< of the scale, to show the origin
+constexpr double leastSpan = 1e-6;  ///< mm or degrees
 
 StripLane laneOf(Direction direction, const PositioningMeasurement &measurement,
                  const PositioningResults &results, std::size_t target, double scale) {
@@ -91,8 +91,8 @@ TargetStrip targetStrip(const Test &test, const TestEvaluation &evaluation, std:
                                                                 statisticDecimals(measurement));
     const Interval range = rangeOf(strip.lanes);
     const double span = std::max(range.to - range.from, leastSpan * scale);
-    setRange(strip.axis, range.from - margin * span, range.to + margin * span, mostParts, TickSteps::values,
-             language);
+    setRange(strip.axis, range.from - spanMargin * span, range.to + spanMargin * span, mostParts,
+             TickSteps::values, language);
     strip.axis.unit = language.unit(deviationQuantity(measurement.axis));
     return strip;
 }

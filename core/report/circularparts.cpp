@@ -24,7 +24,7 @@ constexpr int temperatureDecimals = 1;
 constexpr int expansionDecimals = 1;
 constexpr int deviationDecimals = 1; ///< of centres and C beside the figure, µm
 constexpr int circleDecimals = 2;    ///< of centres and radii in their table, µm
-constexpr int angleDecimals = 1;
+constexpr int pointAngleDecimals = 1;
 constexpr int timeDecimals = 1;
 
 QString axisName(const std::string &name) {
@@ -405,7 +405,7 @@ void addPaths(std::vector<Block> &blocks, const CircularPart &part) {
                      {write.text(REPORT_TEXT("report", "Step")), seconds, Alignment::decimal, false, 17},
                      {write.text(REPORT_TEXT("report", "Duration")), seconds, Alignment::decimal, false, 17}};
     const auto angle = [&](double value) {
-        return write.language().number(value, Quantity::angle, angleDecimals);
+        return write.language().number(value, Quantity::angle, pointAngleDecimals);
     };
     const auto range = [&](Interval interval) {
         return angle(interval.from) + QStringLiteral(" … ") + angle(interval.to);

@@ -6,6 +6,7 @@
 #include "figures/circlefigure.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
+#include "kernel/numerics/fullturn.h"
 #include "language/decimals.h"
 #include "report/wording.h"
 
@@ -347,8 +348,7 @@ ComparisonCurve pathCurve(const Test &test, const TestEvaluation &evaluation, co
     if (path.source.empty())
         return curve;
     const double micrometre = unitScale(Quantity::deviation, language.units()) / 1000;
-    constexpr double turn = 360;
-    const double turns = std::floor((path.evaluated.from + turnTolerance) / turn) * turn;
+    const double turns = std::floor((path.evaluated.from + turnTolerance) / fullTurn) * fullTurn;
     const PathProfile profile = onlyPoints(wholeArc(test, evaluation, path.arc), path.source);
     for (const CircleTrace &trace : decimated(profile, comparedStep)) {
         curve.lines.emplace_back();

@@ -21,7 +21,7 @@ namespace {
 // Widths, mm.
 constexpr double numberWidth = 5;
 constexpr double testWidth = 40;
-constexpr double symbolWidth = 12.5;
+constexpr double quantityWidth = 12.5;
 constexpr double nameWidth = 29;
 constexpr double valueWidth = 11.5;
 constexpr double uncertaintyWidth = 13.5;
@@ -140,7 +140,7 @@ private:
         Column test{text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, numberWidth};
         test.titleSpan = 2;
         test.paddingLeft = 1.2;
-        Column quantity{text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, symbolWidth};
+        Column quantity{text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, quantityWidth};
         quantity.titleSpan = 2;
         Column guard{m_shared.band ? text(REPORT_TEXT("report", "Limit ± U")) : QString(),
                      {},

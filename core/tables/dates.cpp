@@ -14,7 +14,7 @@ namespace {
 
 /// The first letters of the months, folded, in five languages; the longest that are needed to tell them
 /// apart.
-constexpr std::array<std::array<std::string_view, 5>, 12> months{{
+constexpr std::array<std::array<std::string_view, 5>, 12> monthWords{{
     {"jan", "janv", "gen", "ene", "janner"},
     {"feb", "fev", "febr", "feb", "feb"},
     {"mar", "mars", "marz", "maerz", "marzo"},
@@ -29,12 +29,12 @@ constexpr std::array<std::array<std::string_view, 5>, 12> months{{
     {"dec", "dez", "dic", "dec", "dic"},
 }};
 
-int monthOf(const QString &name) {
+int monthNamed(const QString &name) {
     const std::string low = folded(name.toStdString());
     int found = 0;
     std::size_t longest = 2;
-    for (std::size_t m = 0; m < months.size(); ++m) {
-        for (const std::string_view word : months[m]) {
+    for (std::size_t m = 0; m < monthWords.size(); ++m) {
+        for (const std::string_view word : monthWords[m]) {
             if (word.size() > longest && low.starts_with(word)) {
                 found = static_cast<int>(m) + 1;
                 longest = word.size();
@@ -73,7 +73,7 @@ std::optional<std::string> isoDate(std::string_view text) {
         QStringLiteral(R"((?<!\d)(\d{1,2})\.?\s+(?:de\s+)?(\p{L}{3,})\.?\s+(?:de\s+)?(\d{4})(?!\d))"),
         QRegularExpression::UseUnicodePropertiesOption);
     if (const auto match = named.match(line); match.hasMatch()) {
-        if (const int month = monthOf(match.captured(2)))
+        if (const int month = monthNamed(match.captured(2)))
             return validDate(match.captured(3).toInt(), month, match.captured(1).toInt());
     }
     return {};

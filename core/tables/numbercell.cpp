@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/numbercell.h"
 
+#include "document/digit.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -33,10 +35,6 @@ constexpr std::array<std::string_view, 4> wideBlanks{"\u00A0", "\u202F", "\u2009
 constexpr std::array<std::string_view, 23> missingWords{
     "na",     "n/a",    "n.a.",   "null", "none", "nil", "missing", "manquant", "-",   "--",  "---", "\u2013",
     "\u2014", "\u2212", "\u2026", "...",  "*",    "?",   "x",       "#n/a",     "#nv", "#na", "void"};
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

@@ -57,9 +57,9 @@ Comparison comparison(const QString &of, const QString &symbol, double expected,
 }
 
 /// One line of expected.csv: its cells by the names of the columns.
-using Row = std::map<QString, QString>;
+using ReferenceRow = std::map<QString, QString>;
 
-void compareSet(SetValidation &set, const Row &row, bool constructed) {
+void compareSet(SetValidation &set, const ReferenceRow &row, bool constructed) {
     const QString file = row.at(QStringLiteral("file"));
     const QString of = QString(file).remove(QStringLiteral(".csv"));
     const auto number = [&](const char *column) { return row.at(QLatin1StringView(column)).toDouble(); };
@@ -104,7 +104,7 @@ std::vector<SetValidation> validateCircles() {
         true};
     const auto table = lines(QStringLiteral("expected.csv"));
     for (std::size_t i = 1; i < table.size(); ++i) {
-        Row row;
+        ReferenceRow row;
         for (qsizetype column = 0; column < table[0].size(); ++column)
             row[table[0][column]] = table[i].value(column);
         const bool isConstructed = row[QStringLiteral("file")].startsWith(QLatin1StringView("con_"));

@@ -130,7 +130,7 @@ std::vector<Base> OptionEffectTest::bases() const {
         {"evaluate a measurement", {"evaluate", SOURCE "/doc/x-axis.csv", "--accept"}},
         {"check", {"check", axis}},
         {"check circles", {"check", at("two.palmer")}},
-        {"report", {"report", EXAMPLES "one-direction.palmer", "--language", "en", "-o", "OUT/r.pdf"}},
+        {"report", {"report", axis, "--language", "en", "-o", "OUT/r.pdf"}},
         {"report of circles", {"report", at("two.palmer"), "--language", "en", "-o", "OUT/r.pdf"}},
         {"verify", {"verify", at("report.pdf")}},
         {"extract", {"verify", at("report.pdf"), "--extract", "OUT/x.palmer"}},

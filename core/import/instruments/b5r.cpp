@@ -25,7 +25,7 @@ namespace {
 constexpr int deepest = 64;
 constexpr qsizetype longestText = qsizetype(1) << 28;
 constexpr int mostUnknown = 12;
-constexpr std::size_t mostPoints = 10'000'000;
+constexpr std::size_t mostReadings = 10'000'000;
 
 /// The units of the attribute DT.
 struct TypeUnit {
@@ -232,7 +232,7 @@ private:
                      {excerpt(word)}},
                     place());
             readings.push_back(value.value);
-            if (readings.size() > mostPoints)
+            if (readings.size() > mostReadings)
                 throw Error(Error::Kind::tooLarge,
                             {REPORT_TEXT("report", "more than 10 000 000 readings or points")}, place());
             rest.remove_prefix(end);

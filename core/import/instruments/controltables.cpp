@@ -20,7 +20,7 @@ namespace {
 
 constexpr double positionFineness = 1e6; ///< parts of a mm or degree
 constexpr double valueFineness = 1e7;
-constexpr std::size_t mostPoints = 100'000;
+constexpr std::size_t mostTableRows = 100'000;
 
 double rounded(double value, double parts) {
     return std::round(value * parts) / parts + 0.0; // no −0
@@ -90,7 +90,7 @@ std::optional<std::array<double, 3>> triplet(std::string_view line) {
 // ---- SINUMERIK
 
 /// $NAME[indexes]=value ; comment
-struct Assignment {
+struct Command {
     std::string name;
     std::vector<std::string> indexes;
     std::string value;
@@ -106,8 +106,8 @@ std::string plain(std::string_view text) {
     return result;
 }
 
-std::vector<Assignment> assignmentsOf(std::string_view text) {
-    std::vector<Assignment> result;
+std::vector<Command> assignmentsOf(std::string_view text) {
+    std::vector<Command> result;
     for (const Line &line : linesOf(text)) {
         const std::string code = plain(line.text.substr(0, line.text.find(';')));
         if (!code.starts_with("$AA_ENC_COMP") && !code.starts_with("$AN_CEC"))
@@ -117,7 +117,7 @@ std::vector<Assignment> assignmentsOf(std::string_view text) {
         const std::size_t equals = code.find('=');
         if (open == std::string::npos || close == std::string::npos || close < open || equals != close + 1)
             refuseLine(line);
-        Assignment each{code.substr(0, open), {}, code.substr(equals + 1), line};
+        Command each{code.substr(0, open), {}, code.substr(equals + 1), line};
         // Manuals print [0.3] for [0,3], too.
         const std::string inside = code.substr(open + 1, close - open - 1);
         for (std::size_t at = 0; at <= inside.size();) {
@@ -145,7 +145,7 @@ struct Stepped {
 std::size_t pointIndex(const std::string &text, const Line &line) {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-    if (error != std::errc() || end != text.data() + text.size() || index > mostPoints)
+    if (error != std::errc() || end != text.data() + text.size() || index > mostTableRows)
         refuseLine(line);
     return index;
 }
@@ -155,7 +155,7 @@ std::string withoutBrackets(std::string text) {
     return text;
 }
 
-void take(Stepped &table, const Assignment &each, std::string_view what) {
+void take(Stepped &table, const Command &each, std::string_view what) {
     const auto number = [&] { return numberOf(each.value, each.line); };
     if (what == "_STEP")
         table.step = number();
@@ -181,7 +181,7 @@ CompensationTable correctionsOf(const Stepped &stepped) {
     std::size_t points = stepped.values.rbegin()->first + 1;
     if (stepped.high) {
         const double steps = std::floor((*stepped.high - *stepped.low) / *stepped.step + 1e-6);
-        if (!(steps >= 0) || steps > static_cast<double>(mostPoints))
+        if (!(steps >= 0) || steps > static_cast<double>(mostTableRows))
             refuseTable();
         points = static_cast<std::size_t>(steps) + 1;
     }
@@ -224,11 +224,11 @@ void noteOthers(FoundTable &found, std::size_t others) {
                                  {Number{static_cast<double>(others), Quantity::count}}});
 }
 
-FoundTable encoderTable(const std::vector<Assignment> &assignments) {
+FoundTable encoderTable(const std::vector<Command> &assignments) {
     std::map<std::string, Stepped> tables; // by axis and measuring system
     std::string first;
     std::string axis;
-    for (const Assignment &each : assignments) {
+    for (const Command &each : assignments) {
         if (!each.name.starts_with("$AA_ENC_COMP"))
             continue;
         const std::string what = each.name.substr(std::string_view("$AA_ENC_COMP").size());
@@ -251,9 +251,9 @@ FoundTable encoderTable(const std::vector<Assignment> &assignments) {
     return found;
 }
 
-FoundTable sagTable(const std::vector<Assignment> &assignments) {
+FoundTable sagTable(const std::vector<Command> &assignments) {
     std::map<std::string, Stepped> tables; // by index
-    for (const Assignment &each : assignments) {
+    for (const Command &each : assignments) {
         const std::string what = each.name.substr(std::string_view("$AN_CEC").size());
         if (each.indexes.size() != (what.empty() ? 2U : 1U))
             refuseLine(each.line);
@@ -391,9 +391,9 @@ FoundTable readLinuxcncTable(std::string_view text, LinuxcncValues values) {
 }
 
 FoundTable readSinumerikTable(std::string_view text) {
-    const std::vector<Assignment> assignments = assignmentsOf(text);
+    const std::vector<Command> assignments = assignmentsOf(text);
     const bool encoder = std::ranges::any_of(
-        assignments, [](const Assignment &each) { return each.name.starts_with("$AA_ENC_COMP"); });
+        assignments, [](const Command &each) { return each.name.starts_with("$AA_ENC_COMP"); });
     if (assignments.empty())
         refuseTable();
     FoundTable found = encoder ? encoderTable(assignments) : sagTable(assignments);

@@ -16,7 +16,6 @@ namespace palmer {
 
 namespace {
 
-constexpr std::string_view defaultEdition = "ISO 230-2:2014";
 constexpr long mostIndex = 1'000'000;
 
 struct Assignment {
@@ -104,7 +103,7 @@ public:
         Test test;
         PositioningMeasurement measurement = measurementOf(passes, form, m.remarks);
         measurement.axis.name = m_choices.settle("axis", m_axis, Origin::recognised).value;
-        test.edition = m_choices.settle("edition", defaultEdition, Origin::recognised).value;
+        test.edition = m_choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
         test.measurement = std::move(measurement);
         m.test = std::move(test);
     }

@@ -15,7 +15,6 @@ namespace palmer {
 
 namespace {
 
-constexpr std::string_view defaultEdition = "ISO 230-2:2014";
 constexpr std::string_view mark = "Avg Error";
 
 /// A table of means: below "Position  Forward Directional Avg Error".
@@ -131,7 +130,7 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
     Test test;
     PositioningMeasurement measurement = measurementOf(passes, form, imported.remarks);
     measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
-    test.edition = choices.settle("edition", defaultEdition, Origin::recognised).value;
+    test.edition = choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
     test.measurement = std::move(measurement);
     imported.test = std::move(test);
     choices.settle("kind", "positioning", Origin::recognised);

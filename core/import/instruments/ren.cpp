@@ -14,8 +14,6 @@ namespace palmer {
 
 namespace {
 
-constexpr std::string_view defaultEdition = "ISO 230-2:2014";
-
 bool contains(std::string_view text, std::string_view word) {
     for (std::size_t i = 0; i + word.size() <= text.size(); ++i) {
         if (sameWord(text.substr(i, word.size()), word))
@@ -162,7 +160,7 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
     Test test;
     PositioningMeasurement measurement = measurementOf({pass}, form, imported.remarks);
     measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
-    test.edition = choices.settle("edition", defaultEdition, Origin::recognised).value;
+    test.edition = choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
     test.measurement = std::move(measurement);
     imported.test = std::move(test);
     choices.settle("kind", "positioning", Origin::recognised);

@@ -17,7 +17,6 @@ namespace palmer {
 
 namespace {
 
-constexpr std::string_view defaultEdition = "ISO 230-2:2014";
 constexpr double mostTargets = 1e6;
 
 constexpr std::array<std::string_view, 7> knownSections{"HEADER",     "TARGET DATA", "USER-TEXT",  "RUNS",
@@ -56,7 +55,7 @@ public:
         PositioningMeasurement measurement = measurementOf(passesInOrder(), form, m.remarks);
         readUserText(test, measurement);
         readEnvironment(measurement);
-        test.edition = m_choices.settle("edition", defaultEdition, Origin::recognised).value;
+        test.edition = m_choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
         test.measurement = std::move(measurement);
         m.test = std::move(test);
         remarkIgnored();

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 14> knownKeys{
     "Owner", "Version no", "File Type", "Velocity", "Sample rate", "Sample no", "Actual sample rate",
     "Flags", "Machine",    "Serial No", "Date",     "By",          "Axis",      "Location"};
 
-std::optional<double> numberOf(std::optional<std::string_view> text) {
+std::optional<double> leadingNumberOf(std::optional<std::string_view> text) {
     if (!text)
         return {};
     const LeadingNumber number = leadingNumber(*text, decimalMarkIn(*text));
@@ -37,10 +37,10 @@ struct Sampling {
 };
 
 Sampling samplingOf(const Section *header) {
-    const auto samples = header ? numberOf(header->value("Sample no")) : std::nullopt;
-    auto rate = header ? numberOf(header->value("Actual sample rate")) : std::nullopt;
+    const auto samples = header ? leadingNumberOf(header->value("Sample no")) : std::nullopt;
+    auto rate = header ? leadingNumberOf(header->value("Actual sample rate")) : std::nullopt;
     if (!rate || !(*rate > 0))
-        rate = header ? numberOf(header->value("Sample rate")) : std::nullopt;
+        rate = header ? leadingNumberOf(header->value("Sample rate")) : std::nullopt;
     if (!samples || !(*samples >= 2) || *samples != std::floor(*samples))
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "the number of samples is missing in the head")});

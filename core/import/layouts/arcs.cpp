@@ -3,15 +3,14 @@
 #include "import/layouts/arcs.h"
 
 #include "document/documenterror.h"
+#include "import/choices.h"
 #include "kernel/evaluation/edition.h"
 
 #include <cmath>
 
 namespace palmer {
 
-namespace {
-constexpr std::string_view defaultEdition = "ISO 230-4:2005";
-}
+namespace {}
 
 void settleCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
                   std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks) {
@@ -43,10 +42,10 @@ void settleCircle(CircularMeasurement &measurement, std::string &edition, std::s
              0,
              0,
              "calibrated"});
-    edition = choices.settle("edition", defaultEdition, Origin::recognised).value;
+    edition = choices.settle("edition", latestCircularEdition, Origin::recognised).value;
     const Edition *known = findEdition(edition);
     if (!known || known->kind != Kind::circular) {
-        edition = defaultEdition;
+        edition = latestCircularEdition;
     }
 }
 

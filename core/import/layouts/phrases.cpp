@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/phrases.h"
 
+#include "document/digit.h"
 #include "tables/folded.h"
 #include "tables/numbercell.h"
 
@@ -222,10 +223,6 @@ constexpr std::array precedence{
     Meaning::place,     Meaning::reading,     Meaning::run,    Meaning::direction, Meaning::process,
     Meaning::index,     Meaning::axis,
 };
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 bool isWordByte(char c) {
     return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;

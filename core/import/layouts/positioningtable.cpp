@@ -12,8 +12,6 @@ namespace palmer {
 
 namespace {
 
-constexpr std::string_view defaultEdition = "ISO 230-2:2014";
-
 bool isStrictlyMonotone(std::span<const double> values) {
     return std::ranges::adjacent_find(values, std::ranges::greater_equal()) == values.end() ||
            std::ranges::adjacent_find(values, std::ranges::less_equal()) == values.end();
@@ -159,10 +157,10 @@ void readPositioning(TableReading &reading) {
     PositioningMeasurement measurement = measurementOf(passes, form, reading.result.remarks);
     measurement.axis.name = reading.choices.settle("axis", axisName(reading), Origin::recognised).value;
     Test test;
-    test.edition = reading.choices.settle("edition", defaultEdition, Origin::recognised).value;
+    test.edition = reading.choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
     const Edition *edition = findEdition(test.edition);
     if (!edition || edition->kind != Kind::positioning)
-        test.edition = defaultEdition;
+        test.edition = latestPositioningEdition;
     test.measurement = std::move(measurement);
     reading.result.test = std::move(test);
 }

@@ -21,7 +21,7 @@ struct Piece {
     std::optional<Direction> hint; ///< of a title with other words in it
 };
 
-bool isStrictlyMonotone(std::span<const double> values) {
+bool isOneWay(std::span<const double> values) {
     if (values.size() < 2)
         return true;
     const bool up = values[1] > values[0];
@@ -328,7 +328,7 @@ private:
         }
         if (rows.empty())
             return pieces;
-        const bool isOrdered = isStrictlyMonotone(positions);
+        const bool isOrdered = isOneWay(positions);
         std::vector<double> sorted;
         if (!isOrdered) {
             sorted = positions;

@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/iso230_2/targetcount.h"
 #include "kernel/evaluation/positioningcase.h"
+#include "kernel/numerics/fullturn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace palmer {
 namespace {
 
 constexpr double largestShare = 0.3; ///< of the interval: where the period is unknown
-constexpr double fullTurn = 360;
 constexpr double quarterTurn = 90;
 constexpr std::size_t freeTargetsOf1988 = 3;
 

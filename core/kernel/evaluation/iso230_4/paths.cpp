@@ -3,6 +3,7 @@
 #include "kernel/evaluation/iso230_4/paths.h"
 
 #include "kernel/numerics/centringerror.h"
+#include "kernel/numerics/fullturn.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@ namespace palmer::iso230_4 {
 
 namespace {
 
-constexpr double fullTurn = 360;
 constexpr double largestClosing = 2; ///< times the largest inner step
 constexpr double largestStep = 4;    ///< times the median step; beyond is a hole
 constexpr double mostHoles = 90;     ///< degrees, of a full circle
