@@ -51,7 +51,7 @@ constexpr const char *diagnosisWord = "diagnosis";
 
 struct CircleWord {
     const char *word = nullptr;
-    CircleOf of;
+    CircleOf of = CircleOf::both;
 };
 
 constexpr std::array circleWords{
@@ -163,7 +163,7 @@ int run(const Invocation &invocation) {
             evaluate(std::make_shared<const Document>(std::move(document)), nullptr, {});
         const std::size_t index = testIndex(invocation, evaluated.tests.size());
         const NamedFigure named = figureOf(evaluated, index, wanted, invocation.language);
-        const QString target = outputs.at(static_cast<qsizetype>(&input - inputs.list.data()));
+        const QString &target = outputs.at(static_cast<qsizetype>(&input - inputs.list.data()));
         try {
             if (inputs.several)
                 makeFolderOf(target);

@@ -68,7 +68,7 @@ bool isTerminal() {
 }
 
 QString dateOption(const Invocation &invocation, const char *option) {
-    const QString given = invocation.value(QLatin1StringView(option)).value_or(QString());
+    QString given = invocation.value(QLatin1StringView(option)).value_or(QString());
     constexpr qsizetype length = 10;
     if (!given.isEmpty() && (given.size() != length || !QDate::fromString(given, Qt::ISODate).isValid()))
         refuse(option, given, "YYYY-MM-DD");
@@ -129,7 +129,7 @@ int report(const ScanResult &result, const Invocation &invocation) {
 }
 
 QStringList foldersOf(const Invocation &invocation) {
-    const QStringList folders = invocation.arguments.mid(1);
+    QStringList folders = invocation.arguments.mid(1);
     if (folders.isEmpty())
         throw UsageError({REPORT_TEXT("report", "register scan needs a folder"), {}});
     return folders;

@@ -21,6 +21,7 @@ std::optional<int> found() {
     if (const int columns = qEnvironmentVariableIntValue("COLUMNS", &isNumber); isNumber && columns > 0)
         return std::clamp(columns, fewest, most);
     winsize size{};
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): so POSIX declares it
     if (::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
         return std::clamp(static_cast<int>(size.ws_col), fewest, most);
     return {};

@@ -93,6 +93,7 @@ ReachableFile::ReachableFile(const QString &name)
     : m_name(name) {
     if (isUtf8FileName(name))
         return;
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): so POSIX declares it
     m_descriptor = ::open(nativeFileName(name).constData(), O_PATH | O_CLOEXEC);
     if (m_descriptor >= 0)
         m_name = QStringLiteral("/proc/self/fd/%1").arg(m_descriptor);

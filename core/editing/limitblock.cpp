@@ -33,7 +33,7 @@ QStringList cellsOf(const QString &line, const QString &block) {
     return cells;
 }
 
-QString squeezed(QString text) {
+QString squeezed(const QString &text) {
     static const QRegularExpression space(QStringLiteral("[\\s_,]"));
     return text.normalized(QString::NormalizationForm_KC).remove(space);
 }
@@ -130,7 +130,7 @@ public:
     }
 
 private:
-    LimitLine read(const QStringList &cells) const {
+    [[nodiscard]] LimitLine read(const QStringList &cells) const {
         LimitLine line;
         for (const QString &cell : cells) {
             const auto named = std::ranges::find_if(m_names, [&](const LimitName &name) {

@@ -6,6 +6,7 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "kernel/diagnosis/sourcewords.h"
+#include "kernel/measurement/referencetemperature.h"
 
 #include <nlohmann/json.hpp>
 
@@ -183,8 +184,8 @@ QByteArray truthJson(const PositioningSynthesis &asked) {
     add("backlash", asked.backlash * micrometres, "µm");
     add("reversal", asked.reversal * micrometres, "µm");
     add("drift", asked.drift * micrometres, "µm");
-    add("temperature", asked.temperature - 20, "°C above 20");
-    if (asked.temperature != 20)
+    add("temperature", asked.temperature - referenceTemperature, "°C above 20");
+    if (asked.temperature != referenceTemperature)
         sources.back()["expansion"] = asked.expansion;
     truth["sources"] = std::move(sources);
     truth["noise"] = noiseJson(asked.noise);

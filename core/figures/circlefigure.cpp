@@ -3,6 +3,7 @@
 #include "figures/circlefigure.h"
 
 #include "figures/ticks.h"
+#include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/numerics/centringerror.h"
 #include "kernel/numerics/fullturn.h"
@@ -47,10 +48,6 @@ constexpr double keyRow = 4.8; ///< mm
 constexpr double keyGap = 1;
 constexpr double threeColumns = 105; ///< width that holds them, mm
 
-CircleOf circleOf(Sense sense) {
-    return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
-}
-
 /// The test and what of it a figure shows.
 struct CircleSource {
     const CircularMeasurement &measurement;
@@ -73,10 +70,12 @@ struct CircleSource {
         if (options.of != CircleOf::both || results.paths.empty())
             return options.of;
         const bool alone = results.paths.size() == 1 || (radial() && !aboutSetUp());
-        return alone ? circleOf(results.paths.front().sense) : CircleOf::both;
+        return alone ? iso230_4::circleOf(results.paths.front().sense) : CircleOf::both;
     }
 
-    [[nodiscard]] bool shows(Sense sense) const { return of() == CircleOf::both || of() == circleOf(sense); }
+    [[nodiscard]] bool shows(Sense sense) const {
+        return of() == CircleOf::both || of() == iso230_4::circleOf(sense);
+    }
 
     /// The circle whose centre the figure is drawn about; null for the programmed centre.
     [[nodiscard]] const CircleResult *circle() const {
@@ -635,7 +634,7 @@ PathProfile wholeArc(const Test &test, const TestEvaluation &evaluation, std::si
     const CircleSource source(test, evaluation, options);
     const Arc &measured = source.measurement.arcs[arc];
     const CircleResult *circle =
-        source.results.circle(circleOf(measured.sense), ReferenceCircle::leastSquares);
+        source.results.circle(iso230_4::circleOf(measured.sense), ReferenceCircle::leastSquares);
     std::vector<std::size_t> points(measured.angles.size());
     std::iota(points.begin(), points.end(), std::size_t{0});
     PathProfile result = profile(measured, points, pointsOf(measured, points, source).view(),
@@ -735,7 +734,7 @@ std::vector<CircleFigureOptions> separateCircleFigures(const Test &test, const T
     for (const auto subject : {CircleSubject::circularDeviation, CircleSubject::radialDeviation}) {
         for (const EvaluatedPath &path : source.results.paths) {
             CircleFigureOptions one;
-            one.of = circleOf(path.sense);
+            one.of = iso230_4::circleOf(path.sense);
             one.subject = subject;
             const CircleSource of(test, evaluation, one);
             const Parameter *shown = of.radial() ? of.parameter("Fmax") : of.circularDeviation();

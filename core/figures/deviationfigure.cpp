@@ -3,6 +3,7 @@
 #include "figures/deviationfigure.h"
 
 #include "figures/ticks.h"
+#include "kernel/evaluation/positioningcase.h"
 #include "language/decimals.h"
 #include "language/rounding.h"
 
@@ -21,9 +22,6 @@ constexpr double positionMargin = 0.03;
 constexpr double valueMargin = 0.07;
 constexpr double mostPositionTicks = 6.5;
 constexpr double mostValueTicks = 12;
-
-constexpr double longLinearAxis = 2000; ///< mm
-constexpr double longRotaryAxis = 360;  ///< degrees
 
 struct AxisSource {
     const PositioningMeasurement &measurement;
@@ -72,10 +70,7 @@ CurveRole roleOf(Direction direction) {
 }
 
 bool wholeTravelOfLongAxis(const PositioningMeasurement &measurement, const PositioningResults &results) {
-    if (results.judgedAsZone)
-        return false;
-    const double travel = measurement.axis.travel.value_or(measurementTravel(measurement));
-    return travel > (measurement.axis.motion == Motion::rotary ? longRotaryAxis : longLinearAxis);
+    return !results.judgedAsZone && isLongAxis(measurement);
 }
 
 void addCurves(CurveFigure &figure, const AxisSource &source, CurveRole role, auto &&mean) {

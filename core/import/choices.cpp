@@ -184,34 +184,41 @@ const ImportKey *findImportKey(std::string_view key) {
     return found == keys.end() ? nullptr : found;
 }
 
-void demandKnown(const ImportOptions &options) {
-    for (const auto &[key, value] : options) {
-        const ImportKey *known = findImportKey(key);
-        if (!known) {
-            std::string list;
-            for (const ImportKey &row : keys)
-                list += (list.empty() ? "" : ", ") + std::string(row.key);
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "unknown choice %1; known: %2"), {key, list}});
-        }
-        const auto same = [&chosen = value](const ImportWord &word) { return word.word == chosen; };
-        if (known->value == ImportValue::word && std::ranges::none_of(known->words, same))
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                               {key, value, listOf(known->words)}});
-        if (known->value == ImportValue::number && !numberOf(value))
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "%1 cannot be %2; expected a number"), {key, value}});
-        if (std::string unknownRole; key == "columns" && !columnsOf(value, unknownRole))
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                               {key, unknownRole, roleWords()}});
-        if (key == "edition" && !findEdition(value)) {
-            std::string list;
-            for (const Edition *edition : editions())
-                list += (list.empty() ? "" : ", ") + std::string(edition->word);
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "unknown edition %1; known: %2"), {value, list}});
-        }
+namespace {
+
+void demandKnownValue(const std::string &key, const std::string &value) {
+    const ImportKey *known = findImportKey(key);
+    if (!known) {
+        std::string list;
+        for (const ImportKey &row : keys)
+            list += (list.empty() ? "" : ", ") + std::string(row.key);
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "unknown choice %1; known: %2"), {key, list}});
     }
+    const auto same = [&](const ImportWord &word) { return word.word == value; };
+    if (known->value == ImportValue::word && std::ranges::none_of(known->words, same))
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                                           {key, value, listOf(known->words)}});
+    if (known->value == ImportValue::number && !numberOf(value))
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "%1 cannot be %2; expected a number"), {key, value}});
+    if (std::string unknownRole; key == "columns" && !columnsOf(value, unknownRole))
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "%1 cannot be %2; known: %3"), {key, unknownRole, roleWords()}});
+    if (key == "edition" && !findEdition(value)) {
+        std::string list;
+        for (const Edition *edition : editions())
+            list += (list.empty() ? "" : ", ") + std::string(edition->word);
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "unknown edition %1; known: %2"), {value, list}});
+    }
+}
+
+} // namespace
+
+void demandKnown(const ImportOptions &options) {
+    for (const auto &[key, value] : options)
+        demandKnownValue(key, value);
 }
 
 bool Choices::isChosen(std::string_view key) const {

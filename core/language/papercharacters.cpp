@@ -74,8 +74,7 @@ std::vector<char32_t> notOnPaper(const QString &text) {
             result.push_back(character);
     }
     std::ranges::sort(result);
-    const auto rest = std::ranges::unique(result);
-    result.erase(rest.begin(), rest.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
 

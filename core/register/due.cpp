@@ -40,6 +40,18 @@ std::optional<std::string> iso(const std::optional<QDate> &date) {
     return date ? std::optional(date->toString(Qt::ISODate).toStdString()) : std::nullopt;
 }
 
+/// When the first certificate of the instruments of a test expires; null where none is known.
+std::optional<QDate> firstExpiry(const RegisteredTest &test, const Certificates &known) {
+    std::optional<QDate> first;
+    for (const RegisteredInstrument &instrument : test.instruments) {
+        const auto found = known.find({QString::fromStdString(instrument.description),
+                                       QString::fromStdString(instrument.serialNumber)});
+        if (found != known.end())
+            takeEarlier(first, found->second);
+    }
+    return first;
+}
+
 } // namespace
 
 std::map<int, MachineDue> markDue(Database &database, const std::vector<ListedMachine> &machines,
@@ -61,12 +73,7 @@ std::map<int, MachineDue> markDue(Database &database, const std::vector<ListedMa
         if (counted && interval)
             takeEarlier(due.test, dateOf(*counted->test.date).addMonths(*interval));
         if (newest) {
-            for (const RegisteredInstrument &instrument : newest->test.instruments) {
-                const auto found = known.find({QString::fromStdString(instrument.description),
-                                               QString::fromStdString(instrument.serialNumber)});
-                if (found != known.end())
-                    takeEarlier(due.certificate, found->second);
-            }
+            due.certificate = firstExpiry(newest->test, known);
             newest->certificateDue = iso(due.certificate);
         }
         if (counted)

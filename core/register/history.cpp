@@ -275,20 +275,24 @@ private:
             TextSize::small});
     }
 
-    /// Tests of one day, purpose and role.
-    void addCampaigns() {
-        struct Campaign {
-            std::map<std::string, const ListedTest *> tests; ///< by axis
-        };
-        using Key = std::tuple<std::string, TestRole, Purpose>;
-        std::map<Key, Campaign> campaigns;
+    /// Tests of one day, purpose and role, by axis.
+    using Campaign = std::map<std::string, const ListedTest *>;
+    using Campaigns = std::map<std::tuple<std::string, TestRole, Purpose>, Campaign>;
+
+    [[nodiscard]] Campaigns campaigns() const {
+        Campaigns result;
         for (const AxisTrends &axis : m_axes) {
             for (const ListedTest &test : axis.tests) {
                 if (test.test.date)
-                    campaigns[{*test.test.date, test.test.role, test.test.purpose}].tests[axis.axis] = &test;
+                    result[{*test.test.date, test.test.role, test.test.purpose}][axis.axis] = &test;
             }
         }
-        if (campaigns.empty())
+        return result;
+    }
+
+    void addCampaigns() {
+        const Campaigns all = campaigns();
+        if (all.empty())
             return;
         m_blocks->emplace_back(Heading{
             2, text(REPORT_TEXT("report", "Campaigns")),
@@ -308,36 +312,37 @@ private:
                  Alignment::decimal, false, 13});
         }
         table.columns.push_back({text(REPORT_TEXT("report", "Limits")), {}, Alignment::left, false, 24});
-        for (const auto &[key, campaign] : campaigns) {
+        for (const auto &[key, campaign] : all) {
             const auto &[date, role, purpose] = key;
             std::vector<Cell> row{Cell(m_language.shortDate(date)), Cell(text(purposeText(purpose))),
                                   Cell(text(roleText(role)))};
-            std::optional<Verdict> verdict;
-            bool anyLimit = false;
-            for (std::size_t i = 0; i < m_axes.size(); ++i) {
-                const auto test = campaign.tests.find(m_axes[i].axis);
-                Cell cell;
-                if (test != campaign.tests.end()) {
-                    const RegisteredTest &one = test->second->test;
-                    if (one.verdict)
-                        verdict = verdict ? worse(*verdict, *one.verdict) : *one.verdict;
-                    anyLimit =
-                        anyLimit || std::ranges::any_of(one.results, [](const RegisteredResult &result) {
-                            return result.limit.has_value();
-                        });
-                    cell = firstResult(m_axes[i], one);
-                }
-                if (i < shown)
-                    row.push_back(std::move(cell));
+            for (std::size_t i = 0; i < shown; ++i) {
+                const auto test = campaign.find(m_axes[i].axis);
+                row.push_back(test == campaign.end() ? Cell() : firstResult(m_axes[i], test->second->test));
             }
-            Cell limits(text(limitsText(verdict, anyLimit)));
-            if (verdict)
-                limits.mark = markOf(*verdict);
-            limits.bold = verdict == Verdict::doesNotConform;
-            row.push_back(std::move(limits));
+            row.push_back(limitsOf(campaign));
             table.rows.push_back(std::move(row));
         }
         m_blocks->emplace_back(std::move(table));
+    }
+
+    /// What all tests of a campaign say of their limits together.
+    [[nodiscard]] Cell limitsOf(const Campaign &campaign) const {
+        std::optional<Verdict> verdict;
+        bool anyLimit = false;
+        for (const auto &[axis, listed] : campaign) {
+            const RegisteredTest &test = listed->test;
+            if (test.verdict)
+                verdict = verdict ? worse(*verdict, *test.verdict) : *test.verdict;
+            anyLimit = anyLimit || std::ranges::any_of(test.results, [](const RegisteredResult &result) {
+                           return result.limit.has_value();
+                       });
+        }
+        Cell limits(text(limitsText(verdict, anyLimit)));
+        if (verdict)
+            limits.mark = markOf(*verdict);
+        limits.bold = verdict == Verdict::doesNotConform;
+        return limits;
     }
 
     [[nodiscard]] Cell firstResult(const AxisTrends &axis, const RegisteredTest &test) const {

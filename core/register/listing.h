@@ -12,11 +12,11 @@ namespace palmer {
 
 /// A test as one line of JSON: the keys of `evaluate --json` that the register has, and where it stands. What
 /// depends on this register alone is not in it: the same files give the same bytes.
-[[nodiscard]] QByteArray listedTestJson(const ListedTest &test);
+[[nodiscard]] QByteArray listedTestJson(const ListedTest &listed);
 
 /// Rows of CSV, one a parameter, for programs: as `evaluate --table csv`, with what tells machines apart.
 [[nodiscard]] QByteArray listedTestsCsvHead();
-[[nodiscard]] QByteArray listedTestCsv(const ListedTest &test);
+[[nodiscard]] QByteArray listedTestCsv(const ListedTest &listed);
 
 /// Tests of a machine in a table to be read: a row each, with the main results.
 [[nodiscard]] Report composeList(const QString &title, const std::vector<ListedTest> &tests,

@@ -82,7 +82,7 @@ struct AxisState {
 [[nodiscard]] std::vector<ListedTest> tests(Database &database, const TestFilter &filter);
 
 /// Whether a test is one of those asked for.
-[[nodiscard]] bool matches(const ListedTest &test, const TestFilter &filter);
+[[nodiscard]] bool matches(const ListedTest &listed, const TestFilter &filter);
 
 /// A file of the register that has no tests to show.
 struct ListedSource {

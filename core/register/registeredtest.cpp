@@ -128,7 +128,8 @@ std::string instrumentKey(const std::vector<const Instrument *> &instruments) {
 /// The parts of U that tests share, and how much of each result is in them.
 class Sharing {
 public:
-    Sharing(const Document &document, const Test &test, const TestEvaluation &evaluation, QString digest)
+    Sharing(const Document &document, const Test &test, const TestEvaluation &evaluation,
+            const QString &digest)
         : m_test(test)
         , m_evaluation(evaluation) {
         m_instrument = instrumentKey(instrumentsOf(document, test));

@@ -46,8 +46,8 @@ public:
         setRange(m_panel.x, m_span.from, m_span.to, mostTicks, TickSteps::values, m_language);
         m_panel.x.ticks.clear(); // years without a group of thousands
         const double step = std::max(1.0, m_panel.x.step);
-        for (double at = std::ceil(m_span.from / step) * step; at <= m_span.to; at += step)
-            m_panel.x.ticks.push_back({at, QString::number(static_cast<int>(at))});
+        for (int tick = static_cast<int>(std::ceil(m_span.from / step)); tick * step <= m_span.to; ++tick)
+            m_panel.x.ticks.push_back({tick * step, QString::number(static_cast<int>(tick * step))});
         return std::move(m_panel);
     }
 

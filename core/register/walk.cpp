@@ -43,8 +43,9 @@ public:
 
     [[nodiscard]] Listing take() {
         std::ranges::sort(m_listing.files, {}, &ListedFile::path);
-        const auto [first, last] = std::ranges::unique(m_listing.files, {}, &ListedFile::path);
-        m_listing.files.erase(first, last);
+        const auto isSame = [](const ListedFile &a, const ListedFile &b) { return a.path == b.path; };
+        m_listing.files.erase(std::unique(m_listing.files.begin(), m_listing.files.end(), isSame),
+                              m_listing.files.end());
         std::ranges::sort(m_listing.unreadable, {}, &UnreadableFolder::path);
         return std::move(m_listing);
     }

@@ -4,6 +4,7 @@
 
 #include "export/findingtext.h"
 #include "figures/circlefigure.h"
+#include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/evaluation/iso230_4/parameters.h"
 #include "language/decimals.h"
@@ -43,10 +44,6 @@ constexpr std::array recipes{
     Recipe{hysteresis,              "%s = max |r_ccw(θ) − r_cw(θ)|", "%s = [=]",                              true,  true},
 };
 // clang-format on
-
-CircleOf circleOf(Sense sense) {
-    return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
-}
 
 class Explainer {
 public:

@@ -291,7 +291,7 @@ SampleRow readSampleRow(std::string_view sample, std::span<const TableCell> cell
 }
 
 /// The number of cells of rows under which most numbers stand.
-std::size_t columnsOf(const std::vector<SampleRow> &rows) {
+std::size_t usualColumns(const std::vector<SampleRow> &rows) {
     std::map<std::size_t, std::size_t> numbersUnder;
     for (const SampleRow &row : rows)
         numbersUnder[row.count] += row.numbers.size();
@@ -325,7 +325,7 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
         result.score = -std::numeric_limits<double>::infinity();
         return result;
     }
-    result.columns = columnsOf(rows);
+    result.columns = usualColumns(rows);
     std::size_t alike = 0;
     std::size_t all = 0;
     for (const SampleRow &row : rows) {

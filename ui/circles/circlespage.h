@@ -87,7 +87,7 @@ private:
     QToolButton *addUnit(QButtonGroup &group, const char *segment, const char *name, PointUnit unit);
 
     void refresh();
-    void fillParameters(const CircularMeasurement &measurement);
+    void fillParameters(const CircularMeasurement &shown);
     void fillRange();
     void fitColumns();
     void showParts();
@@ -120,35 +120,35 @@ private:
     PointsModel m_pointsModel;
 
     std::vector<Labelled> m_labels;
-    QComboBox *m_plane;
-    Field *m_radius;
-    Field *m_feed;
-    QComboBox *m_source;
-    QComboBox *m_circle;
-    QComboBox *m_centring;
-    QComboBox *m_angle;
-    QTableView *m_arcs;
-    QLabel *m_rangeLabel;
-    Field *m_from;
-    Field *m_to;
-    Field *m_cutOff; ///< what the range leaves out
-    QPushButton *m_whole;
-    QPushButton *m_reverse;
-    QToolButton *m_earlier;
-    QToolButton *m_later;
-    QToolButton *m_delete;
-    QToolButton *m_newArc;
-    QLabel *m_empty; ///< in the place of the points
+    QComboBox *m_plane = nullptr;
+    Field *m_radius = nullptr;
+    Field *m_feed = nullptr;
+    QComboBox *m_source = nullptr;
+    QComboBox *m_circle = nullptr;
+    QComboBox *m_centring = nullptr;
+    QComboBox *m_angle = nullptr;
+    QTableView *m_arcs = nullptr;
+    QLabel *m_rangeLabel = nullptr;
+    Field *m_from = nullptr;
+    Field *m_to = nullptr;
+    Field *m_cutOff = nullptr; ///< what the range leaves out
+    QPushButton *m_whole = nullptr;
+    QPushButton *m_reverse = nullptr;
+    QToolButton *m_earlier = nullptr;
+    QToolButton *m_later = nullptr;
+    QToolButton *m_delete = nullptr;
+    QToolButton *m_newArc = nullptr;
+    QLabel *m_empty = nullptr; ///< in the place of the points
     QList<QAction *> m_testActions;
-    QAction *m_newArcAction;
-    QAction *m_pasteArcAction;
-    QAction *m_deleteArcAction;
-    ArcCurvesView *m_curves;
-    QTableView *m_points;
-    QLabel *m_reason;
-    QToolButton *m_deviations;
-    QToolButton *m_coordinates;
-    QToolButton *m_lengths;
+    QAction *m_newArcAction = nullptr;
+    QAction *m_pasteArcAction = nullptr;
+    QAction *m_deleteArcAction = nullptr;
+    ArcCurvesView *m_curves = nullptr;
+    QTableView *m_points = nullptr;
+    QLabel *m_reason = nullptr;
+    QToolButton *m_deviations = nullptr;
+    QToolButton *m_coordinates = nullptr;
+    QToolButton *m_lengths = nullptr;
     bool m_following = false; ///< the selection of the window is what moves the current cell
 };
 

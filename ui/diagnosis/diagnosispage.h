@@ -63,13 +63,13 @@ private:
     void fillChart();
     void tick(std::size_t row, bool on);
     void trace();
-    void showRow(int row);
+    void showRow(int at);
     void retranslate();
     [[nodiscard]] bool isTicked(const DiagnosisRow &row) const;
     [[nodiscard]] bool canBeTraced(const DiagnosisRow &row) const;
     [[nodiscard]] bool isOfFeeds() const;
     [[nodiscard]] const Diagnosis *diagnosis() const; ///< of the view
-    [[nodiscard]] QString idOf(std::size_t source) const;
+    [[nodiscard]] QString idOf(std::size_t place) const;
     [[nodiscard]] std::optional<std::size_t> currentRow() const;
 
     EvaluatedDocument m_evaluated;
@@ -82,23 +82,23 @@ private:
         m_ticked;      ///< ids of sources; null: nobody has chosen, those that prevail
     QString m_current; ///< id of the source in view
 
-    QLabel *m_summary;
-    QToolButton *m_circle;
-    QToolButton *m_feeds;
-    QToolButton *m_trace;
-    QLabel *m_empty;
-    QScrollArea *m_area;
-    QWidget *m_content;
-    RowTable *m_table;
-    QLabel *m_title;
-    QLabel *m_text;
-    QToolButton *m_rest;
-    QToolButton *m_spectrum;
-    QLabel *m_chartNote;
-    QWidget *m_chartBar;
-    FeedsView *m_overlay;
-    LineChart *m_chart;
-    QLabel *m_remarks;
+    QLabel *m_summary = nullptr;
+    QToolButton *m_circle = nullptr;
+    QToolButton *m_feeds = nullptr;
+    QToolButton *m_trace = nullptr;
+    QLabel *m_empty = nullptr;
+    QScrollArea *m_area = nullptr;
+    QWidget *m_content = nullptr;
+    RowTable *m_table = nullptr;
+    QLabel *m_title = nullptr;
+    QLabel *m_text = nullptr;
+    QToolButton *m_rest = nullptr;
+    QToolButton *m_spectrum = nullptr;
+    QLabel *m_chartNote = nullptr;
+    QWidget *m_chartBar = nullptr;
+    FeedsView *m_overlay = nullptr;
+    LineChart *m_chart = nullptr;
+    QLabel *m_remarks = nullptr;
 };
 
 } // namespace palmer::ui

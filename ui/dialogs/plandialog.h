@@ -91,22 +91,22 @@ private:
     std::string m_edition;
 
     std::vector<Entry> m_entries;
-    Field *m_axis;
-    Field *m_motion;
-    Field *m_rule;
-    Field *m_cycle;
-    CycleView *m_view;
-    QLabel *m_summary;
-    QLabel *m_targets;
-    QPushButton *m_reseed;
-    QPushButton *m_fill;
-    QPushButton *m_make;
-    QPushButton *m_print;
-    QPushButton *m_savePlan;
-    QComboBox *m_dialect;
-    QLabel *m_programReason;
-    QPushButton *m_saveProgram;
-    QPushButton *m_close;
+    Field *m_axis = nullptr;
+    Field *m_motion = nullptr;
+    Field *m_rule = nullptr;
+    Field *m_cycle = nullptr;
+    CycleView *m_view = nullptr;
+    QLabel *m_summary = nullptr;
+    QLabel *m_targets = nullptr;
+    QPushButton *m_reseed = nullptr;
+    QPushButton *m_fill = nullptr;
+    QPushButton *m_make = nullptr;
+    QPushButton *m_print = nullptr;
+    QPushButton *m_savePlan = nullptr;
+    QComboBox *m_dialect = nullptr;
+    QLabel *m_programReason = nullptr;
+    QPushButton *m_saveProgram = nullptr;
+    QPushButton *m_close = nullptr;
 };
 
 } // namespace palmer::ui

@@ -864,7 +864,8 @@ private:
                                 : m_figure.keyColumns == 2 ? half
                                 : column == 1              ? secondColumn
                                                            : thirdColumn;
-            const double row = keyTop + (static_cast<double>(i / columns) + 0.5) * keyRow;
+            const std::size_t line = i / columns;
+            const double row = keyTop + (static_cast<double>(line) + 0.5) * keyRow;
             const QPointF at(m_plot.left() + left * m_unit, m_plot.bottom() + row * m_unit);
             drawSample(QRectF(at.x(), at.y() - mm, sampleWidth * mm, 2 * mm), m_figure.legend[i]);
             drawText(p, at + QPointF(sampleText * mm, 0), m_figure.legend[i].text, colour(FigureRole::text));

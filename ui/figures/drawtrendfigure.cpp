@@ -298,10 +298,11 @@ FigureTransform drawTrendFigure(QPainter &painter, const QRectF &area, const Tre
     }
     const double column = large ? area.width() / 3 : 0;
     for (std::size_t i = 0; i < std::min(figure.legend.size(), samples); ++i) {
-        const double row = static_cast<double>(i);
+        const auto row = static_cast<double>(i);
+        const std::size_t line = i / 3;
         const QPointF place =
             large ? QPointF(area.left() + static_cast<double>(i % 3) * column + 4 * mm,
-                            area.bottom() - below + (static_cast<double>(i / 3) + 0.5) * legendRow)
+                            area.bottom() - below + (static_cast<double>(line) + 0.5) * legendRow)
                   : QPointF(left + 4 * mm, area.top() + (row + 1) * 3.6 * mm);
         drawSample(painter, i, place, medium);
         drawText(painter, place + QPointF(4.5 * mm, 0), figure.legend[i], text);

@@ -91,10 +91,10 @@ void LineChart::build() {
     chart()->setBackgroundPen(Qt::NoPen);
     const bool few = std::ranges::all_of(
         m_figure.lines, [](const FigureLine &line) { return line.points.size() < fewPoints; });
-    for (std::size_t i = 0; i < m_figure.lines.size(); ++i) {
+    for (const FigureLine &line : m_figure.lines) {
         auto *series = new QLineSeries;
-        series->setName(m_figure.lines[i].name);
-        series->setPen(onScreen(linePen(m_figure.lines[i].role, medium)));
+        series->setName(line.name);
+        series->setPen(onScreen(linePen(line.role, medium)));
         series->setPointsVisible(few);
         series->setMarkerSize(markerSize);
         chart()->addSeries(series);
@@ -350,7 +350,7 @@ void LineChart::keyPressEvent(QKeyEvent *event) {
     case Qt::Key_Down:
         return move(0, -1);
     default:
-        QWidget::keyPressEvent(event);
+        event->ignore();
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <numeric>
 
 namespace palmer::ui {
 
@@ -498,75 +499,100 @@ std::vector<double> signatureWidths(const Signatures &signatures, double width, 
     return result;
 }
 
-Strips signatureStrips(const Signatures &signatures, double width) {
-    constexpr double gap = 8 * mm;
-    constexpr double lineHeight = 9 * mm;
-    constexpr double signatureHeight = 20.1 * mm; ///< 12 free below the label
-    constexpr double signatureLabel = 4.3 * mm;
-    constexpr double labelAbove = 4.6 * mm; ///< top of a label above its rule
-    constexpr double labelGap = 2 * mm;
-    constexpr TextStyle labelText{8, false, labelGrey, 1.2};
-    constexpr TextStyle valueText{9, false, black, 1.2};
+/// Columns of lines to be filled in or signed; what stands beside each other has one height, so all rules are
+/// level.
+class SignatureBlock {
+public:
+    SignatureBlock(const Signatures &signatures, double width)
+        : m_signatures(signatures)
+        , m_widths(signatureWidths(signatures, width, gap)) {
+        for (std::size_t c = 0; c < signatures.columns.size(); ++c) {
+            const SignatureColumn &column = signatures.columns[c];
+            if (!column.heading.isEmpty())
+                m_headings = std::max(m_headings, signatureHeading(column.heading, m_widths[c]).height());
+            m_heights.resize(std::max(m_heights.size(), column.lines.size()));
+            m_columns.emplace_back();
+            for (std::size_t i = 0; i < column.lines.size(); ++i) {
+                m_columns.back().push_back(made(column.lines[i], m_widths[c]));
+                m_heights[i] = std::max(m_heights[i], neededBy(column.lines[i], m_columns.back().back()));
+            }
+        }
+    }
+
+    [[nodiscard]] double height() const {
+        return std::accumulate(m_heights.begin(), m_heights.end(), m_headings) + groupRule * mm;
+    }
+
+    void draw(QPainter &painter, QPointF at) const {
+        for (std::size_t c = 0; c < m_columns.size(); ++c) {
+            const SignatureColumn &column = m_signatures.columns[c];
+            if (!column.heading.isEmpty())
+                signatureHeading(column.heading, m_widths[c]).draw(painter, at);
+            QPointF top = at + QPointF(0, m_headings);
+            for (std::size_t i = 0; i < m_columns[c].size(); ++i) {
+                drawLine(painter, top, column.lines[i], m_columns[c][i], m_heights[i]);
+                top.ry() += m_heights[i];
+                drawRule(painter, top, m_widths[c], groupRule);
+            }
+            at.rx() += m_widths[c] + gap;
+        }
+    }
+
+private:
     struct Line {
         TextBlock label;
         TextBlock value;
-    };
-    const std::vector<double> widths = signatureWidths(signatures, width, gap);
 
-    // What stands beside each other has one height, so all rules are level.
-    double headings = 0;
-    std::vector<double> heights;
-    std::vector<std::vector<Line>> columns;
-    for (const SignatureColumn &column : signatures.columns) {
-        const double columnWidth = widths[columns.size()];
-        if (!column.heading.isEmpty())
-            headings = std::max(headings, signatureHeading(column.heading, columnWidth).height());
-        columns.emplace_back();
-        heights.resize(std::max(heights.size(), column.lines.size()));
-        for (std::size_t i = 0; i < column.lines.size(); ++i) {
-            const SignatureLine &line = column.lines[i];
-            Line made{TextBlock(line.label, labelText), {}};
-            double needed = line.height > 0     ? line.height * mm
-                            : line.forSignature ? signatureHeight
-                                                : lineHeight;
-            if (!line.value.isEmpty()) {
-                made.value =
-                    TextBlock(line.value, valueText,
-                              line.height > 0 ? columnWidth : columnWidth - made.label.width() - labelGap);
-                needed += made.value.height() - made.value.lineHeight();
-            }
-            heights[i] = std::max(heights[i], needed);
-            columns.back().push_back(std::move(made));
-        }
+        /// By which the value is higher than one line.
+        [[nodiscard]] double more() const { return value.empty() ? 0 : value.height() - value.lineHeight(); }
+    };
+
+    [[nodiscard]] static Line made(const SignatureLine &line, double width) {
+        constexpr TextStyle labelText{8, false, labelGrey, 1.2};
+        constexpr TextStyle valueText{9, false, black, 1.2};
+        Line result{TextBlock(line.label, labelText), {}};
+        if (!line.value.isEmpty())
+            result.value = TextBlock(line.value, valueText,
+                                     line.height > 0 ? width : width - result.label.width() - labelGap);
+        return result;
     }
-    double height = headings;
-    for (const double each : heights)
-        height += each;
-    return {strip(height + groupRule * mm, [=](QPainter &painter, QPointF at) {
-        for (std::size_t c = 0; c < columns.size(); ++c) {
-            const double columnWidth = widths[c];
-            if (!signatures.columns[c].heading.isEmpty())
-                signatureHeading(signatures.columns[c].heading, columnWidth).draw(painter, at);
-            double y = at.y() + headings;
-            for (std::size_t i = 0; i < columns[c].size(); ++i) {
-                const auto &[label, value] = columns[c][i];
-                const double more = value.empty() ? 0 : value.height() - value.lineHeight();
-                const SignatureLine &line = signatures.columns[c].lines[i];
-                const double top = line.height > 0     ? y
-                                   : line.forSignature ? y + signatureLabel
-                                                       : y + heights[i] - labelAbove - more;
-                label.draw(painter, {at.x(), top});
-                if (line.height > 0) // below its label
-                    value.draw(painter, {at.x(), y + heights[i] - labelAbove - more});
-                else
-                    value.draw(painter,
-                               {at.x() + label.width() + labelGap, top + label.ascent() - value.ascent()});
-                y += heights[i];
-                drawRule(painter, {at.x(), y}, columnWidth, groupRule);
-            }
-            at.rx() += columnWidth + gap;
+
+    [[nodiscard]] static double neededBy(const SignatureLine &line, const Line &made) {
+        const double empty = line.forSignature ? signatureHeight : lineHeight;
+        return (line.height > 0 ? line.height * mm : empty) + made.more();
+    }
+
+    static void drawLine(QPainter &painter, QPointF at, const SignatureLine &line, const Line &made,
+                         double height) {
+        const double bottom = at.y() + height - labelAbove - made.more();
+        if (line.height > 0) { // its value stands below the label
+            made.label.draw(painter, at);
+            made.value.draw(painter, {at.x(), bottom});
+            return;
         }
-    })};
+        const double top = line.forSignature ? at.y() + signatureLabel : bottom;
+        made.label.draw(painter, {at.x(), top});
+        made.value.draw(painter, {at.x() + made.label.width() + labelGap,
+                                  top + made.label.ascent() - made.value.ascent()});
+    }
+
+    static constexpr double gap = 8 * mm;
+    static constexpr double lineHeight = 9 * mm;
+    static constexpr double signatureHeight = 20.1 * mm; ///< 12 free below the label
+    static constexpr double signatureLabel = 4.3 * mm;
+    static constexpr double labelAbove = 4.6 * mm; ///< top of a label above its rule
+    static constexpr double labelGap = 2 * mm;
+
+    Signatures m_signatures;
+    std::vector<double> m_widths;
+    double m_headings = 0;
+    std::vector<double> m_heights;
+    std::vector<std::vector<Line>> m_columns;
+};
+
+Strips signatureStrips(const Signatures &signatures, double width) {
+    const SignatureBlock block(signatures, width);
+    return {strip(block.height(), [block](QPainter &painter, QPointF at) { block.draw(painter, at); })};
 }
 
 bool beginsSection(const Block &block) {

@@ -18,7 +18,9 @@ constexpr int largestSide = 1200; ///< pixels: 3000 dots per inch at 10 mm
 class QuietErrors {
 public:
     QuietErrors()
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): so POSIX declares it
         : m_before(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): so POSIX declares it
         const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
         if (m_before >= 0 && nowhere >= 0)
             ::dup2(nowhere, STDERR_FILENO);

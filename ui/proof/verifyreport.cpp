@@ -191,6 +191,7 @@ private:
     /// Another version may lay its pages out otherwise.
     void compareRowsOfResults() {
         std::vector<PrintedWords> pages;
+        pages.reserve(static_cast<std::size_t>(m_printed.count()));
         for (int page = 0; page < m_printed.count(); ++page)
             pages.push_back(m_printed.words(page));
         for (Difference &difference :

@@ -339,6 +339,7 @@ bool ReadingsView::isAtEnd(bool forward) {
 void ReadingsView::step(ReadingsDelegate::Step step) {
     using Step = ReadingsDelegate::Step;
     if ((step == Step::right || step == Step::left) && isAtEnd(step == Step::right)) {
+        // NOLINTNEXTLINE(bugprone-parent-virtual-call): that of a table walks its cells
         QAbstractScrollArea::focusNextPrevChild(step == Step::right);
         return;
     }

@@ -18,6 +18,7 @@ namespace palmer::ui {
 /// and what is saved at once. One for all windows; everything is done beside them.
 class RegisterService : public QObject {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(RegisterService)
 
 public:
     /// Made when it is first asked for; scans at once where folders are chosen.

@@ -663,7 +663,7 @@ void RegisterWindow::showHead() {
     }
 }
 
-QString RegisterWindow::filterValue(Filter filter, const ListedTest &listed) const {
+QString RegisterWindow::filterValue(Filter filter, const ListedTest &listed) {
     const RegisteredTest &test = listed.test;
     switch (filter) {
     case byAxis:
@@ -686,7 +686,7 @@ QString RegisterWindow::filterValue(Filter filter, const ListedTest &listed) con
     return {};
 }
 
-QString RegisterWindow::filterName(Filter filter, const QString &value) const {
+QString RegisterWindow::filterName(Filter filter, const QString &value) {
     const Language &language = windowLanguage();
     const auto said = [&](const Text &text) { return text.empty() ? tr("not stated") : language.text(text); };
     switch (filter) {
@@ -929,6 +929,7 @@ void RegisterWindow::showChosen() {
     m_compareAction->setEnabled(comparable || m_compareAction->isChecked());
     if (m_compareAction->isChecked() && comparable) {
         std::vector<ListedTest> list;
+        list.reserve(static_cast<std::size_t>(chosen.size()));
         for (const ListedTest *test : chosen)
             list.push_back(*test);
         m_comparison->setTests(std::move(list));

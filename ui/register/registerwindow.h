@@ -38,6 +38,7 @@ class TrendChart;
 /// other. Shows what the register says, which is read beside the window; computes nothing.
 class RegisterWindow : public QMainWindow {
     Q_OBJECT
+    Q_DISABLE_COPY_MOVE(RegisterWindow)
 
 public:
     explicit RegisterWindow(RegisterService &service, QWidget *parent = nullptr);
@@ -81,8 +82,8 @@ private:
     void showFilters();
     void fitColumns();
     void fillFilterMenu(Filter filter);
-    [[nodiscard]] QString filterValue(Filter filter, const ListedTest &test) const;
-    [[nodiscard]] QString filterName(Filter filter, const QString &value) const;
+    [[nodiscard]] static QString filterValue(Filter filter, const ListedTest &listed);
+    [[nodiscard]] static QString filterName(Filter filter, const QString &value);
     [[nodiscard]] bool passes(const ListedTest &test) const;
     void showTrend();
     void showFacts(const MachineTrend &trend);

@@ -78,7 +78,7 @@ QVariant TestTableModel::resultData(const RegisteredTest &test, std::size_t colu
     return role == uncertaintyRole ? QVariant(shown.uncertainty) : QVariant();
 }
 
-QVariant TestTableModel::limitsData(const RegisteredTest &test, int role) const {
+QVariant TestTableModel::limitsData(const RegisteredTest &test, int role) {
     const bool exceeded = test.verdict == Verdict::doesNotConform;
     const bool respected = test.verdict == Verdict::conforms;
     switch (role) {
@@ -97,7 +97,7 @@ QVariant TestTableModel::limitsData(const RegisteredTest &test, int role) const 
     }
 }
 
-QVariant TestTableModel::accordanceData(const RegisteredTest &test, int role) const {
+QVariant TestTableModel::accordanceData(const RegisteredTest &test, int role) {
     const bool isDrift = test.kind == Kind::drift;
     switch (role) {
     case Qt::DisplayRole:

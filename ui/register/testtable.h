@@ -34,9 +34,9 @@ public:
     void retranslate();
 
 private:
-    [[nodiscard]] QVariant resultData(const RegisteredTest &test, std::size_t result, int role) const;
-    [[nodiscard]] QVariant limitsData(const RegisteredTest &test, int role) const;
-    [[nodiscard]] QVariant accordanceData(const RegisteredTest &test, int role) const;
+    [[nodiscard]] QVariant resultData(const RegisteredTest &test, std::size_t column, int role) const;
+    [[nodiscard]] static QVariant limitsData(const RegisteredTest &test, int role);
+    [[nodiscard]] static QVariant accordanceData(const RegisteredTest &test, int role);
 
     std::vector<ListedTest> m_tests;
     std::vector<std::string> m_results; ///< ids of the result columns

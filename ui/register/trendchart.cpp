@@ -252,9 +252,11 @@ void TrendChart::drawInterventions(QPainter &painter, const QRectF &plot) const 
                 continue;
             const QPointF from = place(limit[i]);
             const QPointF to = place(limit[i + 1]);
-            for (double at = from.x(); at < to.x(); at += hatchStep)
-                painter.drawLine(QPointF(at, from.y()),
-                                 QPointF(at + hatchHeight, from.y() - above * hatchHeight));
+            const int strokes = std::max(0, static_cast<int>(std::ceil((to.x() - from.x()) / hatchStep)));
+            for (int stroke = 0; stroke < strokes; ++stroke) {
+                const QPointF foot(from.x() + stroke * hatchStep, from.y());
+                painter.drawLine(foot, foot + QPointF(hatchHeight, -above * hatchHeight));
+            }
         }
     }
     painter.restore();

@@ -75,7 +75,7 @@ namespace {
 constexpr int menuHeight = 28;
 constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
-constexpr qint64 readAtOnce = 256 * 1024; ///< bytes; larger files are read on a thread
+constexpr qint64 readAtOnce = 256LL * 1024; ///< bytes; larger files are read on a thread
 constexpr int iconsOnlyBelow = 1180;
 
 /// Whether a file is no test file; of what cannot be read opening says why.
@@ -810,7 +810,8 @@ void MainWindow::lockFile() {
         return;
     }
     qint64 process = 0;
-    QString host, program;
+    QString host;
+    QString program;
     if (lock->error() != QLockFile::LockFailedError || !lock->getLockInfo(&process, &host, &program))
         return; // a folder that nobody may write to
     m_notice->show(tr("%1 is open already: %2 on %3, process %4. Who saves last overwrites the other.")
@@ -1099,7 +1100,7 @@ void MainWindow::fillExamplesMenu() {
     }
 }
 
-void MainWindow::showState() {
+void MainWindow::showUndo() {
     const QUndoStack *stack = m_model.undoStack();
     m_undoAction->setEnabled(m_open && stack->canUndo());
     m_redoAction->setEnabled(m_open && stack->canRedo());
@@ -1109,7 +1110,9 @@ void MainWindow::showState() {
     m_redoAction->setIconText(tr("Redo"));
     m_undoAction->setToolTip(hint(*m_undoAction));
     m_redoAction->setToolTip(hint(*m_redoAction));
+}
 
+void MainWindow::enableActions() {
     const std::size_t tests = m_open ? m_model.document()->tests.size() : 0;
     const std::size_t test = m_workplace->selection().test();
     const auto &evaluated = m_evaluator.latest().tests;
@@ -1141,6 +1144,11 @@ void MainWindow::showState() {
     m_nextPaneAction->setEnabled(m_open);
     m_previousPaneAction->setEnabled(m_open);
     m_maximiseAction->setEnabled(m_open);
+}
+
+void MainWindow::showState() {
+    showUndo();
+    enableActions();
     m_toolBar->setVisible(m_open);
     m_content->setVisible(m_open);
     m_hint->setVisible(m_open);

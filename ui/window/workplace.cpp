@@ -559,33 +559,42 @@ Form *Workplace::formInView() const {
     return qobject_cast<Form *>(isReportPage() ? m_reportPages->currentWidget() : m_pages->currentWidget());
 }
 
-bool Workplace::showNextMissing(bool forward) {
+std::map<Page, QStringList> Workplace::missingFields() const {
+    std::map<Page, QStringList> missing;
     const std::size_t test = m_selection.test();
     if (test >= m_evaluated.tests.size())
-        return false;
-    const TestEvaluation &evaluation = *m_evaluated.tests[test];
-    std::map<Page, QStringList> missing;
-    for (const Finding &finding : evaluation.findings) {
+        return missing;
+    for (const Finding &finding : m_evaluated.tests[test]->findings) {
         if (finding.missing)
             missing[pageOf(finding, *m_evaluated.document)] += fieldOf(finding);
     }
+    return missing;
+}
+
+bool Workplace::showNextMissingHere(const std::map<Page, QStringList> &missing, bool forward) {
+    if (Form *form = formInView()) // field by field: several may be missing under one name
+        return form->focusNextRequired(forward);
+    const auto here = missing.find(m_selection.page());
+    if (here == missing.end())
+        return false;
+    const QStringList &ids = here->second;
+    const qsizetype now = ids.indexOf(m_selection.field());
+    const qsizetype first = forward ? 0 : ids.size() - 1;
+    const qsizetype next = now < 0 ? first : now + (forward ? 1 : -1);
+    if (next < 0 || next >= ids.size())
+        return false;
+    m_selection.setField(ids[next]);
+    return true;
+}
+
+bool Workplace::showNextMissing(bool forward) {
+    const std::map<Page, QStringList> missing = missingFields();
     if (missing.empty())
         return false;
-    // First on the page in view, so that the walk does not jump to and fro. On a form field by field: several
-    // may be missing under one name.
+    // First on the page in view, so that the walk does not jump to and fro.
     const Page page = m_selection.page();
-    if (Form *form = formInView()) {
-        if (form->focusNextRequired(forward))
-            return true;
-    } else if (const auto here = missing.find(page); here != missing.end()) {
-        const QStringList &ids = here->second;
-        const qsizetype now = ids.indexOf(m_selection.field());
-        const qsizetype next = now < 0 ? (forward ? 0 : ids.size() - 1) : now + (forward ? 1 : -1);
-        if (next >= 0 && next < ids.size()) {
-            m_selection.setField(ids[next]);
-            return true;
-        }
-    }
+    if (showNextMissingHere(missing, forward))
+        return true;
     // Then on the next page that misses something, round and round.
     auto next = forward ? missing.upper_bound(page) : missing.lower_bound(page);
     if (forward && next == missing.end())

@@ -4,11 +4,14 @@
 
 #include "document/evaluateddocument.h"
 #include "ui/model/documentmodel.h"
+#include "ui/model/page.h"
 #include "ui/model/selection.h"
 #include "ui/navigation/navigationmodel.h"
 
 #include <QPointer>
+#include <QStringList>
 #include <QWidget>
+#include <map>
 
 class QFrame;
 class QScrollArea;
@@ -94,6 +97,8 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    [[nodiscard]] std::map<Page, QStringList> missingFields() const;
+    bool showNextMissingHere(const std::map<Page, QStringList> &missing, bool forward);
     QWidget *makeCentre();
     void connectParts();
     void present();
@@ -123,35 +128,35 @@ private:
     NavigationModel m_navigationModel;
     EvaluatedDocument m_evaluated;
 
-    QSplitter *m_outer;
-    QWidget *m_side; ///< navigation with the button below
-    QSplitter *m_inner;
-    NavigationList *m_navigation;
-    QToolButton *m_addTest;
-    TestHead *m_head;
-    PageTabs *m_tabs;
-    QStackedWidget *m_pages;
-    QStackedWidget *m_readingPages; ///< by the kind of test
-    ReadingsPage *m_readings;
-    QScrollArea *m_circlesPlace;
-    CirclesPage *m_circles;
-    ConditionsPage *m_conditions;
-    AgreedPointsPage *m_agreedPoints;
-    LimitsPage *m_limits;
-    UncertaintyPage *m_uncertainty;
-    DiagnosisPage *m_diagnosis;
-    DriftPage *m_drift;
-    ReportPages *m_reportPages;
-    QWidget *m_card;
-    TargetCard *m_target;
-    KeyHints *m_keys;
-    ExplanationCard *m_explanation;
-    QWidget *m_centre;
-    RightSide *m_right;
-    FigureView *m_figure;
+    QSplitter *m_outer = nullptr;
+    QWidget *m_side = nullptr; ///< navigation with the button below
+    QSplitter *m_inner = nullptr;
+    NavigationList *m_navigation = nullptr;
+    QToolButton *m_addTest = nullptr;
+    TestHead *m_head = nullptr;
+    PageTabs *m_tabs = nullptr;
+    QStackedWidget *m_pages = nullptr;
+    QStackedWidget *m_readingPages = nullptr; ///< by the kind of test
+    ReadingsPage *m_readings = nullptr;
+    QScrollArea *m_circlesPlace = nullptr;
+    CirclesPage *m_circles = nullptr;
+    ConditionsPage *m_conditions = nullptr;
+    AgreedPointsPage *m_agreedPoints = nullptr;
+    LimitsPage *m_limits = nullptr;
+    UncertaintyPage *m_uncertainty = nullptr;
+    DiagnosisPage *m_diagnosis = nullptr;
+    DriftPage *m_drift = nullptr;
+    ReportPages *m_reportPages = nullptr;
+    QWidget *m_card = nullptr;
+    TargetCard *m_target = nullptr;
+    KeyHints *m_keys = nullptr;
+    ExplanationCard *m_explanation = nullptr;
+    QWidget *m_centre = nullptr;
+    RightSide *m_right = nullptr;
+    FigureView *m_figure = nullptr;
     QPointer<FigureView> m_detachedFigure; ///< in a window of its own, while it is open
-    ResultsPanel *m_results;
-    FindingsPanel *m_findings;
+    ResultsPanel *m_results = nullptr;
+    FindingsPanel *m_findings = nullptr;
     std::string m_resultsOf; ///< id of the test the results of which are shown
     QString m_sizesOf;       ///< the kind of test whose sizes are shown
     bool m_maximised = false;

@@ -20,6 +20,7 @@ namespace palmer::iso230_4 {
 
 /// The circle of that kind about one path; null where there is none.
 [[nodiscard]] std::optional<CircleResult> circleOfPath(const EvaluatedPath &path, ReferenceCircle kind);
+
 /// Those of them alone that `wanted` asks for.
 [[nodiscard]] std::vector<CircleResult>
 circles(const std::vector<EvaluatedPath> &paths,
