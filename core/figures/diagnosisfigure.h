@@ -6,6 +6,7 @@
 #include "figures/circlefigure.h"
 #include "language/language.h"
 
+#include <QStringList>
 #include <span>
 #include <vector>
 

@@ -6,7 +6,7 @@
 
 #include <qpdf/Pl_Discard.hh>
 #include <qpdf/QPDF.hh>
-#include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
+#include <qpdf/QPDFNameTreeObjectHelper.hh>
 #include <qpdf/QPDFObjectHandle.hh>
 
 #include <algorithm>
@@ -76,9 +76,16 @@ std::vector<FoundFile> embeddedFiles(QPDF &document) {
         if (isNew)
             files.push_back(*file);
     };
-    QPDFEmbeddedFileDocumentHelper helper(document);
-    for (const auto &[key, file] : helper.getEmbeddedFiles())
-        add(file->getObjectHandle());
+    // Not by the library's helper: of an entry that is no dictionary it complains on stderr and reads on.
+    Handle names = document.getRoot().getKey("/Names");
+    names = names.isDictionary() ? names.getKey("/EmbeddedFiles") : Handle::newNull();
+    if (names.isDictionary()) {
+        for (auto &[key, file] : QPDFNameTreeObjectHelper(names, document, false)) {
+            if (!file.isDictionary())
+                throw std::runtime_error("damaged");
+            add(file);
+        }
+    }
     Handle associated = document.getRoot().getKey("/AF");
     if (associated.isArray()) {
         for (int i = 0; i < associated.getArrayNItems(); ++i)

@@ -57,6 +57,18 @@ inline QByteArray changed(const QByteArray &pdf, const std::function<void(QPDF &
     return {reinterpret_cast<const char *>(buffer->getBuffer()), static_cast<qsizetype>(buffer->getSize())};
 }
 
+/// The same PDF as bytes in which every object stands by itself.
+inline QByteArray withoutObjectStreams(const QByteArray &pdf) {
+    QPDF document;
+    document.processMemoryFile("report", pdf.constData(), static_cast<std::size_t>(pdf.size()));
+    QPDFWriter writer(document);
+    writer.setOutputMemory();
+    writer.setObjectStreamMode(qpdf_o_disable);
+    writer.write();
+    const auto buffer = writer.getBufferSharedPointer();
+    return {reinterpret_cast<const char *>(buffer->getBuffer()), static_cast<qsizetype>(buffer->getSize())};
+}
+
 inline QByteArray dataOf(Handle stream) {
     const auto buffer = stream.getStreamData(qpdf_dl_generalized);
     return {reinterpret_cast<const char *>(buffer->getBuffer()), static_cast<qsizetype>(buffer->getSize())};

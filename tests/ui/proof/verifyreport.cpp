@@ -9,6 +9,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
+#include <qpdf/Pl_String.hh>
+#include <qpdf/QPDFLogger.hh>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -373,6 +375,16 @@ void VerifyReport::whatIsNoReportIsRefused() {
                              }))
                  .contains(u"more than one test file"_s),
              true);
+    std::string complaints; // of the library, which would reach the user beside our sentence
+    QPDFLogger::defaultLogger()->setError(std::make_shared<Pl_String>("complaints", nullptr, complaints));
+    QByteArray plain = withoutObjectStreams(pdf);
+    const qsizetype name = plain.indexOf('(', plain.indexOf("/Names [ ("));
+    QVERIFY(name > 0);
+    plain[name] = '$'; // what follows has no owner any more
+    const QString noDictionary = refusal(plain);
+    QPDFLogger::defaultLogger()->setError(nullptr);
+    QVERIFY2(noDictionary.contains(u"damaged"_s), qPrintable(noDictionary));
+    QCOMPARE(QByteArray::fromStdString(complaints), QByteArray());
     const QString wrong = refusal(changed(pdf, [](QPDF &document) {
         replaceAttachment(document, ".palmer", "{\"format\": \"palmer test\"}");
     }));
