@@ -132,9 +132,11 @@ private:
             for (qsizetype i = 0; i + 1 < steps.size(); ++i) {
                 if (steps[i].y() != steps[i + 1].y())
                     continue;
-                for (double at = steps[i].x(); at < steps[i + 1].x(); at += hatchStep)
-                    p.drawLine(QPointF(at, steps[i].y()),
-                               QPointF(at + hatchHeight, steps[i].y() - hatchHeight));
+                const double length = steps[i + 1].x() - steps[i].x();
+                for (int stroke = 0; stroke * hatchStep < length; ++stroke) {
+                    const QPointF foot = steps[i] + QPointF(stroke * hatchStep, 0);
+                    p.drawLine(foot, foot + QPointF(hatchHeight, -hatchHeight));
+                }
             }
         }
         setPen(FigureRole::limit, wide(0.35, 0.5));

@@ -40,7 +40,8 @@ QStringList watchable(const QStringList &folders, const std::stop_token &stop) {
 } // namespace
 
 RegisterService &RegisterService::instance() {
-    static RegisterService *service = [] {
+    // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): one for all windows
+    static RegisterService *const service = [] {
         auto *made =
             new RegisterService(Register::standardPath(), QSettings().value(foldersKey).toStringList(), qApp);
         made->m_keepsFolders = true;
@@ -83,10 +84,12 @@ void RegisterService::setFolders(const QStringList &folders) {
 }
 
 void RegisterService::rescan() {
-    if (!m_folders.isEmpty() && !m_lane.isBusy())
-        start(m_folders, true);
-    else if (!m_folders.isEmpty())
-        m_soon.start();
+    if (!m_folders.isEmpty()) {
+        if (m_lane.isBusy())
+            m_soon.start();
+        else
+            start(m_folders, true);
+    }
     emit stateChanged();
 }
 

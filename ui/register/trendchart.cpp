@@ -252,8 +252,7 @@ void TrendChart::drawInterventions(QPainter &painter, const QRectF &plot) const 
                 continue;
             const QPointF from = place(limit[i]);
             const QPointF to = place(limit[i + 1]);
-            const int strokes = std::max(0, static_cast<int>(std::ceil((to.x() - from.x()) / hatchStep)));
-            for (int stroke = 0; stroke < strokes; ++stroke) {
+            for (int stroke = 0; stroke * hatchStep < to.x() - from.x(); ++stroke) {
                 const QPointF foot(from.x() + stroke * hatchStep, from.y());
                 painter.drawLine(foot, foot + QPointF(hatchHeight, -above * hatchHeight));
             }
