@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace palmer::iso230_4 {
 
@@ -71,7 +72,7 @@ void measureExtent(EvaluatedPath &path, std::vector<double> angles) {
         steps.push_back(angles[i] - angles[i - 1]);
     const double largest = *std::ranges::max_element(steps);
     steps.push_back(std::max(closing, 0.0));
-    path.fullCircle = closing <= largestClosing * largest && holes(steps) <= mostHoles;
+    path.fullCircle = closing <= largestClosing * largest && holes(std::move(steps)) <= mostHoles;
     path.extent = path.fullCircle ? fullTurn : span;
 }
 
