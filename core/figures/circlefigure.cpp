@@ -5,6 +5,7 @@
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/paths.h"
+#include "kernel/numerics/aboutcentre.h"
 #include "kernel/numerics/centringerror.h"
 #include "kernel/numerics/fullturn.h"
 #include "language/rounding.h"
@@ -107,16 +108,6 @@ struct CircleSource {
     }
 };
 
-/// Angle between P and P − c as the point c sees it farther on, degrees; |c| is small against |P|.
-double turn(Point p, Point fromCentre) {
-    const double sine = p.x * fromCentre.y - p.y * fromCentre.x;
-    const double cosine = p.x * fromCentre.x + p.y * fromCentre.y;
-    const double tangent = sine / cosine;
-    const bool small = cosine > 0 && std::abs(tangent) < 1e-3; // then t − t³/3 is exact to rounding
-    const double radians = small ? tangent - tangent * tangent * tangent / 3 : std::atan2(sine, cosine);
-    return radians * 180 / std::numbers::pi;
-}
-
 PathProfile profile(const Arc &arc, const std::vector<std::size_t> &source, PointsView points, Point centre,
                     double nominalRadius) {
     PathProfile result;
@@ -125,12 +116,21 @@ PathProfile profile(const Arc &arc, const std::vector<std::size_t> &source, Poin
     result.source = source;
     result.angles.reserve(source.size());
     result.deviations.reserve(source.size());
-    for (std::size_t i = 0; i < source.size(); ++i) {
-        const Point p = points[i];
-        const Point away{p.x - centre.x, p.y - centre.y};
-        const double distance = std::sqrt(away.x * away.x + away.y * away.y);
-        result.angles.push_back(arc.angles[source[i]] + turn(p, away));
-        result.deviations.push_back((distance - nominalRadius) * micrometresPerMillimetre);
+    // A few at a time, which stay in the nearest cache; of 10⁶ points every further look costs milliseconds.
+    constexpr std::size_t few = 512;
+    std::array<double, few> angles{};
+    std::array<double, few> deviations{};
+    for (std::size_t begin = 0; begin < source.size(); begin += few) {
+        const std::size_t size = std::min(few, source.size() - begin);
+        const std::span some(source.data() + begin, size);
+        aboutCentre({points.x.subspan(begin, size), points.y.subspan(begin, size)}, centre,
+                    std::span(angles).first(size), std::span(deviations).first(size));
+        for (std::size_t i = 0; i < size; ++i) {
+            angles[i] = arc.angles[some[i]] + angles[i];
+            deviations[i] = (deviations[i] - nominalRadius) * micrometresPerMillimetre;
+        }
+        result.angles.insert(result.angles.end(), angles.data(), angles.data() + size);
+        result.deviations.insert(result.deviations.end(), deviations.data(), deviations.data() + size);
     }
     return result;
 }
@@ -169,6 +169,31 @@ Points pointsOf(const Arc &arc, const std::vector<std::size_t> &source, const Ci
     return arc.angleReference == AngleReference::commanded && from.results.centringError
                ? rebuildPoints({angles, distances}, *from.results.centringError)
                : polarPoints(angles, distances);
+}
+
+/// All points of an arc: those that are evaluated are there already, and took a sine and a cosine each.
+Points allPoints(const Arc &arc, std::size_t index, const CircleSource &from) {
+    Points result;
+    result.x.resize(arc.angles.size());
+    result.y.resize(arc.angles.size());
+    const auto path = std::ranges::find(from.results.paths, index, &EvaluatedPath::arc);
+    std::vector<std::size_t> others;
+    std::size_t next = 0; // of the evaluated ones
+    for (std::size_t i = 0; i < arc.angles.size(); ++i) {
+        if (path == from.results.paths.end() || next == path->source.size() || path->source[next] != i) {
+            others.push_back(i);
+            continue;
+        }
+        result.x[i] = path->points.x[next];
+        result.y[i] = path->points.y[next];
+        ++next;
+    }
+    const Points made = pointsOf(arc, others, from);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+        result.x[others[k]] = made.x[k];
+        result.y[others[k]] = made.y[k];
+    }
+    return result;
 }
 
 void finish(PathProfile &profile, const CircleSource &source, std::size_t arc) {
@@ -637,7 +662,7 @@ PathProfile wholeArc(const Test &test, const TestEvaluation &evaluation, std::si
         source.results.circle(iso230_4::circleOf(measured.sense), ReferenceCircle::leastSquares);
     std::vector<std::size_t> points(measured.angles.size());
     std::iota(points.begin(), points.end(), std::size_t{0});
-    PathProfile result = profile(measured, points, pointsOf(measured, points, source).view(),
+    PathProfile result = profile(measured, points, allPoints(measured, arc, source).view(),
                                  circle ? circle->centre : Point{}, source.measurement.nominalRadius);
     finish(result, source, arc);
     return result;

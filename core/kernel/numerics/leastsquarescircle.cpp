@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/numerics/leastsquarescircle.h"
 
+#include "kernel/numerics/columnsums.h"
 #include "kernel/numerics/radiusextremes.h"
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -24,42 +23,34 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double lineMargin = 1e-9; ///< of the sum: a circle as good as a line
 constexpr double quick = 10;        ///< by which steps shrink that need no second derivatives
 
-/// Two points side by side in a register.
-using Pair = Eigen::Array<double, 2, 1>;
+constexpr std::size_t block = 512; ///< points that are summed up before they join the rest
 
-/// Σ w_i·term(x_i, y_i) of K terms, two points at a time, in blocks so that rounding does not grow with n.
-template <std::size_t K, class Term>
-std::array<double, K> weightedMean(PointsView points, std::span<const std::size_t> groups, Term term) {
-    constexpr std::size_t block = 512;
+/// Weighted means of K sums over the points, `sums(begin, size)` those of up to `block` of them: in blocks
+/// rounding does not grow with n.
+template <std::size_t K, class Sums>
+std::array<double, K> weightedMean(std::span<const std::size_t> groups, const Sums &sums) {
     const auto counting = std::count_if(groups.begin(), groups.end(), [](std::size_t n) { return n > 0; });
     std::array<double, K> mean{};
     std::size_t begin = 0;
     for (const std::size_t size : groups) {
         std::array<double, K> group{};
         for (const std::size_t end = begin + size; begin < end;) {
-            std::array<Pair, K> part;
-            part.fill(Pair::Zero());
-            const std::size_t stop = std::min(begin + block, end);
-            for (; begin + 2 <= stop; begin += 2) {
-                const std::array<Pair, K> value = term(Pair(Eigen::Map<const Pair>(&points.x[begin])),
-                                                       Pair(Eigen::Map<const Pair>(&points.y[begin])));
-                for (std::size_t k = 0; k < K; ++k)
-                    part[k] += value[k];
-            }
-            if (begin < stop) { // an odd one out
-                const std::array<Pair, K> value =
-                    term(Pair::Constant(points.x[begin]).eval(), Pair::Constant(points.y[begin]).eval());
-                for (std::size_t k = 0; k < K; ++k)
-                    part[k][0] += value[k][0];
-                ++begin;
-            }
+            const std::size_t count = std::min(block, end - begin);
+            const std::array<double, K> part = sums(begin, count);
             for (std::size_t k = 0; k < K; ++k)
-                group[k] += part[k].sum();
+                group[k] += part[k];
+            begin += count;
         }
         for (std::size_t k = 0; k < K && size > 0; ++k)
             mean[k] += group[k] / (static_cast<double>(size) * static_cast<double>(counting));
     }
     return mean;
+}
+
+/// The least weight that a point has.
+double leastWeight(std::span<const std::size_t> groups) {
+    const auto counting = std::count_if(groups.begin(), groups.end(), [](std::size_t n) { return n > 0; });
+    return 1 / (static_cast<double>(counting) * static_cast<double>(std::ranges::max(groups)));
 }
 
 bool threeDistinct(PointsView points) {
@@ -74,8 +65,75 @@ bool threeDistinct(PointsView points) {
 
 /// Moments about the mean.
 struct Scatter {
+    Point mean;
     double xx, xy, yy, xz, yz; // z = x² + y²
+
+    /// Variance across the straight line that the points lie along: the mean square of the distances from it,
+    /// which circles come near to without end.
+    [[nodiscard]] double across() const { return (xx + yy) / 2 - std::hypot((xx - yy) / 2, xy); }
 };
+
+// NOLINTBEGIN(modernize-avoid-c-arrays): rows as columnsums::sumUp makes them
+
+/// x, y, x², xy, y², xz, yz about an origin.
+struct MomentTerms {
+    static constexpr std::size_t number = 7;
+    static constexpr std::size_t columns = 2;
+    const double *column[columns]{}; ///< abscissae, ordinates
+    Point origin;
+
+    template <class Value>
+    [[gnu::always_inline]] inline void of(const Value (&c)[columns], Value (&values)[number]) const {
+        const Value x = c[0] - origin.x;
+        const Value y = c[1] - origin.y;
+        const Value z = x * x + y * y;
+        values[0] = x;
+        values[1] = y;
+        values[2] = x * x;
+        values[3] = x * y;
+        values[4] = y * y;
+        values[5] = x * z;
+        values[6] = y * z;
+    }
+};
+
+// NOLINTEND(modernize-avoid-c-arrays)
+
+/// The mean of some points, spread evenly.
+Point middleOfSome(PointsView points) {
+    constexpr std::size_t most = 1000;
+    const std::size_t every = (points.size() + most - 1) / most;
+    Point sum;
+    double count = 0;
+    for (std::size_t i = 0; i < points.size(); i += every, ++count)
+        sum = {sum.x + points.x[i], sum.y + points.y[i]};
+    return {sum.x / count, sum.y / count};
+}
+
+/// Mean and moments in one look: about a point near the mean, then shifted to the mean, which loses nothing
+/// where that is near; else once more. A look less than the mean first.
+Scatter scatterOf(PointsView points, std::span<const std::size_t> groups) {
+    Point origin = middleOfSome(points);
+    Scatter s{};
+    for (int look = 0; look < 2; ++look) {
+        const auto m = weightedMean<MomentTerms::number>(groups, [&](std::size_t begin, std::size_t size) {
+            return columnsums::sumsOf(MomentTerms{{&points.x[begin], &points.y[begin]}, origin}, size);
+        });
+        const double square = m[0] * m[0] + m[1] * m[1];
+        s.mean = {origin.x + m[0], origin.y + m[1]};
+        s.xx = m[2] - m[0] * m[0];
+        s.xy = m[3] - m[0] * m[1];
+        s.yy = m[4] - m[1] * m[1];
+        const double z = m[2] + m[4];
+        s.xz = m[5] - 2 * (m[0] * m[2] + m[1] * m[3]) - m[0] * z + 2 * m[0] * square;
+        s.yz = m[6] - 2 * (m[0] * m[3] + m[1] * m[4]) - m[1] * z + 2 * m[1] * square;
+        constexpr double near = 0.01; // of the variance
+        if (!(square > near * (s.xx + s.yy)))
+            break;
+        origin = s.mean;
+    }
+    return s;
+}
 
 /// Across the straight line that the points lie along.
 Point normalOf(const Scatter &s) {
@@ -84,14 +142,23 @@ Point normalOf(const Scatter &s) {
 }
 
 /// Collinear to the rounding of the coordinates: the r.m.s. distance from the principal axis is a few ulp.
-bool collinear(PointsView points, std::span<const std::size_t> groups, Point mean, const Scatter &s) {
+bool collinear(PointsView points, std::span<const std::size_t> groups, const Scatter &s) {
     const Point normal = normalOf(s);
     const double length = std::sqrt(s.xx + s.yy);
-    const auto [square] = weightedMean<1>(points, groups, [&](const Pair &x, const Pair &y) {
-        const Pair d = normal.x * (x - mean.x) + normal.y * (y - mean.y);
-        return std::array<Pair, 1>{d * d};
+    const double few = 4 * epsilon * (length + std::abs(s.mean.x) + std::abs(s.mean.y));
+    // The moments tell a width that is far above their own rounding: no look.
+    constexpr double rounding = 1e-11;
+    if (s.across() > rounding * (s.xx + s.yy) + 4 * few * few)
+        return false;
+    const auto [square] = weightedMean<1>(groups, [&](std::size_t begin, std::size_t size) {
+        std::array<double, 1> sum{};
+        for (std::size_t i = begin; i < begin + size; ++i) {
+            const double d = normal.x * (points.x[i] - s.mean.x) + normal.y * (points.y[i] - s.mean.y);
+            sum[0] += d * d;
+        }
+        return sum;
     });
-    return std::sqrt(square) <= 4 * epsilon * (length + std::abs(mean.x) + std::abs(mean.y));
+    return std::sqrt(square) <= few;
 }
 
 /// Weighted means at a centre (about the mean of the points), R being a value near that of mean r.
@@ -105,18 +172,78 @@ struct Linearised {
     [[nodiscard]] double variance() const { return std::max(0.0, ff - f * f); }
 };
 
+/// What the sums are made of, of a block of points.
+struct Directions {
+    std::array<double, block> ux, uy, f, bend; // u, r − R, f/r
+};
+
+/// A plain loop, which the compiler turns into vectors of the function it is inlined into.
+[[gnu::always_inline]] inline void directions(const double *x, const double *y, std::size_t size,
+                                              Point origin, Point c, double R, Directions &into) {
+    constexpr double tiny = std::numeric_limits<double>::min(); // a point at c pulls nowhere
+    for (std::size_t i = 0; i < size; ++i) {
+        const double dx = (x[i] - origin.x) - c.x;
+        const double dy = (y[i] - origin.y) - c.y;
+        const double r = __builtin_sqrt(dx * dx + dy * dy);
+        const double inverse = 1 / (r > tiny ? r : tiny);
+        const double f = r - R;
+        into.ux[i] = dx * inverse;
+        into.uy[i] = dy * inverse;
+        into.f[i] = f;
+        into.bend[i] = f * inverse;
+    }
+}
+
+PALMER_WIDE void directionsWide(const double *x, const double *y, std::size_t size, Point origin, Point c,
+                                double R, Directions &into) {
+    directions(x, y, size, origin, c, R, into);
+}
+
+PALMER_WIDEST void directionsWidest(const double *x, const double *y, std::size_t size, Point origin, Point c,
+                                    double R, Directions &into) {
+    directions(x, y, size, origin, c, R, into);
+}
+
+// NOLINTBEGIN(modernize-avoid-c-arrays): rows as columnsums::sumUp makes them
+
+/// In the order of Linearised.
+struct LinearTerms {
+    static constexpr std::size_t number = 12;
+    static constexpr std::size_t columns = 4;
+    const double *column[columns]{}; ///< those of Directions
+
+    template <class Value>
+    [[gnu::always_inline]] inline void of(const Value (&c)[columns], Value (&values)[number]) const {
+        const Value &ux = c[0];
+        const Value &uy = c[1];
+        const Value &f = c[2];
+        const Value &bend = c[3];
+        values[0] = ux;
+        values[1] = uy;
+        values[2] = ux * ux;
+        values[3] = ux * uy;
+        values[4] = uy * uy;
+        values[5] = f;
+        values[6] = f * ux;
+        values[7] = f * uy;
+        values[8] = f * f;
+        values[9] = bend * uy * uy;
+        values[10] = -bend * ux * uy;
+        values[11] = bend * ux * ux;
+    }
+};
+
+// NOLINTEND(modernize-avoid-c-arrays)
+
 Linearised linearise(PointsView points, std::span<const std::size_t> groups, Point mean, Point c, double R) {
-    const auto m = weightedMean<12>(points, groups, [&](const Pair &x, const Pair &y) {
-        const Pair dx = (x - mean.x) - c.x;
-        const Pair dy = (y - mean.y) - c.y;
-        const Pair r = (dx * dx + dy * dy).sqrt();
-        const Pair inverse = 1 / r.max(std::numeric_limits<double>::min()); // a point at c pulls nowhere
-        const Pair ux = dx * inverse;
-        const Pair uy = dy * inverse;
-        const Pair f = r - R;
-        const Pair bend = f * inverse;
-        return std::array<Pair, 12>{ux,     uy,     ux * ux, ux * uy,        uy * uy,         f,
-                                    f * ux, f * uy, f * f,   bend * uy * uy, -bend * ux * uy, bend * ux * ux};
+    const auto look = hasWidestRegisters() ? directionsWidest
+                      : hasWideRegisters() ? directionsWide
+                                           : directions;
+    Directions of; // NOLINT(cppcoreguidelines-pro-type-member-init): what is read is written before
+    const auto m = weightedMean<LinearTerms::number>(groups, [&](std::size_t begin, std::size_t size) {
+        look(&points.x[begin], &points.y[begin], size, mean, c, R, of);
+        return columnsums::sumsOf(LinearTerms{{of.ux.data(), of.uy.data(), of.f.data(), of.bend.data()}},
+                                  size);
     });
     return {R, m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11]};
 }
@@ -145,6 +272,34 @@ std::optional<Point> step(const Linearised &at, bool secondDerivatives) {
     return std::isfinite(result.x + result.y) ? std::optional(result) : std::nullopt;
 }
 
+/// The step that surely ends at the minimum to the tolerance, so that nothing is looked at again: null where
+/// that is not sure. Along it the second derivatives of half the variance, D²φ, change by |D³φ|·|Δ| at most,
+///     D³φ = 3·cov(Dr, D²r) + cov(f, D³r),   |D³φ| ≤ 3/r + 1.2·max|f|/r² < 5/r,   r the least distance,
+/// which is the part q = 5·|Δ|/(r·λ) of their least eigenvalue λ; the step misses the minimum by q·|Δ| at
+/// most while q is at most a half. No point is farther off the circle R than √(mean f²/least weight).
+std::optional<Point> lastStep(const Linearised &at, double leastWeight, double tolerance) {
+    const std::optional<Point> move = step(at, true);
+    const double curvature = leastCurvature(at);
+    if (!move || !(curvature > 0))
+        return std::nullopt;
+    const double length = std::hypot(move->x, move->y);
+    const double nearest = at.R - std::sqrt(at.ff / leastWeight) - length;
+    const double part = 5 * length / (nearest * curvature);
+    if (!(nearest > at.R / 2) || !(part <= 0.5) || !(part * length <= tolerance * at.R))
+        return std::nullopt;
+    return move;
+}
+
+/// After the last step: r falls by u·Δ, and half the variance by half of its slope times Δ.
+Linearised moved(Linearised at, Point by) {
+    const double gx = at.fx - at.ux * at.f;
+    const double gy = at.fy - at.uy * at.f;
+    const double variance = std::max(0.0, at.variance() - (gx * by.x + gy * by.y));
+    at.f -= at.ux * by.x + at.uy * by.y;
+    at.ff = variance + at.f * at.f;
+    return at;
+}
+
 struct Fit {
     Status status = Status::notConverged;
     Point c; ///< about the mean of the points
@@ -161,11 +316,18 @@ Status statusAt(double radius, double largestRadius) {
 Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> groups, Point mean,
             double largestRadius, const LeastSquaresCircleOptions &options) {
     Fit fit{Status::notConverged, c, linearise(points, groups, mean, c, R)};
-    double lastStep = std::numeric_limits<double>::infinity();
+    double before = std::numeric_limits<double>::infinity(); // length of the step
+    const double weight = leastWeight(groups);
     while (fit.iterations < options.maxIterations) {
         ++fit.iterations;
         const Linearised at = fit.at;
         const double radius = at.radius();
+        if (const auto last = lastStep(at, weight, options.tolerance)) {
+            fit.c = {fit.c.x + last->x, fit.c.y + last->y};
+            fit.at = moved(at, *last);
+            fit.status = statusAt(fit.at.radius(), largestRadius);
+            return fit;
+        }
         std::optional<Point> move = step(at, false);
         if (!move || !(radius < largestRadius)) {
             fit.status = Status::collinear;
@@ -182,7 +344,7 @@ Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> g
         const double noise = 4 * epsilon * radius * (std::sqrt(at.variance()) + epsilon * radius);
         fit.at = after(*move);
         double length = std::hypot(move->x, move->y);
-        if (length > lastStep / quick) {
+        if (length > before / quick) {
             // Large residuals: near the end the second derivatives make quick steps of slow ones.
             const std::optional<Point> newton = step(at, true);
             const Linearised there = newton ? after(*newton) : fit.at;
@@ -199,12 +361,12 @@ Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> g
         fit.c = {fit.c.x + move->x, fit.c.y + move->y};
         // Done, or at the floor of rounding, where neither the steps nor the sum of squares shrink any more.
         const double floor = std::max(1e-12, 64 * epsilon / leastCurvature(fit.at)) * radius;
-        const bool still = length > lastStep / 2 && at.variance() - fit.at.variance() <= noise;
+        const bool still = length > before / 2 && at.variance() - fit.at.variance() <= noise;
         if (length <= options.tolerance * radius || (length <= floor && still)) {
             fit.status = statusAt(fit.at.radius(), largestRadius);
             return fit;
         }
-        lastStep = length;
+        before = length;
     }
     return fit;
 }
@@ -289,11 +451,6 @@ std::vector<Point> startsAround(double extent, PointsView points, Point mean) {
     return starts;
 }
 
-/// The mean square of the distances from the best straight line, which circles come near to without end.
-double varianceOfLine(const Scatter &s) {
-    return (s.xx + s.yy) / 2 - std::hypot((s.xx - s.yy) / 2, s.xy);
-}
-
 /// Short arcs with large residuals may have several circles that are best of their neighbours; only where the
 /// residuals are as large as the arc is bent, or beside the extent of the points, need the others be looked
 /// for.
@@ -322,22 +479,13 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
     if (points.size() == 0)
         return refused(Status::tooFewPoints);
 
-    const auto [meanX, meanY] = weightedMean<2>(points, groups, [](const Pair &x, const Pair &y) {
-        return std::array<Pair, 2>{x, y};
-    });
-    const Point mean{meanX, meanY};
-    const auto moments = weightedMean<5>(points, groups, [&](const Pair &x, const Pair &y) {
-        const Pair u = x - mean.x;
-        const Pair v = y - mean.y;
-        const Pair z = u * u + v * v;
-        return std::array<Pair, 5>{u * u, u * v, v * v, u * z, v * z};
-    });
-    const Scatter s{moments[0], moments[1], moments[2], moments[3], moments[4]};
+    const Scatter s = scatterOf(points, groups);
+    const Point mean = s.mean;
     if (!std::isfinite(s.xx + s.yy + s.xz + s.yz))
         return refused(Status::notFinite);
     if (!threeDistinct(points))
         return refused(Status::tooFewPoints);
-    if (collinear(points, groups, mean, s))
+    if (collinear(points, groups, s))
         return refused(Status::collinear);
 
     // Algebraic start, about the mean: S·c = ½·(Σwuz, Σwvz), R² = |c|² + Σwz.
@@ -360,7 +508,7 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
                 fit = other;
         }
         // The best of its neighbours is not enough where a line is better than all.
-        if (fit.status == Status::converged && fit.at.variance() > varianceOfLine(s) * (1 + lineMargin))
+        if (fit.status == Status::converged && fit.at.variance() > s.across() * (1 + lineMargin))
             fit.status = Status::collinear;
     }
     if (fit.status != Status::converged) {

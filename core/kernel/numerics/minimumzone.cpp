@@ -62,12 +62,12 @@ struct Ring {
 struct Bisector {
     Point n;
     double k;
-    std::array<Sample, 2> of;
+    std::array<const Sample *, 2> of; ///< they live as long
 
     Bisector(const Sample &a, const Sample &b)
         : n(difference(b.point, a.point))
         , k((n.x * (a.point.x + b.point.x) + n.y * (a.point.y + b.point.y)) / 2)
-        , of{a, b} {}
+        , of{&a, &b} {}
 };
 
 /// Not finite if the bisectors are parallel, or one of them that of the same point twice.
@@ -77,20 +77,22 @@ Point intersection(const Bisector &a, const Bisector &b) {
 }
 
 Ring ringOf(const Bisector &a, const Bisector &b, Point centre, double least, double greatest) {
-    const bool outside = squaredDistance(a.of[0].point, centre) >= squaredDistance(b.of[0].point, centre);
-    return {centre, least, greatest, outside ? a.of : b.of, outside ? b.of : a.of};
+    const bool outside = squaredDistance(a.of[0]->point, centre) >= squaredDistance(b.of[0]->point, centre);
+    const Bisector &outer = outside ? a : b;
+    const Bisector &inner = outside ? b : a;
+    return {centre, least, greatest, {*outer.of[0], *outer.of[1]}, {*inner.of[0], *inner.of[1]}};
 }
 
 /// The ring about the intersection of two bisectors, as wide as needed to hold the four points.
 std::optional<Ring> intersect(const Bisector &a, const Bisector &b) {
     const Point centre = intersection(a, b);
-    const double d = squaredDistance(a.of[0].point, centre);
+    const double d = squaredDistance(a.of[0]->point, centre);
     if (!std::isfinite(d))
         return std::nullopt;
     Ring ring = ringOf(a, b, centre, d, d);
-    ring.include(a.of[1].point);
-    ring.include(b.of[0].point);
-    ring.include(b.of[1].point);
+    ring.include(a.of[1]->point);
+    ring.include(b.of[0]->point);
+    ring.include(b.of[1]->point);
     return ring;
 }
 
@@ -186,60 +188,74 @@ struct Contacts {
     void add(const Sample &s) { samples[size++] = s; }
 };
 
-/// Keeps in `best` the ring of two bisectors about all points of the set, if it is thinner.
-void keepThinner(std::optional<Ring> &best, const Bisector &a, const Bisector &b,
-                 std::span<const Point> points) {
-    const Point centre = intersection(a, b);
-    double least = infinity;
-    double greatest = 0;
-    for (const Point p : points) {
-        const double d = squaredDistance(p, centre);
-        least = std::min(least, d);
-        greatest = std::max(greatest, d);
+/// The thinnest of some rings, each about all points of a set. The width stands beside the ring: two roots a
+/// ring that is tried instead of four.
+class Thinnest {
+public:
+    explicit Thinnest(std::span<const Point> points)
+        : m_points(points) {}
+
+    void offer(const Bisector &a, const Bisector &b) {
+        const Point centre = intersection(a, b);
+        double least = infinity;
+        double greatest = 0;
+        for (const Point p : m_points) {
+            const double d = squaredDistance(p, centre);
+            least = std::min(least, d);
+            greatest = std::max(greatest, d);
+        }
+        // Parallel bisectors have no width, or a negative one: no distance was compared.
+        const double width = std::sqrt(greatest) - std::sqrt(least);
+        if (!(width >= 0 && width < m_width))
+            return;
+        m_width = width;
+        m_ring = ringOf(a, b, centre, least, greatest);
     }
-    // Parallel bisectors have no width, or a negative one: no distance was compared.
-    const double width = std::sqrt(greatest) - std::sqrt(least);
-    if (width >= 0 && width < (best ? best->width() : infinity))
-        best = ringOf(a, b, centre, least, greatest);
-}
+
+    [[nodiscard]] const std::optional<Ring> &ring() const { return m_ring; }
+
+private:
+    std::span<const Point> m_points;
+    std::optional<Ring> m_ring;
+    double m_width = infinity;
+};
 
 /// The least ring about some points, whichever of them are outside.
 std::optional<Ring> leastRingOfAll(std::span<const Sample> all, std::span<const Point> points) {
-    std::optional<Ring> best;
+    Thinnest best(points);
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = i + 1; j < all.size(); ++j)
             for (std::size_t k = i + 1; k < all.size(); ++k)
                 for (std::size_t l = k + 1; l < all.size(); ++l)
                     if (k != j && l != j)
-                        keepThinner(best, {all[i], all[j]}, {all[k], all[l]}, points);
-    return best;
+                        best.offer({all[i], all[j]}, {all[k], all[l]});
+    return best.ring();
 }
 
 /// The least ring about outer and inner points: first as they are paired, outer with outer and inner with
 /// inner; if none of these rings is a minimum, some point belongs to the other circle, and all pairings are
 /// tried.
 std::optional<Ring> leastRing(const Contacts &outer, const Contacts &inner, double tolerance) {
-    std::array<Sample, 16> all;
     std::array<Point, 16> coordinates;
     std::size_t size = 0;
-    for (const Contacts *contacts : {&outer, &inner}) {
-        for (std::size_t i = 0; i < contacts->size; ++i, ++size) {
-            all[size] = contacts->samples[i];
-            coordinates[size] = all[size].point;
-        }
-    }
+    for (const Contacts *contacts : {&outer, &inner})
+        for (std::size_t i = 0; i < contacts->size; ++i)
+            coordinates[size++] = contacts->samples[i].point;
     const std::span<const Point> points(coordinates.data(), size);
-    std::optional<Ring> best;
+    Thinnest best(points);
     for (std::size_t i = 0; i < outer.size; ++i) {
         for (std::size_t j = i + 1; j < outer.size; ++j) {
             const Bisector outside(outer.samples[i], outer.samples[j]);
             for (std::size_t k = 0; k < inner.size; ++k)
                 for (std::size_t l = k + 1; l < inner.size; ++l)
-                    keepThinner(best, outside, {inner.samples[k], inner.samples[l]}, points);
+                    best.offer(outside, {inner.samples[k], inner.samples[l]});
         }
     }
-    if (best && isMinimum(*best, tolerance))
-        return best;
+    if (best.ring() && isMinimum(*best.ring(), tolerance))
+        return best.ring();
+    std::array<Sample, 16> all;
+    std::copy_n(inner.samples.begin(), inner.size,
+                std::copy_n(outer.samples.begin(), outer.size, all.begin()));
     return leastRingOfAll({all.data(), size}, points);
 }
 

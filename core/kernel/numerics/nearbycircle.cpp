@@ -2,86 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/numerics/nearbycircle.h"
 
-#include "kernel/numerics/wideregisters.h"
+#include "kernel/numerics/columnsums.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace palmer {
 
 namespace {
 
-// Eight points go side by side, in one register or in several: the sums are the same on all processors.
-constexpr std::size_t together = 8;
-struct Narrow {
-    using Value = double __attribute__((vector_size(16)));
-};
-struct Wide {
-    using Value = double __attribute__((vector_size(32)));
-};
-struct Widest {
-    using Value = double __attribute__((vector_size(64)));
-};
-
-// NOLINTBEGIN(modernize-avoid-c-arrays): registers are no arguments of templates, GCC drops their width
-
-/// Sums of `n` terms of `number` sums each, of the columns of a table.
-template <class Register, class Terms>
-[[gnu::always_inline]] inline void sumUp(const Terms &terms, std::size_t n,
-                                         std::array<double, Terms::number> &sums) {
-    using Value = typename Register::Value;
-    constexpr std::size_t lanes = sizeof(Value) / sizeof(double);
-    Value all[Terms::number][together / lanes]{};
-    std::size_t i = 0;
-    for (; i + together <= n; i += together) {
-        for (std::size_t k = 0; k < together / lanes; ++k) {
-            Value columns[Terms::columns];
-            for (std::size_t c = 0; c < Terms::columns; ++c)
-                std::memcpy(&columns[c], terms.column[c] + i + k * lanes, sizeof(Value));
-            Value values[Terms::number];
-            terms.of(columns, values);
-            for (std::size_t s = 0; s < Terms::number; ++s)
-                all[s][k] += values[s];
-        }
-    }
-    for (std::size_t s = 0; s < Terms::number; ++s) {
-        std::array<double, together> lane{};
-        std::memcpy(lane.data(), &all[s], sizeof(lane));
-        sums[s] = ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
-    }
-    for (; i < n; ++i) {
-        double columns[Terms::columns];
-        for (std::size_t c = 0; c < Terms::columns; ++c)
-            columns[c] = terms.column[c][i];
-        double values[Terms::number];
-        terms.of(columns, values);
-        for (std::size_t s = 0; s < Terms::number; ++s)
-            sums[s] += values[s];
-    }
-}
-
-template <class Terms>
-PALMER_WIDE void sumUpWide(const Terms &terms, std::size_t n, std::array<double, Terms::number> &sums) {
-    sumUp<Wide>(terms, n, sums);
-}
-
-template <class Terms>
-PALMER_WIDEST void sumUpWidest(const Terms &terms, std::size_t n, std::array<double, Terms::number> &sums) {
-    sumUp<Widest>(terms, n, sums);
-}
-
-template <class Terms>
-std::array<double, Terms::number> sumsOf(const Terms &terms, std::size_t n) {
-    std::array<double, Terms::number> sums{};
-    if (hasWidestRegisters())
-        sumUpWidest(terms, n, sums);
-    else if (hasWideRegisters())
-        sumUpWide(terms, n, sums);
-    else
-        sumUp<Narrow>(terms, n, sums);
-    return sums;
-}
+// NOLINTBEGIN(modernize-avoid-c-arrays): rows as columnsums::sumUp makes them
 
 /// The first step.
 struct FirstStep {
@@ -197,7 +127,7 @@ Point NearbyCircle::firstStep(std::span<const Rays::Look *const> looks) const {
     for (std::size_t k = 0; k < m_sets.size(); ++k) {
         const Set &set = m_sets[k];
         const FirstStep step{{looks[k]->changes.data(), set.stepX.data(), set.stepY.data()}};
-        const auto [x, y] = sumsOf(step, set.wx.size());
+        const auto [x, y] = columnsums::sumsOf(step, set.wx.size());
         result = {result.x + x, result.y + y};
     }
     return result;
@@ -212,7 +142,7 @@ NearbyCircle::Means NearbyCircle::means(std::span<const Rays::Look *const> looks
                                    set.across.data(), set.residual.data(), set.inverse.data()},
                                   delta};
         const std::size_t n = set.wx.size();
-        const auto [f, ux, uy, fx, fy] = sumsOf(distances, n);
+        const auto [f, ux, uy, fx, fy] = columnsums::sumsOf(distances, n);
         const double each = weight / static_cast<double>(n);
         all = {all.f + f * each, all.ux + ux * each, all.uy + uy * each, all.fx + fx * each,
                all.fy + fy * each};

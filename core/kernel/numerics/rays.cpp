@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/numerics/rays.h"
 
+#include "kernel/numerics/columnsums.h"
 #include "kernel/numerics/lanes.h"
 #include "kernel/numerics/radiusextremes.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace palmer {
 
@@ -32,7 +34,7 @@ Rays::Rays(std::vector<double> ux, std::vector<double> uy, std::vector<double> r
     , m_centre(centre)
     , m_distances(m_radii.size())
     , m_along(m_radii.size())
-    , m_sectors((m_radii.size() + sectorSize - 1) / sectorSize)
+    , m_sectorCount((m_radii.size() + sectorSize - 1) / sectorSize)
     , m_least(infinity) {
     std::vector<Point> w(size());
     for (std::size_t i = 0; i < size(); ++i) {
@@ -45,16 +47,20 @@ Rays::Rays(std::vector<double> ux, std::vector<double> uy, std::vector<double> r
         m_least = std::min(m_least, r);
         m_greatest = std::max(m_greatest, r);
     }
-    for (std::size_t s = 0; s < m_sectors.size(); ++s) {
+    for (std::size_t s = 0; s < m_sectorCount; ++s) {
         const std::size_t begin = s * sectorSize;
         const std::size_t end = std::min(size(), begin + sectorSize);
-        Sector &sector = m_sectors[s];
+        Point mean;
         for (std::size_t i = begin; i < end; ++i) {
-            sector.w.x += w[i].x / static_cast<double>(end - begin);
-            sector.w.y += w[i].y / static_cast<double>(end - begin);
+            mean.x += w[i].x / static_cast<double>(end - begin);
+            mean.y += w[i].y / static_cast<double>(end - begin);
         }
+        double spread = 0;
         for (std::size_t i = begin; i < end; ++i)
-            sector.spread = std::max(sector.spread, std::hypot(w[i].x - sector.w.x, w[i].y - sector.w.y));
+            spread = std::max(spread, std::hypot(w[i].x - mean.x, w[i].y - mean.y));
+        m_sectors.wx.push_back(mean.x);
+        m_sectors.wy.push_back(mean.y);
+        m_sectors.spread.push_back(spread);
     }
 }
 
@@ -67,8 +73,8 @@ Points Rays::reference() const {
 }
 
 Rays::Look Rays::look() const {
-    return {std::vector<double>(size()), std::vector<double>(size()), 0,
-            std::vector<double>(m_sectors.size()), std::vector<double>(m_sectors.size())};
+    return {std::vector<double>(size()), std::vector<double>(size()), 0, std::vector<double>(m_sectorCount),
+            std::vector<double>(m_sectorCount)};
 }
 
 void Rays::prepare(Look &look) const {
@@ -96,7 +102,7 @@ void Rays::prepare(Look &look) const {
         sum += (v[0] + v[1]) + (v[2] + v[3]);
     }
     look.largest = largestOf(largest);
-    if (whole < m_sectors.size()) {
+    if (whole < m_sectorCount) {
         look.nearest[whole] = infinity;
         look.farthest[whole] = -infinity;
     }
@@ -125,7 +131,7 @@ void Rays::fill(const Look &look, Points &points) const {
 
 Rays::Bound Rays::boundOf(const Look &look, Point centre) const {
     const Point delta{centre.x - m_centre.x, centre.y - m_centre.y};
-    const double length = std::hypot(delta.x, delta.y);
+    const double length = std::sqrt(delta.x * delta.x + delta.y * delta.y);
     if (!(look.largest + length < m_least / 2))
         return {delta, 0, infinity, infinity};
     const double across = look.largest * m_across + length;
@@ -133,15 +139,94 @@ Rays::Bound Rays::boundOf(const Look &look, Point centre) const {
     return {delta, length, across * across / m_least + rounding, rounding};
 }
 
+// NOLINTBEGIN(modernize-avoid-c-arrays): registers are no arguments of templates, GCC drops their width
+
+/// The outermost of the first sectors, eight at a time; returns how many it looked at. One after the other,
+/// each with two comparisons that wait for those before, they took most of the time of an exchange.
+template <class Register>
+[[gnu::always_inline]] inline std::size_t Rays::outermostOf(const Compared &c, std::size_t count,
+                                                            Outermost &result) {
+    using Value = typename Register::Value;
+    using Index = typename Register::Index;
+    constexpr std::size_t together = columnsums::together;
+    constexpr std::size_t lanes = sizeof(Value) / sizeof(double);
+    constexpr std::size_t parts = together / lanes;
+    Value greatest[parts]{};
+    Value least[parts]{};
+    Index farthest[parts]{}; // the block of eight that held it
+    Index nearest[parts]{};
+    for (std::size_t k = 0; k < parts; ++k) {
+        greatest[k] = Value{} - infinity;
+        least[k] = Value{} + infinity;
+    }
+    const Bound &bound = c.bound;
+    std::size_t s = 0;
+    for (; s + together <= count; s += together) {
+        const auto block = static_cast<std::int64_t>(s);
+        for (std::size_t k = 0; k < parts; ++k) {
+            Value far{};
+            Value near{};
+            Value wx{};
+            Value wy{};
+            Value spread{};
+            std::memcpy(&far, c.farthest + s + k * lanes, sizeof(Value));
+            std::memcpy(&near, c.nearest + s + k * lanes, sizeof(Value));
+            std::memcpy(&wx, c.wx + s + k * lanes, sizeof(Value));
+            std::memcpy(&wy, c.wy + s + k * lanes, sizeof(Value));
+            std::memcpy(&spread, c.spread + s + k * lanes, sizeof(Value));
+            const Value along = bound.delta.x * wx + bound.delta.y * wy;
+            far = far - along + bound.length * spread + bound.above;
+            near = near - along - bound.length * spread - bound.below;
+            const auto farther = far > greatest[k];
+            const auto nearer = near < least[k];
+            greatest[k] = farther ? far : greatest[k];
+            least[k] = nearer ? near : least[k];
+            farthest[k] = farther ? Index{} + block : farthest[k];
+            nearest[k] = nearer ? Index{} + block : nearest[k];
+        }
+    }
+    for (std::size_t k = 0; k < together && s > 0; ++k) {
+        const std::size_t part = k / lanes;
+        const std::size_t lane = k % lanes;
+        if (greatest[part][lane] > result.greatest) {
+            result.greatest = greatest[part][lane];
+            result.farthest = static_cast<std::size_t>(farthest[part][lane]) + k;
+        }
+        if (least[part][lane] < result.least) {
+            result.least = least[part][lane];
+            result.nearest = static_cast<std::size_t>(nearest[part][lane]) + k;
+        }
+    }
+    return s;
+}
+
+// NOLINTEND(modernize-avoid-c-arrays)
+
+PALMER_WIDE std::size_t Rays::outermostOfWide(const Compared &c, std::size_t count, Outermost &result) {
+    return outermostOf<columnsums::Wide>(c, count, result);
+}
+
+PALMER_WIDEST std::size_t Rays::outermostOfWidest(const Compared &c, std::size_t count, Outermost &result) {
+    return outermostOf<columnsums::Widest>(c, count, result);
+}
+
 Rays::Outermost Rays::outermost(const Look &look, Point centre) const {
-    const Bound bound = boundOf(look, centre);
+    const Compared compared{look.farthest.data(), look.nearest.data(),     m_sectors.wx.data(),
+                            m_sectors.wy.data(),  m_sectors.spread.data(), boundOf(look, centre)};
     Outermost result;
-    for (std::size_t s = 0; s < m_sectors.size(); ++s) {
-        if (const double r = farthest(look, s, bound); r > result.greatest) {
+    std::size_t s = 0;
+    if (hasWidestRegisters())
+        s = outermostOfWidest(compared, m_sectorCount, result);
+    else if (hasWideRegisters())
+        s = outermostOfWide(compared, m_sectorCount, result);
+    else
+        s = outermostOf<columnsums::Narrow>(compared, m_sectorCount, result);
+    for (; s < m_sectorCount; ++s) {
+        if (const double r = farthest(look, s, compared.bound); r > result.greatest) {
             result.greatest = r;
             result.farthest = s;
         }
-        if (const double r = nearest(look, s, bound); r < result.least) {
+        if (const double r = nearest(look, s, compared.bound); r < result.least) {
             result.least = r;
             result.nearest = s;
         }
@@ -154,8 +239,8 @@ Rays::Extremes Rays::extremes(const Look &look, Point centre) const {
     // What one sector surely reaches, no other has to be looked into that surely does not.
     double reached = -infinity;
     double near = infinity;
-    for (std::size_t s = 0; s < m_sectors.size(); ++s) {
-        const double wide = 2 * bound.length * m_sectors[s].spread;
+    for (std::size_t s = 0; s < m_sectorCount; ++s) {
+        const double wide = 2 * bound.length * m_sectors.spread[s];
         reached = std::max(reached, farthest(look, s, bound) - wide - bound.above - bound.below);
         near = std::min(near, nearest(look, s, bound) + wide + bound.above + bound.below);
     }

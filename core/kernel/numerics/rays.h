@@ -56,7 +56,7 @@ public:
     template <class Visit>
     void visitBeyond(const Look &look, Point centre, double outer, double inner, Visit visit) const {
         const Bound bound = boundOf(look, centre);
-        for (std::size_t s = 0; s < m_sectors.size(); ++s) {
+        for (std::size_t s = 0; s < m_sectorCount; ++s) {
             if (farthest(look, s, bound) <= outer && nearest(look, s, bound) >= inner)
                 continue;
             visitSector(s, visit);
@@ -84,9 +84,11 @@ private:
     /// With P − c_reference = r₀·w + t·u, t the change: |P − c| = √((r₀ + a)² + b²), a = t·(u·w) − δ·w,
     /// |b| ≤ |t|·|u × w| + |δ|, δ = c − c_reference. So it lies between r₀ + a and r₀ + a + b²/r₀ as long as
     /// |a| ≤ r₀/2; and δ·w differs from that of the mean direction of the sector by |δ|·spread at most.
-    struct Sector {
-        Point w;
-        double spread = 0;
+    /// Of each sector; columns, so that `outermost` looks at eight sectors at once.
+    struct Sectors {
+        std::vector<double> wx; ///< mean direction
+        std::vector<double> wy;
+        std::vector<double> spread;
     };
     struct Bound {
         Point delta;
@@ -94,16 +96,27 @@ private:
         double above = 0; ///< b²/r₀ and rounding
         double below = 0; ///< rounding
     };
+    /// The columns that `outermost` compares.
+    struct Compared {
+        const double *farthest;
+        const double *nearest;
+        const double *wx;
+        const double *wy;
+        const double *spread;
+        Bound bound;
+    };
+    template <class Register>
+    static std::size_t outermostOf(const Compared &c, std::size_t count, Outermost &result);
+    static std::size_t outermostOfWide(const Compared &c, std::size_t count, Outermost &result);
+    static std::size_t outermostOfWidest(const Compared &c, std::size_t count, Outermost &result);
     [[nodiscard]] Bound boundOf(const Look &look, Point centre) const;
     [[nodiscard]] double farthest(const Look &look, std::size_t s, const Bound &bound) const {
-        const Sector &sector = m_sectors[s];
-        return look.farthest[s] - (bound.delta.x * sector.w.x + bound.delta.y * sector.w.y) +
-               bound.length * sector.spread + bound.above;
+        return look.farthest[s] - (bound.delta.x * m_sectors.wx[s] + bound.delta.y * m_sectors.wy[s]) +
+               bound.length * m_sectors.spread[s] + bound.above;
     }
     [[nodiscard]] double nearest(const Look &look, std::size_t s, const Bound &bound) const {
-        const Sector &sector = m_sectors[s];
-        return look.nearest[s] - (bound.delta.x * sector.w.x + bound.delta.y * sector.w.y) -
-               bound.length * sector.spread - bound.below;
+        return look.nearest[s] - (bound.delta.x * m_sectors.wx[s] + bound.delta.y * m_sectors.wy[s]) -
+               bound.length * m_sectors.spread[s] - bound.below;
     }
 
     std::vector<double> m_ux;
@@ -112,7 +125,8 @@ private:
     Point m_centre;
     std::vector<double> m_distances; ///< r₀ from the centre
     std::vector<double> m_along;     ///< u·w
-    std::vector<Sector> m_sectors;
+    std::size_t m_sectorCount = 0;
+    Sectors m_sectors;
     double m_least = 0; ///< of the distances
     double m_greatest = 0;
     double m_across = 0; ///< the largest |u × w|

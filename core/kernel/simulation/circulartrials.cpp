@@ -6,10 +6,12 @@
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/numerics/centringerror.h"
 #include "kernel/numerics/minimumzone.h"
+#include "kernel/numerics/wideregisters.h"
 #include "kernel/uncertainty/circularbudget.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace palmer {
 
@@ -24,6 +26,55 @@ enum Place : std::uint32_t { commonPlace = 0, repeatabilityPlace = 4, firstPoint
 double deviation(const std::vector<Contribution> &contributions, std::string_view id) {
     const auto found = std::ranges::find(contributions, id, [](const Contribution &c) { return c.id; });
     return found == contributions.end() ? 0 : found->expanded.value_or(0) / coverage;
+}
+
+/// What is added to all deviations of a path.
+struct Shift {
+    double common = 0; ///< mm
+    double scale = 0;  ///< per deviation from the middle
+    double middle = 0; ///< mm
+    Point centring;    ///< mm
+};
+
+/// Adds them to the errors of the points: deviations, and distances from the programmed centre. A plain loop,
+/// which the compiler turns into vectors of the function it is inlined into.
+[[gnu::always_inline]] inline void shift(const Shift &by, double nominalRadius, const double *deviation,
+                                         const double *ux, const double *uy, std::span<double> errors,
+                                         double *distance) {
+    double *error = errors.data();
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        error[i] = deviation[i] + (by.common + by.scale * (deviation[i] - by.middle) -
+                                   (by.centring.x * ux[i] + by.centring.y * uy[i]) + error[i]);
+        distance[i] = nominalRadius + error[i];
+    }
+}
+
+PALMER_WIDE void shiftWide(const Shift &by, double nominalRadius, const double *deviation, const double *ux,
+                           const double *uy, std::span<double> errors, double *distance) {
+    shift(by, nominalRadius, deviation, ux, uy, errors, distance);
+}
+
+PALMER_WIDEST void shiftWidest(const Shift &by, double nominalRadius, const double *deviation,
+                               const double *ux, const double *uy, std::span<double> errors,
+                               double *distance) {
+    shift(by, nominalRadius, deviation, ux, uy, errors, distance);
+}
+
+/// rebuiltRadius() of all points of a path.
+[[gnu::always_inline]] inline void rebuild(std::span<const double> distances, const double *ux,
+                                           const double *uy, Point e, double *radius) {
+    for (std::size_t i = 0; i < distances.size(); ++i)
+        radius[i] = rebuiltRadius(distances[i], {ux[i], uy[i]}, e);
+}
+
+PALMER_WIDE void rebuildWide(std::span<const double> distances, const double *ux, const double *uy, Point e,
+                             double *radius) {
+    rebuild(distances, ux, uy, e, radius);
+}
+
+PALMER_WIDEST void rebuildWidest(std::span<const double> distances, const double *ux, const double *uy,
+                                 Point e, double *radius) {
+    rebuild(distances, ux, uy, e, radius);
 }
 
 } // namespace
@@ -60,6 +111,8 @@ CircularTrials::CircularTrials(const Test &test, const CircularMeasurement &meas
         m_parameters.push_back({parameterId(parameter), *parameter.value, 0, 0, 0, 0, {}});
         m_listed.push_back(k);
         m_repeatability.push_back(repeated[k].value_or(deviation(contributions, repeatabilityId)));
+        if (std::string_view(listed[k].row->quantity) == "H")
+            m_hysteresis = m_listed.size() - 1;
         wantCircles(*listed[k].row);
     }
 
@@ -69,7 +122,6 @@ CircularTrials::CircularTrials(const Test &test, const CircularMeasurement &meas
 
 void CircularTrials::wantCircles(const CircularRow &row) {
     const std::string_view quantity = row.quantity;
-    m_points = m_points || quantity == "H";
     if (quantity == "F" && m_measurement.centring == Centring::instrument) {
         m_readings = true;
         return;
@@ -169,6 +221,9 @@ void CircularTrials::addReferences() {
     const std::vector<CommandedArc> arcs = inOrderOfTime(distances);
     if (const CentringError error = centringError(arcs); error.status == CentringError::Status::converged)
         m_nearbyCentring.emplace(arcs, error);
+    const CircleResult *both = m_results.circle(CircleOf::both, ReferenceCircle::leastSquares);
+    if (m_hysteresis && both && m_parts.size() == 2)
+        m_nearbyHysteresis.emplace(m_parts[0].rays, m_parts[1].rays, both->centre);
     for (Circle &circle : m_circles) {
         Points points;
         std::vector<const Rays *> sets;
@@ -227,19 +282,15 @@ void CircularTrials::perturb(long long trial, std::size_t index, const Common &a
     const Part &part = m_parts[index];
     const std::size_t n = part.deviations.size();
     std::vector<double> &errors = place.errors;
-    errors.assign(n, 0);
+    errors.resize(n);
     if (m_errors.noise > 0 || m_errors.resolution > 0)
         drawPointErrors(m_draws, trial, part.place, m_errors, errors);
-    const double common = all.drift[index % 2] + all.zero;
-    const double *d = part.deviations.data();
-    const double *x = part.rays.x().data();
-    const double *y = part.rays.y().data();
-    for (std::size_t i = 0; i < n; ++i)
-        errors[i] = d[i] + (common + all.scale * (d[i] - m_middle) -
-                            (all.centring.x * x[i] + all.centring.y * y[i]) + errors[i]);
-    std::vector<double> &distances = place.distances[index];
-    for (std::size_t i = 0; i < n; ++i)
-        distances[i] = m_measurement.nominalRadius + errors[i];
+    else
+        std::ranges::fill(errors, 0);
+    const Shift by{all.drift[index % 2] + all.zero, all.scale, m_middle, all.centring};
+    const auto apply = hasWidestRegisters() ? shiftWidest : hasWideRegisters() ? shiftWide : shift;
+    apply(by, m_measurement.nominalRadius, part.deviations.data(), part.rays.x().data(), part.rays.y().data(),
+          errors, place.distances[index].data());
     if (m_readings)
         setReadings(index, place);
 }
@@ -290,14 +341,14 @@ void CircularTrials::setPoints(Workplace &place) const {
         Rays::Look &look = place.looks[k];
         const auto &e = place.results->centringError;
         if (part.commanded && e) {
-            for (std::size_t i = 0; i < look.radii.size(); ++i)
-                look.radii[i] = rebuiltRadius(place.distances[k][i], part.rays.direction(i), *e);
+            const auto apply = hasWidestRegisters() ? rebuildWidest
+                               : hasWideRegisters() ? rebuildWide
+                                                    : rebuild;
+            apply(place.distances[k], part.rays.x().data(), part.rays.y().data(), *e, look.radii.data());
         } else {
-            look.radii = place.distances[k];
+            look.radii.swap(place.distances[k]); // drawn anew by the next trial
         }
         part.rays.prepare(look);
-        if (m_points)
-            part.rays.fill(look, place.results->paths[k].points);
     }
 }
 
@@ -339,6 +390,21 @@ std::optional<CircleResult> CircularTrials::leastSquaresOf(const Circle &circle,
     return result;
 }
 
+std::optional<double> CircularTrials::hysteresisOf(const Workplace &place) const {
+    const CircleResult *both = place.results->circle(CircleOf::both, ReferenceCircle::leastSquares);
+    if (!m_nearbyHysteresis || !both)
+        return std::nullopt;
+    return m_nearbyHysteresis->largestDifference(
+        {RaysLook{&m_parts[0].rays, &place.looks[0]}, RaysLook{&m_parts[1].rays, &place.looks[1]}},
+        both->centre);
+}
+
+void CircularTrials::fillPoints(const std::vector<std::size_t> &parts, Workplace &place) const {
+    ++place.plain;
+    for (const std::size_t k : parts)
+        m_parts[k].rays.fill(place.looks[k], place.results->paths[k].points);
+}
+
 bool CircularTrials::evaluate(Workplace &place, const std::stop_token &stop) const {
     CircularResults &results = *place.results;
     results.centringError = centringErrorOf(place);
@@ -353,9 +419,7 @@ bool CircularTrials::evaluate(Workplace &place, const std::stop_token &stop) con
             results.circles.push_back(*result);
             continue;
         }
-        ++place.plain;
-        for (const std::size_t k : circle.parts)
-            m_parts[k].rays.fill(place.looks[k], results.paths[k].points);
+        fillPoints(circle.parts, place);
         const auto plain = iso230_4::circles(results.paths, [&](CircleOf of, ReferenceCircle kind) {
             return of == circle.of && kind == circle.kind;
         });
@@ -378,7 +442,14 @@ void CircularTrials::run(long long first, Workplace &place, std::span<double> va
             return;
         place.results->correction = m_results.correction.value_or(0) + all.correction;
         for (std::size_t p = 0; p < m_listed.size(); ++p) {
-            const auto found = iso230_4::value(listed[m_listed[p]], whole);
+            std::optional<double> found;
+            if (p == m_hysteresis) {
+                found = hysteresisOf(place);
+                if (!found)
+                    fillPoints({0, 1}, place);
+            }
+            if (!found)
+                found = iso230_4::value(listed[m_listed[p]], whole);
             const RandomDraws::Words words =
                 m_draws.words(trial, repeatabilityPlace + static_cast<std::uint32_t>(p));
             // A circle that noise makes impossible says nothing of Y.

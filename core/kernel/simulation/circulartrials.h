@@ -5,6 +5,7 @@
 #include "kernel/evaluation/iso230_4/results.h"
 #include "kernel/numerics/nearbycentring.h"
 #include "kernel/numerics/nearbycircle.h"
+#include "kernel/simulation/nearbyhysteresis.h"
 #include "kernel/simulation/pointerrors.h"
 #include "kernel/uncertainty/simulation.h"
 
@@ -43,7 +44,7 @@ public:
         std::vector<double> errors;                 ///< of the points of a path, mm
         std::vector<std::vector<double>> distances; ///< from the programmed centre, as read: of each path
         std::vector<Rays::Look> looks;              ///< the points of each path
-        long long plain = 0;                        ///< circles that took the plain way
+        long long plain = 0;                        ///< circles and hystereses that took the plain way
     };
     [[nodiscard]] Workplace workplace() const;
 
@@ -98,6 +99,8 @@ private:
     inOrderOfTime(std::span<const std::vector<double>> distances) const;
     [[nodiscard]] std::optional<Point> centringErrorOf(const Workplace &place) const;
     void setPoints(Workplace &place) const;
+    [[nodiscard]] std::optional<double> hysteresisOf(const Workplace &place) const;
+    void fillPoints(const std::vector<std::size_t> &parts, Workplace &place) const;
     [[nodiscard]] bool evaluate(Workplace &place, const std::stop_token &stop) const;
     [[nodiscard]] std::optional<CircleResult> minimumZoneOf(const Circle &circle,
                                                             const Workplace &place) const;
@@ -116,9 +119,10 @@ private:
     std::vector<Part> m_parts;           ///< as the paths of the results
     std::vector<Part> m_repeated;        ///< of commanded angles: they too tell the centring error
     std::optional<NearbyCentring> m_nearbyCentring;
-    std::vector<Circle> m_circles; ///< that the parameters look at
-    bool m_readings = false;       ///< a parameter looks at the readings
-    bool m_points = false;         ///< one looks at the points
+    std::vector<Circle> m_circles;           ///< that the parameters look at
+    std::optional<std::size_t> m_hysteresis; ///< the parameter that looks at the points
+    std::optional<NearbyHysteresis> m_nearbyHysteresis;
+    bool m_readings = false; ///< a parameter looks at the readings
     int m_chunk = 1;
     double m_zero = 0; ///< standard deviations, mm
     double m_scale = 0;

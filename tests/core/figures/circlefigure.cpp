@@ -3,6 +3,7 @@
 #include "figures/circlefigure.h"
 
 #include "core/kernel/evaluation/circulardata.h"
+#include "kernel/numerics/centringerror.h"
 
 #include <QTest>
 
@@ -406,6 +407,45 @@ private slots:
         QVERIFY(legendTexts(figure).contains(QStringLiteral("least squares, G(b)")));
         QVERIFY(figure.centre.contains(QStringLiteral("least squares")));
         QVERIFY(std::abs(drawn(figure).to - figure.envelope->outer) < rounding);
+    }
+
+    /// Of evaluated points and others, of arcs of either kind of angles: what the formulas say of each
+    /// reading.
+    void wholeArcsShowEveryReadingAsItLies() {
+        for (const bool commanded : {false, true}) {
+            Test test = ballbarPair();
+            CircularMeasurement &m = circular(test);
+            m.arcs.push_back(m.arcs.front()); // a repetition
+            for (Arc &arc : m.arcs) {
+                arc.angleReference = commanded ? AngleReference::commanded : AngleReference::polar;
+                const double from = std::min(arc.angles.front(), arc.angles.back());
+                arc.evaluated = Interval{from + 20.05, from + 300};
+            }
+            m.arcs[1].evaluated.reset();
+            const TestEvaluation evaluation = evaluatedCircular(test);
+            const auto &results = std::get<CircularResults>(evaluation.results);
+            for (std::size_t k = 0; k < m.arcs.size(); ++k) {
+                const Arc &arc = m.arcs[k];
+                const CircleResult *circle = results.circle(
+                    arc.sense == Sense::clockwise ? CircleOf::clockwise : CircleOf::counterclockwise,
+                    ReferenceCircle::leastSquares);
+                const PathProfile profile = wholeArc(test, evaluation, k);
+                QCOMPARE(profile.angles.size(), arc.angles.size());
+                for (std::size_t i = 0; i < arc.angles.size(); ++i) {
+                    const Point u = direction(arc.angles[i]);
+                    double radius = m.nominalRadius + arc.radialDeviations[i];
+                    if (commanded)
+                        radius = rebuiltRadius(radius, u, *results.centringError);
+                    const double x = radius * u.x - circle->centre.x;
+                    const double y = radius * u.y - circle->centre.y;
+                    QVERIFY(std::abs(profile.deviations[i] - 1000 * (std::hypot(x, y) - m.nominalRadius)) <
+                            rounding);
+                    const double turned = std::atan2(u.x * y - u.y * x, u.x * x + u.y * y);
+                    QVERIFY(std::abs(profile.angles[i] - arc.angles[i] - turned * 57.29577951308232) < 1e-11);
+                    QCOMPARE(profile.source[i], i);
+                }
+            }
+        }
     }
 
     void manyPointsAreDecimated() {

@@ -3,11 +3,11 @@
 #include "kernel/evaluation/iso230_4/parameters.h"
 
 #include "kernel/evaluation/iso230_4/circles.h"
+#include "kernel/evaluation/iso230_4/hysteresis.h"
+#include "kernel/numerics/lanes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
+#include <span>
 
 namespace palmer::iso230_4 {
 
@@ -16,6 +16,25 @@ namespace {
 std::optional<double> width(const CircularCase &test, CircleOf of) {
     const CircleResult *circle = test.results.circle(of, test.measurement.referenceCircle);
     return circle ? std::optional(circle->width) : std::nullopt;
+}
+
+/// Of the values at some places, of which there are any. Four side by side: one after the other every
+/// comparison waits for the one before.
+Interval extremes(std::span<const double> values, std::span<const std::size_t> places) {
+    Lanes least = values[places.front()];
+    Lanes greatest = least;
+    std::size_t i = 0;
+    for (; i + Lanes::count <= places.size(); i += Lanes::count) {
+        const Lanes v = Lanes::from(
+            {values[places[i]], values[places[i + 1]], values[places[i + 2]], values[places[i + 3]]});
+        least = smaller(v, least);
+        greatest = larger(v, greatest);
+    }
+    for (; i < places.size(); ++i) {
+        least = smaller(Lanes(values[places[i]]), least);
+        greatest = larger(Lanes(values[places[i]]), greatest);
+    }
+    return {std::ranges::min(least.values()), std::ranges::max(greatest.values())};
 }
 
 /// Smallest and largest distance from the centre F is measured about, mm.
@@ -28,56 +47,12 @@ std::optional<Interval> distances(const CircularCase &test, const EvaluatedPath 
             return std::nullopt;
         return Interval{circle->innerRadius, circle->outerRadius};
     }
-    const auto &deviations = test.measurement.arcs[path.arc].radialDeviations;
-    Interval result{deviations[path.source.front()], deviations[path.source.front()]};
-    for (const std::size_t i : path.source) {
-        result.from = std::min(result.from, deviations[i]);
-        result.to = std::max(result.to, deviations[i]);
-    }
+    const Interval result = extremes(test.measurement.arcs[path.arc].radialDeviations, path.source);
     return Interval{test.measurement.nominalRadius + result.from, test.measurement.nominalRadius + result.to};
 }
 
 double corrected(const CircularCase &test, double radius) {
     return radius - test.measurement.nominalRadius + test.results.correction.value_or(0);
-}
-
-struct PolarPoint {
-    double angle = 0;    ///< radians, −π … π
-    double distance = 0; ///< mm
-};
-
-std::vector<PolarPoint> polar(const Points &points, Point centre) {
-    std::vector<PolarPoint> result;
-    result.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double x = points.x[i] - centre.x;
-        const double y = points.y[i] - centre.y;
-        result.push_back({std::atan2(y, x), std::hypot(x, y)});
-    }
-    std::ranges::sort(result, {}, &PolarPoint::angle);
-    return result;
-}
-
-/// Distance of a closed path at an angle, interpolated; `path` sorted by angle and not empty.
-double distanceAt(const std::vector<PolarPoint> &path, double angle) {
-    constexpr double turn = 2 * std::numbers::pi;
-    const auto above = std::ranges::lower_bound(path, angle, {}, &PolarPoint::angle);
-    PolarPoint next = above == path.end() ? path.front() : *above;
-    PolarPoint before = above == path.begin() ? path.back() : *(above - 1);
-    if (above == path.end())
-        next.angle += turn;
-    if (above == path.begin())
-        before.angle -= turn;
-    const double step = next.angle - before.angle;
-    const double part = step > 0 ? (angle - before.angle) / step : 1;
-    return before.distance + part * (next.distance - before.distance);
-}
-
-double largestDifference(const std::vector<PolarPoint> &from, const std::vector<PolarPoint> &to) {
-    double result = 0;
-    for (const PolarPoint &point : from)
-        result = std::max(result, std::abs(point.distance - distanceAt(to, point.angle)));
-    return result;
 }
 
 } // namespace
@@ -111,9 +86,8 @@ std::optional<double> hysteresis(const CircularCase &test, const EvaluatedPath *
     const CircleResult *circle = test.results.circle(CircleOf::both, ReferenceCircle::leastSquares);
     if (!circle || !test.twoFullCircles())
         return std::nullopt;
-    const auto first = polar(test.results.paths[0].points, circle->centre);
-    const auto second = polar(test.results.paths[1].points, circle->centre);
-    return std::max(largestDifference(first, second), largestDifference(second, first));
+    return largestDifference(test.results.paths[0].points.view(), test.results.paths[1].points.view(),
+                             circle->centre);
 }
 
 } // namespace palmer::iso230_4

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace palmer::iso230_4 {
 
@@ -31,6 +32,9 @@ Selection selection(const Arc &arc, double nominalRadius) {
     const auto range = evaluatedRange(arc);
     if (!range)
         return result;
+    result.angles.reserve(arc.angles.size());
+    result.distances.reserve(arc.angles.size());
+    result.source.reserve(arc.angles.size());
     for (std::size_t i = 0; i < arc.angles.size(); ++i) {
         if (arc.angles[i] < range->from || arc.angles[i] > range->to)
             continue;
@@ -53,7 +57,10 @@ double holes(std::vector<double> steps) {
 }
 
 void measureExtent(EvaluatedPath &path, std::vector<double> angles) {
-    std::ranges::sort(angles);
+    if (angles.size() > 1 && angles.back() < angles.front())
+        std::ranges::reverse(angles);
+    if (!std::ranges::is_sorted(angles)) // mostly they are: a look instead of n·log n
+        std::ranges::sort(angles);
     angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
     if (angles.size() < 2)
         return;
@@ -65,7 +72,7 @@ void measureExtent(EvaluatedPath &path, std::vector<double> angles) {
         steps.push_back(angles[i] - angles[i - 1]);
     const double largest = *std::ranges::max_element(steps);
     steps.push_back(std::max(closing, 0.0));
-    path.fullCircle = closing <= largestClosing * largest && holes(steps) <= mostHoles;
+    path.fullCircle = closing <= largestClosing * largest && holes(std::move(steps)) <= mostHoles;
     path.extent = path.fullCircle ? fullTurn : span;
 }
 

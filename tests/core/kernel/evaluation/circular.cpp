@@ -627,6 +627,17 @@ void Circular::holesOfFullCircles() {
     QCOMPARE(evaluatedPath.fullCircle, full);
     QCOMPARE(evaluatedPath.extent == 360.0, full);
     QCOMPARE(parameter(e, "Fmax_XY")->value.has_value(), full);
+    // In whatever order they were read.
+    std::mt19937_64 random(8);
+    for (const bool anyhow : {false, true}) {
+        std::ranges::reverse(arc.angles);
+        if (anyhow)
+            std::ranges::shuffle(arc.angles, random);
+        const auto again = evaluated(circularTest({arc}));
+        const EvaluatedPath &path = std::get<CircularResults>(again.results).paths[0];
+        QCOMPARE(path.fullCircle, evaluatedPath.fullCircle);
+        QVERIFY(path.extent == evaluatedPath.extent);
+    }
 }
 
 void Circular::anglesAgainstTheSense_data() {

@@ -84,6 +84,9 @@ private slots:
     void groupsCountAlikeWhateverTheirNumbers();
     void fitIsAMinimum_data();
     void fitIsAMinimum();
+    void endsWhereNewtonInLongDoubleEnds_data();
+    void endsWhereNewtonInLongDoubleEnds();
+    void momentsFromAnyOrigin();
     void exactArcs_data();
     void exactArcs();
     void movesAndTurnsWithThePoints();
@@ -202,6 +205,96 @@ void LeastSquaresCircleTest::fitIsAMinimum() {
                         at);
         }
     }
+}
+
+void LeastSquaresCircleTest::endsWhereNewtonInLongDoubleEnds_data() {
+    QTest::addColumn<double>("extent");
+    QTest::addColumn<double>("noise");
+    QTest::addColumn<int>("points");
+    QTest::addColumn<int>("iterations"); // at most
+    // One look at the directions where the deviations are those of machine tools: its step is sure.
+    QTest::newRow("full circle") << 360.0 << 0.02 << 400 << 1;
+    QTest::newRow("full circle, many points") << 360.0 << 0.02 << 20000 << 1;
+    QTest::newRow("full circle, a thousandth of the radius") << 360.0 << 0.15 << 400 << 2;
+    QTest::newRow("half circle") << 180.0 << 0.02 << 400 << 2;
+    QTest::newRow("quarter") << 90.0 << 0.02 << 400 << 3;
+    QTest::newRow("short arc") << 30.0 << 0.002 << 400 << 4;
+    QTest::newRow("full circle, a tenth of the radius") << 360.0 << 15.0 << 400 << 20;
+    QTest::newRow("three points and some") << 360.0 << 5.0 << 5 << 20;
+}
+
+/// The same circle as Newton's method in long double, which ends where its gradient vanishes.
+void LeastSquaresCircleTest::endsWhereNewtonInLongDoubleEnds() {
+    QFETCH(double, extent);
+    QFETCH(double, noise);
+    QFETCH(int, points);
+    QFETCH(int, iterations);
+    using Real = long double;
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        Points all = arc(150, {20, -30}, 17, 17 + extent, points, noise, seed);
+        all.append(arc(150, {20, -30}, 17, 17 + extent, points / 2 + 1, noise, seed + 100).view());
+        const std::vector<std::size_t> groups{static_cast<std::size_t>(points),
+                                              static_cast<std::size_t>(points / 2 + 1)};
+        const LeastSquaresCircle circle = leastSquaresCircle(all.view(), {.groups = groups});
+        QCOMPARE(circle.status, Status::converged);
+        QVERIFY2(circle.iterations <= iterations, qPrintable(QString::number(circle.iterations)));
+        Real cx = circle.centre.x;
+        Real cy = circle.centre.y;
+        Real mean = 0;
+        for (int step = 0; step < 5; ++step) {
+            Real ux = 0, uy = 0, f = 0, fx = 0, fy = 0, xx = 0, xy = 0, yy = 0;
+            for (const bool second : {false, true}) { // first the mean, then what is about it
+                std::size_t i = 0;
+                for (const std::size_t size : groups) {
+                    const Real w = 1.0L / static_cast<Real>(size * groups.size());
+                    for (const std::size_t end = i + size; i < end; ++i) {
+                        const Real dx = all.x[i] - cx;
+                        const Real dy = all.y[i] - cy;
+                        const Real r = std::sqrt(dx * dx + dy * dy);
+                        if (!second) {
+                            ux += w * dx / r;
+                            uy += w * dy / r;
+                            f += w * (r - 150);
+                            continue;
+                        }
+                        const Real d = r - mean;
+                        fx += w * d * dx / r;
+                        fy += w * d * dy / r;
+                        xx += w * ((dx / r - ux) * (dx / r - ux) + d / r * (dy / r) * (dy / r));
+                        xy += w * ((dx / r - ux) * (dy / r - uy) - d / r * (dx / r) * (dy / r));
+                        yy += w * ((dy / r - uy) * (dy / r - uy) + d / r * (dx / r) * (dx / r));
+                    }
+                }
+                mean = 150 + f;
+            }
+            const Real determinant = xx * yy - xy * xy;
+            cx += (fx * yy - fy * xy) / determinant;
+            cy += (fy * xx - fx * xy) / determinant;
+        }
+        // The rounding of the distances, some 3e-14 mm, times what the arc makes of it: up to (360°/φ)².
+        const double tolerance = 1e-12 * std::max(1.0, 5000 / (extent * extent));
+        QVERIFY(std::abs(circle.centre.x - static_cast<double>(cx)) <= tolerance);
+        QVERIFY(std::abs(circle.centre.y - static_cast<double>(cy)) <= tolerance);
+        QVERIFY(std::abs(circle.radius - static_cast<double>(mean)) <= tolerance);
+    }
+}
+
+/// The moments are taken about the mean of some points: also where these lie elsewhere than the rest.
+void LeastSquaresCircleTest::momentsFromAnyOrigin() {
+    // Every point of those looked at first lies in one tenth of the circle.
+    constexpr int every = 5;
+    Points points;
+    for (int i = 0; i < 5000; ++i) {
+        const double angle = i % every == 0 ? 36.0 * i / 5000 : 360.0 * i / 5000;
+        const Point u = direction(angle);
+        points.x.push_back(1000 + 150 * u.x);
+        points.y.push_back(-500 + 150 * u.y);
+    }
+    const LeastSquaresCircle circle = leastSquaresCircle(points.view());
+    QCOMPARE(circle.status, Status::converged);
+    QVERIFY(std::abs(circle.centre.x - 1000) <= 1e-12);
+    QVERIFY(std::abs(circle.centre.y + 500) <= 1e-12);
+    QVERIFY(std::abs(circle.radius - 150) <= 1e-12);
 }
 
 void LeastSquaresCircleTest::exactArcs_data() {
