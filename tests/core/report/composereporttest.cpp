@@ -677,8 +677,8 @@ private slots:
                 continue;
             QVERIFY2(titles.contains("Ui") && titles.contains("Psi"), qPrintable(titles.join(' ')));
             QVERIFY2(!titles.contains("Ri") && !titles.contains("Bi"), qPrintable(titles.join(' ')));
-            const auto &results = std::get<PositioningResults>(
-                evaluate(std::make_shared<const Document>(changed)).tests[0]->results);
+            const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(changed));
+            const auto &results = std::get<PositioningResults>(evaluated.tests[0]->results);
             const qsizetype scatter = titles.indexOf("Psi");
             const TargetStatistics &first = results.targets[0];
             QCOMPARE(table.rows[0][static_cast<std::size_t>(scatter)].text.plain().toDouble(),
