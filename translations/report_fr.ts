@@ -1054,8 +1054,8 @@
         <translation>Tolérance</translation>
     </message>
     <message>
-        <source>All %1 values agree with the reference data.</source>
-        <translation>Les %1 valeurs concordent avec les données de référence.</translation>
+        <source>%1 of %2 values reproduced.</source>
+        <translation>%1 valeurs reproduites sur %2.</translation>
     </message>
     <message>
         <source>Values that do NOT agree with the reference data: %1 of %2.</source>

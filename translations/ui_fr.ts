@@ -692,8 +692,8 @@
         <translation>Figure de circularité</translation>
     </message>
     <message>
-        <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click</source>
-        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout&#x202f;; la molette agrandit avec Ctrl ou après un clic</translation>
+        <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms</source>
+        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout&#x202f;; la molette agrandit et réduit</translation>
     </message>
 </context>
 <context>
@@ -991,10 +991,6 @@
 <context>
     <name>palmer::ui::CompareDialog</name>
     <message>
-        <source>Reason</source>
-        <translation>Raison</translation>
-    </message>
-    <message>
         <source>This file has no other test of this kind: add a file.</source>
         <translation>Ce fichier n’a pas d’autre essai de ce genre&#xa0;: ajoutez un fichier.</translation>
     </message>
@@ -1065,6 +1061,14 @@
     <message>
         <source>Deviations of the tests over one another</source>
         <translation>Écarts des essais superposés</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>grandeur</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
     </message>
 </context>
 <context>
@@ -1871,8 +1875,8 @@
         <translation>Diagramme</translation>
     </message>
     <message>
-        <source>Plus and minus zoom, arrows move, 0 shows the whole; a rectangle drawn with the mouse is zoomed into</source>
-        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre le tout&#x202f;; un rectangle tracé à la souris est agrandi</translation>
+        <source>Plus and minus zoom, arrows move, 0 shows the whole; a rectangle drawn with the mouse is zoomed into; the wheel zooms</source>
+        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre le tout&#x202f;; un rectangle tracé à la souris est agrandi&#x202f;; la molette agrandit et réduit</translation>
     </message>
     <message>
         <source>%1: %2 ± %3 %4</source>
@@ -1975,6 +1979,10 @@
     <message>
         <source>Close the explanation</source>
         <translation>Fermer l’explication</translation>
+    </message>
+    <message>
+        <source>Explanation copied</source>
+        <translation>Explication copiée</translation>
     </message>
 </context>
 <context>
@@ -2101,10 +2109,6 @@
         <translation>Afficher les relevés</translation>
     </message>
     <message>
-        <source>Show the whole figure</source>
-        <translation>Afficher la figure entière</translation>
-    </message>
-    <message>
         <source>Copy the figure</source>
         <translation>Copier la figure</translation>
     </message>
@@ -2121,8 +2125,8 @@
         <translation>Agrandir la figure</translation>
     </message>
     <message>
-        <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms with Ctrl or after a click</source>
-        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout&#x202f;; la molette agrandit avec Ctrl ou après un clic</translation>
+        <source>Plus and minus zoom, arrows move, 0 shows the whole; the wheel zooms</source>
+        <translation>Plus et moins agrandissent et réduisent, les flèches déplacent, 0 montre tout&#x202f;; la molette agrandit et réduit</translation>
     </message>
     <message>
         <source>Show the points that rule the result</source>
@@ -2135,6 +2139,10 @@
     <message>
         <source>at 20 °C</source>
         <translation>à 20 °C</translation>
+    </message>
+    <message>
+        <source>Figure copied</source>
+        <translation>Figure copiée</translation>
     </message>
 </context>
 <context>
@@ -2351,6 +2359,22 @@
     <message>
         <source>Search the help</source>
         <translation>Rechercher dans l’aide</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Preuves</translation>
+    </message>
+    <message>
+        <source>Working with Palmer</source>
+        <translation>Travailler avec Palmer</translation>
+    </message>
+    <message>
+        <source>Circular tests</source>
+        <translation>Essais de circularité</translation>
+    </message>
+    <message>
+        <source>Positioning of axes</source>
+        <translation>Positionnement des axes</translation>
     </message>
 </context>
 <context>
@@ -2703,6 +2727,14 @@
     <message>
         <source>Takes what is proposed to each question; data left unread are asked one by one</source>
         <translation>Retient la proposition de chaque question&#x202f;; les données non lues sont demandées une à une</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>Lecture de %1…</translation>
+    </message>
+    <message>
+        <source>Being drawn…</source>
+        <translation>Tracé en cours…</translation>
     </message>
 </context>
 <context>
@@ -3811,8 +3843,8 @@
         </translation>
     </message>
     <message>
-        <source>every %1, random part %2. The axis moves from %3 to %4.</source>
-        <translation>tous les %1, part aléatoire %2. L’axe se déplace de %3 à %4.</translation>
+        <source>at a nominal position + a random part: every %1, the random part at most %2. The axis moves from %3 to %4.</source>
+        <translation>à une position nominale + une part aléatoire&#xa0;: tous les %1, part aléatoire d’au plus %2. L’axe se déplace de %3 à %4.</translation>
     </message>
     <message>
         <source>A long axis: once each way over the whole travel, and a full test of an agreed zone of %1 besides.</source>
@@ -4760,6 +4792,10 @@ Rien n’est modifié&#xa0;: vos fichiers restent la seule preuve. Sous-dossiers
             <numerusform>%n exigence non déclarée</numerusform>
             <numerusform>%n exigences non déclarées</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Results copied</source>
+        <translation>Résultats copiés</translation>
     </message>
 </context>
 <context>
@@ -5775,6 +5811,21 @@ Rien n’est modifié&#xa0;: vos fichiers restent la seule preuve. Sous-dossiers
     </message>
 </context>
 <context>
+    <name>palmer::ui::WorkBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cancel reading</source>
+        <translation>Annuler la lecture</translation>
+    </message>
+    <message>
+        <source>Cancel reading: all stays as it was</source>
+        <translation>Annuler la lecture&#xa0;: tout reste en l’état</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::Workplace</name>
     <message numerus="yes">
         <source>%n target(s)</source>
@@ -5859,6 +5910,21 @@ Rien n’est modifié&#xa0;: vos fichiers restent la seule preuve. Sous-dossiers
     <message>
         <source>Dia&amp;gnosis</source>
         <translation>Dia&amp;gnostic</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ZoomButtons</name>
+    <message>
+        <source>Zoom out</source>
+        <translation>Zoom arrière</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Zoom avant</translation>
+    </message>
+    <message>
+        <source>Show the whole figure</source>
+        <translation>Afficher la figure entière</translation>
     </message>
 </context>
 <context>

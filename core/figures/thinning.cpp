@@ -233,6 +233,7 @@ CurveFigure thinned(const CurveFigure &figure) {
     result.dimensions = figure.dimensions;
     result.legend = figure.legend;
     result.positions = figure.positions;
+    result.note = figure.note;
     return result;
 }
 

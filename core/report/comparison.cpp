@@ -151,8 +151,8 @@ Differences differencesOf(const std::vector<const TestEvaluation *> &columns, co
 }
 
 /// Why a parameter differs between the first column and another, as sentences; empty where it does not.
-QString reason(const std::vector<const TestEvaluation *> &columns, const std::string &id,
-               const Language &language) {
+QStringList reasons(const std::vector<const TestEvaluation *> &columns, const std::string &id,
+                    const Language &language) {
     const TestEvaluation &first = *columns.front();
     const auto [same, absent, byMethod, otherwise, byFactor] = differencesOf(columns, id, language);
     QStringList sentences;
@@ -179,7 +179,7 @@ QString reason(const std::vector<const TestEvaluation *> &columns, const std::st
                                         {}});
     if (same && absent.size() + 1 < static_cast<qsizetype>(columns.size()))
         sentences.prepend(language.text(REPORT_TEXT("report", "The same arithmetic.")));
-    return sentences.join(u' ');
+    return sentences;
 }
 
 /// The test under another edition; its own evaluation where that is it.
@@ -234,7 +234,7 @@ ResultComparison compareEditions(const EvaluatedDocument &evaluated, std::size_t
     result.unit = unitOf(*columns.front(), language);
     result.rows = rowsOf(columns, decimalsFor(shown), language);
     for (ComparisonRow &row : result.rows)
-        row.reason = reason(columns, row.id.toStdString(), language);
+        row.reasons = reasons(columns, row.id.toStdString(), language);
     result.notes << language.text(REPORT_TEXT(
         "report", "The same readings under each edition; verdicts hold for the edition of the test alone."));
     return result;
@@ -424,7 +424,7 @@ QString asTabSeparated(const ResultComparison &comparison) {
         return text;
     };
     const bool hasReasons =
-        std::ranges::any_of(comparison.rows, [](const ComparisonRow &row) { return !row.reason.isEmpty(); });
+        std::ranges::any_of(comparison.rows, [](const ComparisonRow &row) { return !row.reasons.isEmpty(); });
     QString table = comparison.unit;
     for (qsizetype i = 0; i < comparison.columns.size(); ++i) {
         table += u'\t' + plain(comparison.columns[i]);
@@ -440,7 +440,7 @@ QString asTabSeparated(const ResultComparison &comparison) {
                 table += u'\t' + plain(row.differences[i]);
         }
         if (hasReasons)
-            table += u'\t' + plain(row.reason);
+            table += u'\t' + plain(row.reason());
         table += u'\n';
     }
     return table;

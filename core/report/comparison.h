@@ -23,7 +23,9 @@ struct ComparisonRow {
     QString name;
     QStringList values;      ///< one a column; a dash for no value, empty where the column does not know it
     QStringList differences; ///< to the first column, signed; empty where there is none to tell
-    QString reason;          ///< sentences: why columns differ, or that they do not
+    QStringList reasons;     ///< sentences: why columns differ, or that they do not
+
+    [[nodiscard]] QString reason() const { return reasons.join(u' '); }
 
     bool operator==(const ComparisonRow &) const = default;
 };

@@ -7,6 +7,7 @@
 #include "ui/diagnosis/feedsview.h"
 #include "ui/elidedlabel.h"
 #include "ui/figures/linechart.h"
+#include "ui/figures/zoombuttons.h"
 #include "ui/theme.h"
 #include "ui/uncertainty/rowtable.h"
 
@@ -172,6 +173,8 @@ QWidget *DiagnosisPage::makeBelow() {
     bar->addWidget(m_spectrum);
     bar->addSpacing(8);
     bar->addWidget(m_chartNote, 1);
+    auto *zoom = new ZoomButtons(m_chartBar);
+    bar->addWidget(zoom);
     m_overlay = new FeedsView(area);
     m_chart = new LineChart(area);
     m_chart->setObjectName(QStringLiteral("diagnosisChart"));
@@ -184,6 +187,8 @@ QWidget *DiagnosisPage::makeBelow() {
     column->setSpacing(4);
     column->addWidget(m_chartBar);
     column->addLayout(charts, 1);
+    connect(zoom, &ZoomButtons::zoomWanted, m_chart, &LineChart::zoomBy);
+    connect(zoom, &ZoomButtons::fitWanted, m_chart, &LineChart::fit);
     connect(kinds, &QButtonGroup::buttonClicked, this, [this] { fillChart(); });
     return area;
 }
@@ -525,7 +530,7 @@ void DiagnosisPage::retranslate() {
     m_chart->setAccessibleName(tr("Chart"));
     m_chart->setAccessibleDescription(
         tr("Plus and minus zoom, arrows move, 0 shows the whole; a rectangle drawn with the mouse is zoomed "
-           "into"));
+           "into; the wheel zooms"));
     for (QToolButton *button : {m_circle, m_feeds, m_trace, m_rest, m_spectrum})
         button->setAccessibleName(button->text());
     refresh();

@@ -40,8 +40,11 @@ constexpr int rowHeight = 26;
 constexpr int cellMargin = 6;
 
 constexpr int symbolRole = Qt::UserRole + 1;
+constexpr int nameColumn = 1;
+constexpr int differsRole = Qt::UserRole + 2;
 
-/// Symbols with their subscripts, reasons in as many lines as they take.
+/// Symbols with their subscripts, names in as many lines as they take; what differs from the first column in
+/// bold on a ground of its own.
 class ComparedDelegate : public QuietDelegate {
 public:
     using QuietDelegate::QuietDelegate;
@@ -49,18 +52,19 @@ public:
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override {
         const QVariant symbol = index.data(symbolRole);
-        const QString text = index.data().toString();
-        const QRect room = option.rect.adjusted(cellMargin, 0, -cellMargin, 0);
-        const bool isLong = option.fontMetrics.horizontalAdvance(text) > room.width();
-        if (!symbol.isValid() && !isLong) {
+        const bool differs = index.data(differsRole).toBool();
+        const bool isName = index.column() == nameColumn;
+        if (!symbol.isValid() && !differs && !isName) {
             QuietDelegate::paint(painter, option, index);
             return;
         }
-        painter->fillRect(option.rect, option.state & QStyle::State_Selected
-                                           ? selectedGround(option.palette)
-                                           : option.palette.color(QPalette::Base));
+        const bool isSelected = (option.state & QStyle::State_Selected) != 0;
+        painter->fillRect(option.rect, isSelected ? selectedGround(option.palette)
+                                       : differs  ? token(Token::unsureGround, option.palette)
+                                                  : option.palette.color(QPalette::Base));
         painter->setPen(token(Token::line, option.palette));
         painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+        const QRect room = option.rect.adjusted(cellMargin, 0, -cellMargin, 0);
         const QColor colour = option.palette.color(QPalette::Text);
         if (symbol.isValid()) {
             drawFormula(*painter, room, Qt::AlignLeft | Qt::AlignVCenter, symbol.value<Formula>(),
@@ -68,13 +72,27 @@ public:
             return;
         }
         painter->setPen(colour);
-        painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text);
+        if (isName) {
+            painter->setFont(option.font);
+            painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
+                              index.data().toString());
+            return;
+        }
+        painter->setFont(index.data(Qt::FontRole).value<QFont>());
+        painter->drawText(room, Qt::AlignRight | Qt::AlignVCenter, index.data().toString());
     }
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option,
                                  const QModelIndex &index) const override {
         const QSize size = QuietDelegate::sizeHint(option, index);
-        return {size.width() + 2 * cellMargin, std::max(rowHeight, size.height() + cellMargin)};
+        int height = rowHeight;
+        if (index.column() == nameColumn && option.rect.width() > 2 * cellMargin) {
+            const QRect room(0, 0, option.rect.width() - 2 * cellMargin, 1000);
+            const QRect text =
+                option.fontMetrics.boundingRect(room, Qt::TextWordWrap, index.data().toString());
+            height = std::max(height, text.height() + cellMargin);
+        }
+        return {size.width() + 2 * cellMargin, height};
     }
 };
 
@@ -84,15 +102,39 @@ QTableWidgetItem *cell(const QString &text, bool number) {
     return item;
 }
 
-/// Fills a table; `differences`: a column beside every value but the first; else the reasons at the end.
-void fill(QTableWidget &table, const ResultComparison &comparison, const QStringList &heads,
-          bool differences) {
+/// A value; `first`: what it is compared with.
+QTableWidgetItem *valueCell(const QString &value, const QString &first) {
+    QTableWidgetItem *item = cell(value, true);
+    if (value.isEmpty() || first.isEmpty() || value == first)
+        return item;
+    QFont bold = QApplication::font();
+    bold.setBold(true);
+    item->setFont(bold);
+    item->setData(differsRole, true);
+    return item;
+}
+
+/// The numbers of the reasons of a row, "1, 3"; a reason that is new is added.
+QString notesOf(const ComparisonRow &row, QStringList &footnotes) {
+    QStringList numbers;
+    for (const QString &reason : row.reasons) {
+        if (!footnotes.contains(reason))
+            footnotes << reason;
+        numbers << QString::number(footnotes.indexOf(reason) + 1);
+    }
+    return numbers.join(QStringLiteral(", "));
+}
+
+/// Fills a table; `differences`: a column beside every value but the first; else the numbers of the reasons
+/// at the end. Returns the reasons in the order of their numbers.
+QStringList fill(QTableWidget &table, const ResultComparison &comparison, const QStringList &heads,
+                 bool differences) {
+    QStringList footnotes;
     table.clear();
-    table.horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
     table.setColumnCount(static_cast<int>(heads.size()));
     table.setHorizontalHeaderLabels(heads);
     for (int c = 0; c < table.columnCount(); ++c) {
-        const bool words = c == 0 || (!differences && c == table.columnCount() - 1);
+        const bool words = c <= 1 || (!differences && c == table.columnCount() - 1);
         table.horizontalHeaderItem(c)->setTextAlignment((words ? Qt::AlignLeft : Qt::AlignRight) |
                                                         Qt::AlignVCenter);
     }
@@ -101,27 +143,25 @@ void fill(QTableWidget &table, const ResultComparison &comparison, const QString
         const ComparisonRow &row = comparison.rows[static_cast<std::size_t>(r)];
         int column = 0;
         QTableWidgetItem *symbol = cell(row.symbol.plain(), false);
-        symbol->setToolTip(row.name);
         symbol->setData(symbolRole, QVariant::fromValue(row.symbol));
         table.setItem(r, column++, symbol);
+        table.setItem(r, column++, cell(row.name, false));
         for (qsizetype i = 0; i < row.values.size(); ++i) {
-            table.setItem(r, column++, cell(row.values[i], true));
+            table.setItem(r, column++, valueCell(row.values[i], row.values[0]));
             if (differences && i > 0)
                 table.setItem(r, column++, cell(row.differences[i], true));
         }
         if (!differences) {
-            QTableWidgetItem *reason = cell(row.reason, false);
-            reason->setToolTip(row.reason);
-            table.setItem(r, column, reason);
+            QTableWidgetItem *notes = cell(notesOf(row, footnotes), false);
+            notes->setToolTip(row.reason());
+            table.setItem(r, column, notes);
         }
     }
     table.resizeColumnsToContents();
-    if (differences || table.columnCount() == 0)
-        return;
-    // The reason takes what is left over, in as many lines as it needs.
-    table.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table.horizontalHeader()->setSectionResizeMode(table.columnCount() - 1, QHeaderView::Stretch);
-    table.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    // The name takes what is left over.
+    if (table.columnCount() > nameColumn)
+        table.horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
+    return footnotes;
 }
 
 /// Whether two tests are of the same axis, or of the same plane.
@@ -166,6 +206,7 @@ QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
     table->horizontalHeader()->setHighlightSections(false);
     table->setTabKeyNavigation(false);
     table->setWordWrap(true);
+    table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     return table;
 }
 
@@ -191,6 +232,7 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     m_tabs->setObjectName(QStringLiteral("compareTabs"));
     m_editionList->setObjectName(QStringLiteral("editionList"));
     m_testList->setObjectName(QStringLiteral("testList"));
+    m_editionNotes->setObjectName(QStringLiteral("editionNotes"));
     m_addFile->setObjectName(QStringLiteral("addFile"));
     m_copy->setObjectName(QStringLiteral("copyComparison"));
     m_close->setObjectName(QStringLiteral("closeComparison"));
@@ -199,6 +241,7 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     for (QLabel *notes : {m_editionNotes, m_testNotes}) {
         notes->setProperty("secondary", true);
         notes->setWordWrap(true);
+        notes->setTextFormat(Qt::PlainText);
     }
     auto *editions = new QWidget(m_tabs);
     auto *editionColumn = new QVBoxLayout;
@@ -300,9 +343,14 @@ void CompareDialog::showEditions() {
             chosen.push_back(word);
     }
     m_ofEditions = compareEditions(m_evaluated, m_test, chosen, windowLanguage());
-    fill(*m_editionTable, m_ofEditions,
-         QStringList{m_ofEditions.unit} + m_ofEditions.columns + QStringList{tr("Reason")}, false);
-    m_editionNotes->setText(m_ofEditions.notes.join(u' '));
+    const QStringList reasons =
+        fill(*m_editionTable, m_ofEditions,
+             QStringList{m_ofEditions.unit, tr("quantity")} + m_ofEditions.columns + QStringList{tr("Notes")},
+             false);
+    QStringList lines;
+    for (qsizetype i = 0; i < reasons.size(); ++i)
+        lines << QStringLiteral("%1\u2002%2").arg(i + 1).arg(reasons[i]);
+    m_editionNotes->setText((lines + m_ofEditions.notes).join(u'\n'));
 }
 
 void CompareDialog::showTests() {
@@ -312,7 +360,7 @@ void CompareDialog::showTests() {
             chosen.push_back(offer.test);
     }
     m_ofTests = compareTests(chosen, windowLanguage());
-    QStringList heads{m_ofTests.unit};
+    QStringList heads{m_ofTests.unit, tr("quantity")};
     for (qsizetype i = 0; i < m_ofTests.columns.size(); ++i) {
         heads << m_ofTests.columns[i];
         if (i > 0)

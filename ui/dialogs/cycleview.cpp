@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/cycleview.h"
 
+#include "figures/ticks.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double side = 24;
 constexpr double head = 34;
-constexpr double foot = 12;
+constexpr double foot = 46; ///< for the axis
+constexpr double tickDistance = 70;
 constexpr double radius = 2.6;
 constexpr std::size_t mostDots = 4000; ///< beyond, they run into one another
 
@@ -36,6 +38,29 @@ std::vector<double> rowsOf(const std::vector<Move> &path) {
 
 QColor colourOf(Direction direction, const QPalette &palette) {
     return token(direction == Direction::positive ? Token::up : Token::down, palette);
+}
+
+/// The axis under the cycle: where it moves, with its name and unit. `x`: the place of a position.
+void drawAxis(QPainter &painter, const CycleProgram &program, double from, double to, double top,
+              const QPalette &palette, const auto &x) {
+    const Language &language = windowLanguage();
+    const bool linear = program.motion == Motion::linear;
+    const Quantity quantity = linear ? Quantity::position : Quantity::angle;
+    const double scale = unitScale(quantity, language.units());
+    FigureAxis axis;
+    setRange(axis, from * scale, to * scale, std::max(2.0, (x(to) - x(from)) / tickDistance),
+             linear ? TickSteps::lengths : TickSteps::angles, language);
+    painter.setPen(QPen(palette.color(QPalette::Text), 1));
+    painter.drawLine(QPointF(x(from), top), QPointF(x(to), top));
+    for (const Tick &tick : axis.ticks) {
+        const double at = x(tick.value / scale);
+        painter.drawLine(QPointF(at, top), QPointF(at, top + 4));
+        painter.drawText(QRectF(at - tickDistance / 2, top + 5, tickDistance, 15),
+                         Qt::AlignHCenter | Qt::AlignTop, tick.label);
+    }
+    painter.drawText(
+        QRectF(x(from), top + 20, x(to) - x(from), 16), Qt::AlignHCenter | Qt::AlignTop,
+        QStringLiteral("%1 (%2)").arg(QString::fromStdString(program.axis), language.unit(quantity)));
 }
 
 /// Of the way to where a move leads; dotted where the axis turns there without rest.
@@ -75,7 +100,7 @@ void CycleView::paintEvent(QPaintEvent *) {
     painter.setFont(themeFont(TextSize::tiny));
     painter.setPen(QPen(token(Token::line, palette()), 1));
     for (const double target : m_program.targets)
-        painter.drawLine(QPointF(x(target), head - 6), QPointF(x(target), height() - foot));
+        painter.drawLine(QPointF(x(target), head - 6), QPointF(x(target), height() - foot + 10));
     painter.setPen(token(Token::secondaryText, palette()));
     const Language &language = windowLanguage();
     const Quantity quantity = m_program.motion == Motion::linear ? Quantity::position : Quantity::angle;
@@ -86,6 +111,7 @@ void CycleView::paintEvent(QPaintEvent *) {
         painter.drawText(top.adjusted(0, 0, -(side - 16), 0), Qt::AlignRight | Qt::AlignVCenter,
                          language.quantity(m_program.targets.back(), quantity, m_program.decimals));
     }
+    drawAxis(painter, m_program, lowest, ends.max.position, height() - foot + 10, palette(), x);
     for (std::size_t i = 1; i < path.size(); ++i) {
         painter.setPen(penOf(path[i], palette()));
         painter.drawLine(QPointF(x(path[i - 1].position), y(rows[i - 1])),

@@ -56,6 +56,28 @@ bool hasReadings(const PositioningMeasurement &measurement) {
            !measurement.excluded.empty();
 }
 
+/// The travel to measure: between the ends of the axis, which it approaches its targets within; where they
+/// are not stated that of the test, or of the axis. Of a rotary axis one turn. Null: none is known.
+std::optional<Interval> travelOf(const PositioningMeasurement &measurement, double approach) {
+    constexpr double turn = 360;
+    std::optional<Interval> travel;
+    if (measurement.axis.range)
+        travel = Interval{measurement.axis.range->from + approach, measurement.axis.range->to - approach};
+    else if (measurement.targets.size() > 1)
+        travel = Interval{measurement.targets.front(),
+                          measurement.targets.front() + measurementTravel(measurement)};
+    else if (measurement.axis.travel)
+        travel = Interval{approach, *measurement.axis.travel - approach};
+    if (!travel || !(travel->to > travel->from))
+        return std::nullopt;
+    if (measurement.axis.motion == Motion::rotary && travel->to - travel->from > turn) {
+        // A little more than a turn is there to approach its ends, not to be measured.
+        const double from = travel->from <= 0 && travel->to >= turn ? 0 : travel->from;
+        return Interval{from, from + turn};
+    }
+    return travel;
+}
+
 using Setter = std::function<QString(const std::optional<double> &)>;
 
 Setter needed(double &number, bool positive) {
@@ -183,12 +205,12 @@ QWidget *PlanDialog::makeFields() {
           addNumber(
               "travel", QT_TR_NOOP("Measurement travel"), false, position,
               [this] { return m_request.travel; }, needed(m_request.travel, true)));
-    place(addNumber(
-              "perMetre", QT_TR_NOOP("Targets per metre"), false, [] { return Quantity::number; },
-              [this] { return m_request.perMetre; }, needed(m_request.perMetre, true)),
-          addNumber(
-              "period", QT_TR_NOOP("Period of the error"), false, position,
-              [this] { return m_request.period; }, positiveOrNone(m_request.period)));
+    m_perMetre = addNumber(
+        "perMetre", QT_TR_NOOP("Targets per metre"), false, [] { return Quantity::number; },
+        [this] { return m_request.perMetre; }, needed(m_request.perMetre, true));
+    place(m_perMetre, addNumber(
+                          "period", QT_TR_NOOP("Period of the error"), false, position,
+                          [this] { return m_request.period; }, positiveOrNone(m_request.period)));
     m_rule = new Field(Field::Kind::choice, fields);
     m_rule->edit()->setObjectName(QStringLiteral("plan.rule"));
     connect(m_rule, &Field::entered, this, [this] {
@@ -323,28 +345,18 @@ void PlanDialog::begin(std::size_t test) {
     m_request.motion = measurement->axis.motion;
     if (!measurement->axis.name.empty())
         m_program.axis = measurement->axis.name;
-    if (measurement->targets.size() > 1) {
-        m_request.from = measurement->targets.front();
-        m_request.travel = measurementTravel(*measurement);
+    if (measurement->conditions.approachDistance && *measurement->conditions.approachDistance > 0)
+        m_program.approach = *measurement->conditions.approachDistance;
+    if (const auto travel = travelOf(*measurement, m_program.approach)) {
+        m_request.from = travel->from;
+        m_request.travel = travel->to - travel->from;
     }
-    if (measurement->axis.range) {
-        m_request.from = measurement->axis.range->from + m_program.approach;
-        m_request.travel =
-            measurement->axis.range->to - measurement->axis.range->from - 2 * m_program.approach;
-    } else if (measurement->axis.travel && measurement->targets.size() < 2) {
-        m_request.from = m_program.approach;
-        m_request.travel = *measurement->axis.travel - 2 * m_program.approach;
-    }
-    if (!(m_request.travel > 0))
-        m_request.travel = 1000;
     m_request.period = measurement->targetChoice.period;
     m_request.seed = static_cast<std::uint64_t>(std::max(0LL, measurement->targetChoice.seed.value_or(1)));
     m_program.cycle = measurement->cycle;
     m_program.feed = measurement->conditions.feed;
     if (measurement->conditions.dwell && *measurement->conditions.dwell > 0)
         m_program.dwell = *measurement->conditions.dwell;
-    if (measurement->conditions.approachDistance && *measurement->conditions.approachDistance > 0)
-        m_program.approach = *measurement->conditions.approachDistance;
 }
 
 void PlanDialog::replan() {
@@ -369,6 +381,7 @@ void PlanDialog::showFields() {
     m_motion->showChoice(m_request.motion == Motion::linear ? 0 : 1, false);
     m_rule->showChoice(m_request.rule == TargetRule::nominalInterval ? 0 : 1, false);
     m_cycle->showChoice(m_program.cycle == Cycle::standard ? 0 : 1, false);
+    m_perMetre->setVisible(m_request.motion == Motion::linear);
     m_view->show(m_program);
     m_summary->setText(summary());
     const Quantity position = m_request.motion == Motion::linear ? Quantity::position : Quantity::angle;
@@ -410,7 +423,8 @@ QString PlanDialog::summary() const {
     const double low = turningPoint(m_program, m_program.targets.front(), Direction::positive);
     const double high = turningPoint(m_program, m_program.targets.back(), Direction::negative);
     QString text = tr("%n target(s)", nullptr, static_cast<int>(m_plan.targets.size())) + u' ' +
-                   tr("every %1, random part %2. The axis moves from %3 to %4.")
+                   tr("at a nominal position + a random part: every %1, the random part at most %2. The "
+                      "axis moves from %3 to %4.")
                        .arg(language.quantity(m_plan.interval, position, 1),
                             language.quantity(m_plan.randomPart, position, 1),
                             language.quantity(low, position, m_request.decimals),

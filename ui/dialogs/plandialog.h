@@ -91,6 +91,7 @@ private:
     std::string m_edition;
 
     std::vector<Entry> m_entries;
+    Field *m_perMetre = nullptr; ///< of lengths alone
     Field *m_axis = nullptr;
     Field *m_motion = nullptr;
     Field *m_rule = nullptr;

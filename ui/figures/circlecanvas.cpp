@@ -350,6 +350,10 @@ void CircleCanvas::zoom(double factor, QPointF about) {
     setView({at.x() + (m_view.x - at.x()) * shrink, at.y() + (m_view.y - at.y()) * shrink, zoomed});
 }
 
+void CircleCanvas::zoomBy(int steps) {
+    zoom(std::pow(zoomStep, -steps), QRectF(rect()).center());
+}
+
 void CircleCanvas::pan(QPointF by) {
     drawAnew();
     if (!m_whole)
@@ -396,24 +400,18 @@ void CircleCanvas::mouseDoubleClickEvent(QMouseEvent *) {
 }
 
 void CircleCanvas::wheelEvent(QWheelEvent *event) {
-    // Passing over a figure while scrolling must not change it.
-    if (!hasFocus() && !(event->modifiers() & Qt::ControlModifier)) {
-        event->ignore();
-        return;
-    }
     const double steps = event->angleDelta().y() / 120.0;
     if (steps != 0)
         zoom(std::pow(zoomStep, -steps), event->position());
-    event->accept();
+    event->accept(); // also where it can zoom no further: what the figure stands in never scrolls
 }
 
 void CircleCanvas::keyPressEvent(QKeyEvent *event) {
-    const QPointF centre = QRectF(rect()).center();
     switch (event->key()) {
     case Qt::Key_Plus:
-        return zoom(1 / zoomStep, centre);
+        return zoomBy(1);
     case Qt::Key_Minus:
-        return zoom(zoomStep, centre);
+        return zoomBy(-1);
     case Qt::Key_0:
         return fit();
     case Qt::Key_Left:

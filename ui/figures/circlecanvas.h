@@ -55,6 +55,8 @@ public:
     [[nodiscard]] const CircleView &view() const { return m_view; }
     void setView(const CircleView &view);
     void fit() { setView({}); }
+    /// In by so many steps of the wheel about the middle, out where negative.
+    void zoomBy(int steps);
     /// Where a point stands on the canvas; nothing where it is out of view.
     [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &point);
     /// "XY 12,30°  −2,21 µm  0,39 s" of a point; empty where it is not shown.

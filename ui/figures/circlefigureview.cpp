@@ -168,6 +168,11 @@ void CircleFigureView::fit() {
         canvas->fit();
 }
 
+void CircleFigureView::zoomBy(int steps) {
+    for (CircleCanvas *canvas : m_canvases)
+        canvas->zoomBy(steps);
+}
+
 std::optional<CircleFigure> CircleFigureView::paperFigure() const {
     return m_evaluated.tests.empty() ? std::nullopt : m_current->paperFigure();
 }
@@ -252,7 +257,7 @@ void CircleFigureView::describe(const QString &content) {
     for (CircleCanvas *canvas : m_canvases)
         canvas->setAccessibleDescription((canvas == m_current ? content + QStringLiteral(". ") : QString()) +
                                          tr("Plus and minus zoom, arrows move, 0 shows the whole; the wheel "
-                                            "zooms with Ctrl or after a click"));
+                                            "zooms"));
 }
 
 void CircleFigureView::retranslate() {

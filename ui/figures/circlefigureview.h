@@ -36,6 +36,8 @@ public:
     void setMarking(const QString &label, const std::vector<RulingPoint> &points);
     void clear();
     void fit();
+    /// All surfaces alike: they are compared with one another.
+    void zoomBy(int steps);
 
     /// The figure that is copied and saved: of several that used last. Nothing without a test.
     /// Says for those who cannot see it what the current figure shows.

@@ -22,20 +22,34 @@ constexpr double ring = 6.5;
 constexpr double zoomStep = 1.25;
 constexpr double panStep = 40; ///< of the arrow keys, pixels
 constexpr double markWidth = 18;
+constexpr double deepestZoom = 1e-3; ///< of the whole range
+
+Interval within(const Interval &wanted, const FigureAxis &whole) {
+    const double all = whole.to - whole.from;
+    const double span = std::clamp(wanted.to - wanted.from, deepestZoom * all, all);
+    const double centre = (wanted.from + wanted.to) / 2;
+    const double from = std::clamp(centre - span / 2, whole.from, whole.to - span);
+    return {from, from + span};
+}
 
 } // namespace
 
+std::array<Interval, 2> rangesWithin(const CurveFigure &whole, const Interval &x, const Interval &y) {
+    return {within(x, whole.x), within(y, whole.y)};
+}
+
 FigureCanvas::FigureCanvas(Selection &selection, QWidget *parent)
     : QWidget(parent)
-    , m_selection(selection) {
+    , m_selection(selection)
+    , m_readings(std::make_shared<const std::vector<FigureReading>>()) {
     setObjectName(QStringLiteral("figureCanvas"));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void FigureCanvas::setFigure(const CurveFigure &figure, std::vector<FigureReading> readings) {
-    m_readings = std::move(readings);
+void FigureCanvas::setFigure(const CurveFigure &figure, FigureReadings readings) {
+    m_readings = readings ? std::move(readings) : std::make_shared<const std::vector<FigureReading>>();
     if (m_figure != figure) {
         m_figure = figure;
         m_drawn = {};
@@ -45,7 +59,7 @@ void FigureCanvas::setFigure(const CurveFigure &figure, std::vector<FigureReadin
 
 void FigureCanvas::clear() {
     m_figure.reset();
-    m_readings.clear();
+    m_readings = std::make_shared<const std::vector<FigureReading>>();
     m_marking = {};
     m_drawn = {};
     update();
@@ -84,8 +98,8 @@ QPointF FigureCanvas::shown(const FigureReading &reading) const {
 
 std::optional<QPointF> FigureCanvas::placeOf(const ReadingPlace &reading) {
     drawAnew();
-    const auto found = std::ranges::find(m_readings, reading, &FigureReading::place);
-    if (!m_figure || found == m_readings.end())
+    const auto found = std::ranges::find(*m_readings, reading, &FigureReading::place);
+    if (!m_figure || found == m_readings->end())
         return std::nullopt;
     const QPointF at = shown(*found);
     return m_transform.plotArea.adjusted(-1, -1, 1, 1).contains(at) ? std::optional(at) : std::nullopt;
@@ -94,7 +108,7 @@ std::optional<QPointF> FigureCanvas::placeOf(const ReadingPlace &reading) {
 const FigureReading *FigureCanvas::nearest(QPointF at) const {
     const FigureReading *found = nullptr;
     double least = reach;
-    for (const FigureReading &reading : m_readings) {
+    for (const FigureReading &reading : *m_readings) {
         const QPointF away = shown(reading) - at;
         if (std::abs(away.x()) >= least || std::abs(away.y()) >= least)
             continue;
@@ -129,8 +143,8 @@ void FigureCanvas::paintHover(QPainter &painter) const {
     const auto place = m_selection.hovered();
     if (!place)
         return;
-    const auto found = std::ranges::find(m_readings, *place, &FigureReading::place);
-    if (found == m_readings.end())
+    const auto found = std::ranges::find(*m_readings, *place, &FigureReading::place);
+    if (found == m_readings->end())
         return;
     const QPointF at = shown(*found);
     if (!m_transform.plotArea.adjusted(-1, -1, 1, 1).contains(at))
@@ -198,6 +212,11 @@ void FigureCanvas::zoom(double factor, QPointF about) {
                       scaled(m_figure->y.from, m_figure->y.to, at.y()));
 }
 
+void FigureCanvas::zoomBy(int steps) {
+    drawAnew();
+    zoom(std::pow(zoomStep, -steps), m_transform.plotArea.center());
+}
+
 void FigureCanvas::pan(QPointF by) {
     if (!m_figure)
         return;
@@ -244,24 +263,18 @@ void FigureCanvas::mouseDoubleClickEvent(QMouseEvent *) {
 }
 
 void FigureCanvas::wheelEvent(QWheelEvent *event) {
-    // Passing over a figure while scrolling must not change it.
-    if (!hasFocus() && !(event->modifiers() & Qt::ControlModifier)) {
-        event->ignore();
-        return;
-    }
     const double steps = event->angleDelta().y() / 120.0;
     if (steps != 0)
         zoom(std::pow(zoomStep, -steps), event->position());
-    event->accept();
+    event->accept(); // also where it can zoom no further: what the figure stands in never scrolls
 }
 
 void FigureCanvas::keyPressEvent(QKeyEvent *event) {
-    const QPointF centre = m_transform.plotArea.center();
     switch (event->key()) {
     case Qt::Key_Plus:
-        return zoom(1 / zoomStep, centre);
+        return zoomBy(1);
     case Qt::Key_Minus:
-        return zoom(zoomStep, centre);
+        return zoomBy(-1);
     case Qt::Key_0:
         emit fitWanted();
         return;

@@ -9,6 +9,8 @@
 
 #include <QPixmap>
 #include <QWidget>
+#include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,12 +24,20 @@ struct FigureReading {
     ReadingPlace place;
 };
 
+/// Shared: a million of them shall not be copied where only the range changes.
+using FigureReadings = std::shared_ptr<const std::vector<FigureReading>>;
+
 /// What an explanation marks in the figure.
 struct FigureMarking {
     std::vector<double> positions;      ///< of the ruling targets
     std::optional<Dimension> dimension; ///< what is measured between them
     QString label;                      ///< "R = 10,26 µm"
 };
+
+/// Ranges of x and y to zoom to: never beyond the whole, never so deep that the numbers of the axes say
+/// nothing.
+[[nodiscard]] std::array<Interval, 2> rangesWithin(const CurveFigure &whole, const Interval &x,
+                                                   const Interval &y);
 
 /// The surface of a figure. The figure itself is drawn once for a size, range and theme; what moves with the
 /// pointer lies over it.
@@ -37,11 +47,14 @@ class FigureCanvas : public QWidget {
 public:
     explicit FigureCanvas(Selection &selection, QWidget *parent = nullptr);
 
-    void setFigure(const CurveFigure &figure, std::vector<FigureReading> readings);
+    /// `readings`: what the pointer finds; null for nothing.
+    void setFigure(const CurveFigure &figure, FigureReadings readings);
     void setMarking(const FigureMarking &marking);
     /// What the label beside the ring says; asked for when the pointer moves to another reading.
     void setHoverLabel(const QString &label);
     void clear();
+    /// In by so many steps of the wheel about the middle, out where negative.
+    void zoomBy(int steps);
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
     [[nodiscard]] QSize sizeHint() const override { return {480, 270}; }
@@ -75,7 +88,7 @@ private:
 
     Selection &m_selection;
     std::optional<CurveFigure> m_figure;
-    std::vector<FigureReading> m_readings;
+    FigureReadings m_readings; ///< never null
     FigureMarking m_marking;
     QString m_hoverLabel;
     QPixmap m_drawn; ///< null: to be drawn

@@ -7,6 +7,7 @@
 #include "figures/deviationfigure.h"
 #include "figures/driftfigure.h"
 #include "figures/figuresentence.h"
+#include "figures/thinning.h"
 #include "kernel/evaluation/correctionto20.h"
 #include "language/decimals.h"
 #include "report/explanation.h"
@@ -14,7 +15,7 @@
 #include "ui/elidedlabel.h"
 #include "ui/figures/circlefigureview.h"
 #include "ui/figures/exportfigure.h"
-#include "ui/figures/figurecanvas.h"
+#include "ui/figures/zoombuttons.h"
 #include "ui/ruling.h"
 #include "ui/theme.h"
 
@@ -37,8 +38,25 @@ namespace palmer::ui {
 namespace {
 
 constexpr int pageMargin = 16;
-constexpr double deepestZoom = 1e-3; ///< of the whole range
 constexpr int clipboardDotsPerInch = 200;
+constexpr std::size_t drawnAtOnce = 50'000; ///< readings; figures of more are made on a thread
+
+std::size_t countReadings(const Test &test) {
+    if (const auto *drift = std::get_if<DriftMeasurement>(&test.measurement))
+        return drift->times.size();
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    return measurement ? measurement->targets.size() * measurement->runs.size() : 0;
+}
+
+/// The figure in these ranges, or whole; no more of it than a screen resolves.
+CurveFigure figureIn(const CurveFigure &whole, const std::optional<std::array<Interval, 2>> &ranges,
+                     const Language &language) {
+    const bool isLarge = !isOrdinary(whole);
+    if (!ranges)
+        return isLarge ? thinned(whole) : whole;
+    CurveFigure figure = withRanges(whole, (*ranges)[0], (*ranges)[1], language);
+    return isLarge ? thinned(figure) : figure;
+}
 
 const CircularMeasurement *circularOf(const EvaluatedDocument &evaluated, std::size_t test) {
     return test < evaluated.tests.size()
@@ -118,7 +136,7 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     , m_canvas(new FigureCanvas(selection, this))
     , m_circles(new CircleFigureView(selection, this))
     , m_marks(addButton(QStringLiteral("readingMarks"), QStringLiteral("dots")))
-    , m_fit(addButton(QStringLiteral("fitFigure"), QStringLiteral("fit")))
+    , m_zoom(new ZoomButtons(this))
     , m_copy(addButton(QStringLiteral("copyFigure"), QStringLiteral("copy")))
     , m_save(addButton(QStringLiteral("saveFigure"), QStringLiteral("save")))
     , m_detach(addButton(QStringLiteral("detachFigure"), QStringLiteral("detach")))
@@ -132,7 +150,8 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
         m_circles->setContacts(on);
         refresh();
     });
-    connect(m_fit, &QToolButton::clicked, this, &FigureView::fit);
+    connect(m_zoom, &ZoomButtons::zoomWanted, this, &FigureView::zoomBy);
+    connect(m_zoom, &ZoomButtons::fitWanted, this, &FigureView::fit);
     connect(m_copy, &QToolButton::clicked, this, &FigureView::copy);
     connect(m_save, &QToolButton::clicked, this, &FigureView::askWhereToSave);
     connect(m_detach, &QToolButton::clicked, this, &FigureView::detachWanted);
@@ -149,7 +168,8 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     head->addWidget(m_title);
     head->addSpacing(8);
     head->addWidget(m_note, 1);
-    for (QToolButton *button : {m_marks, m_fit, m_copy, m_save, m_detach, m_maximise})
+    for (QWidget *button :
+         std::initializer_list<QWidget *>{m_marks, m_zoom, m_copy, m_save, m_detach, m_maximise})
         head->addWidget(button);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(pageMargin, 2, 6, 2);
@@ -175,7 +195,7 @@ void FigureView::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
     m_test = test;
     if (other)
-        m_shown.reset(); // zoom belongs to a test
+        forget(); // zoom belongs to a test
     retranslate();
 }
 
@@ -201,46 +221,96 @@ std::optional<CurveFigure> FigureView::figure() const {
 }
 
 void FigureView::refresh() {
-    const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
+    const bool curves = measurementOf(m_evaluated, m_test) || driftOf(m_evaluated, m_test);
     const bool circular = circularOf(m_evaluated, m_test);
-    const DriftMeasurement *drift = driftOf(m_evaluated, m_test);
-    for (QToolButton *button : {m_fit, m_copy, m_save, m_detach, m_maximise})
-        button->setEnabled(measurement || circular || drift);
-    m_marks->setVisible(!drift);
-    m_marks->setEnabled(measurement || circular);
+    m_making.cancel();
+    m_zooming.cancel();
+    for (QWidget *button : std::initializer_list<QWidget *>{m_zoom, m_copy, m_save, m_detach, m_maximise})
+        button->setEnabled(curves || circular);
+    m_marks->setVisible(!driftOf(m_evaluated, m_test));
+    m_marks->setEnabled(curves || circular);
     m_circles->setVisible(circular);
     m_canvas->setVisible(!circular);
-    if (drift) {
-        m_circles->clear();
-        refreshDrift(*drift);
+    if (curves)
+        return refreshCurves();
+    forget();
+    if (circular) {
+        m_circles->show(m_evaluated, m_test);
+        refreshCircles();
+        mark();
         return;
     }
-    if (!measurement) {
-        m_whole.reset();
-        m_shown.reset();
-        m_canvas->clear();
-        if (circular) {
-            m_circles->show(m_evaluated, m_test);
-            refreshCircles();
-            mark();
-            return;
-        }
-        m_circles->clear();
-        m_title->clear();
-        m_note->clear();
-        return;
-    }
-    const Test &test = *m_evaluated.document->tests[m_test];
-    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
-    const auto zoomed = zoomedRanges();
-    const CurveFigure full = deviationFigure(test, evaluation, m_language);
-    m_whole = full;
-    if (!m_readingMarks) {
-        m_whole->readings.clear();
-        std::erase_if(m_whole->legend,
+    m_circles->clear();
+    m_title->clear();
+    m_note->clear();
+}
+
+void FigureView::forget() {
+    m_whole.reset();
+    m_shown.reset();
+    m_readings.reset();
+    m_canvas->clear();
+}
+
+/// Of a large test beside the window, which shows what was before until then.
+void FigureView::refreshCurves() {
+    m_circles->clear();
+    const TestPointer test = m_evaluated.document->tests[m_test];
+    const TestEvaluationPointer evaluation = m_evaluated.tests[m_test];
+    const auto make = [test, evaluation, language = m_language, marks = m_readingMarks,
+                       zoomed = zoomedRanges()] {
+        return contentOf(*test, *evaluation, language, marks, zoomed);
+    };
+    if (countReadings(*test) <= drawnAtOnce)
+        return take(make());
+    m_making.start([make](const Background::Job &) { return make(); },
+                   [this, zoomed = zoomedRanges()](Content content) {
+                       const auto now = zoomedRanges();
+                       take(std::move(content));
+                       if (now && now != zoomed) // zoomed meanwhile
+                           showRanges((*now)[0], (*now)[1]);
+                   });
+}
+
+/// The figure, as much of it as the screen resolves, and what the pointer finds in it.
+FigureView::Content FigureView::contentOf(const Test &test, const TestEvaluation &evaluation,
+                                          const Language &language, bool marks,
+                                          const std::optional<std::array<Interval, 2>> &zoomed) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    CurveFigure whole =
+        measurement ? deviationFigure(test, evaluation, language) : driftFigure(test, evaluation, language);
+    Content content;
+    content.readings = std::make_shared<const std::vector<FigureReading>>(
+        measurement ? readingsOf(whole, *measurement) : readingsOf(whole));
+    if (!marks && measurement) {
+        whole.readings = {};
+        std::erase_if(whole.legend,
                       [](const LegendEntry &entry) { return entry.sample == LegendSample::readings; });
     }
-    m_shown = zoomed ? withRanges(*m_whole, (*zoomed)[0], (*zoomed)[1], m_language) : *m_whole;
+    content.whole = std::make_shared<const CurveFigure>(std::move(whole));
+    content.shown = figureIn(*content.whole, zoomed, language);
+    content.sentence = figureSentence(*content.whole, language);
+    return content;
+}
+
+void FigureView::take(Content content) {
+    m_whole = std::move(content.whole);
+    m_readings = std::move(content.readings);
+    m_shown = std::move(content.shown);
+    m_sentence = std::move(content.sentence);
+    if (driftOf(m_evaluated, m_test))
+        nameDrift();
+    else
+        namePositioning();
+    m_canvas->setFigure(*m_shown, m_readings);
+    describe();
+    mark();
+    showHoverLabel();
+}
+
+void FigureView::namePositioning() {
+    const PositioningMeasurement &measurement = *measurementOf(m_evaluated, m_test);
+    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     m_title->setText(m_whole->y.quantity);
     const auto &results = std::get<PositioningResults>(evaluation.results);
     QString note = results.positiveRuns == results.negativeRuns || results.negativeRuns == 0
@@ -249,21 +319,27 @@ void FigureView::refresh() {
     if (!m_whole->bands.empty())
         note += QStringLiteral(", ") +
                 tr("band ±%1s").arg(m_language.number(evaluation.edition->c, Quantity::number, -1));
-    if (measurement->axis.motion == Motion::linear && isCorrectedTo20(measurement->conditions.common))
+    if (measurement.axis.motion == Motion::linear && isCorrectedTo20(measurement.conditions.common))
         note += QStringLiteral(" · ") + tr("at 20 °C");
     m_note->setText(note);
-    m_canvas->setFigure(*m_shown, readingsOf(full, *measurement));
-    describe();
-    mark();
-    showHoverLabel();
+}
+
+void FigureView::nameDrift() {
+    const DriftMeasurement &drift = *driftOf(m_evaluated, m_test);
+    m_title->setText(m_whole->title);
+    const auto &range = std::get<DriftResults>(m_evaluated.tests[m_test]->results).range;
+    constexpr int decimals = 2;
+    m_note->setText(range ? QStringLiteral("E_VE = ") +
+                                m_language.quantity(*range, deviationQuantity(drift.axis), decimals)
+                          : QString());
 }
 
 /// For those who cannot see it: the content, then the keys.
 void FigureView::describe() {
     m_canvas->setAccessibleName(m_whole->title);
-    m_canvas->setAccessibleDescription(figureSentence(*m_whole, m_language) + QStringLiteral(". ") +
+    m_canvas->setAccessibleDescription(m_sentence + QStringLiteral(". ") +
                                        tr("Plus and minus zoom, arrows move, 0 shows the whole; the wheel "
-                                          "zooms with Ctrl or after a click"));
+                                          "zooms"));
 }
 
 /// What is zoomed to; nothing where the whole is shown.
@@ -273,23 +349,6 @@ std::optional<std::array<Interval, 2>> FigureView::zoomedRanges() const {
          m_shown->y.from == m_whole->y.from && m_shown->y.to == m_whole->y.to))
         return std::nullopt;
     return std::array{Interval{m_shown->x.from, m_shown->x.to}, Interval{m_shown->y.from, m_shown->y.to}};
-}
-
-void FigureView::refreshDrift(const DriftMeasurement &drift) {
-    const auto zoomed = zoomedRanges();
-    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
-    m_whole = driftFigure(*m_evaluated.document->tests[m_test], evaluation, m_language);
-    m_shown = zoomed ? withRanges(*m_whole, (*zoomed)[0], (*zoomed)[1], m_language) : *m_whole;
-    m_title->setText(m_whole->title);
-    const auto &range = std::get<DriftResults>(evaluation.results).range;
-    constexpr int decimals = 2;
-    m_note->setText(range ? QStringLiteral("E_VE = ") +
-                                m_language.quantity(*range, deviationQuantity(drift.axis), decimals)
-                          : QString());
-    m_canvas->setFigure(*m_shown, readingsOf(*m_whole));
-    describe();
-    mark();
-    showHoverLabel();
 }
 
 void FigureView::refreshCircles() {
@@ -318,30 +377,33 @@ std::optional<FigureView::Leaving> FigureView::leaving() const {
 }
 
 void FigureView::showRanges(const Interval &x, const Interval &y) {
-    if (!m_whole)
+    if (!m_whole || !m_shown)
         return;
-    // Never beyond the whole, never so deep that the numbers of the axes say nothing.
-    const auto within = [](Interval wanted, const FigureAxis &whole) {
-        const double all = whole.to - whole.from;
-        const double span = std::clamp(wanted.to - wanted.from, deepestZoom * all, all);
-        const double centre = (wanted.from + wanted.to) / 2;
-        const double from = std::clamp(centre - span / 2, whole.from, whole.to - span);
-        return Interval{from, from + span};
-    };
-    m_shown = withRanges(*m_whole, within(x, m_whole->x), within(y, m_whole->y), m_language);
-    if (driftOf(m_evaluated, m_test)) {
-        m_canvas->setFigure(*m_shown, readingsOf(*m_whole));
+    const std::array<Interval, 2> ranges = rangesWithin(*m_whole, x, y);
+    const bool isLarge = !isOrdinary(*m_whole);
+    // Of a large test at once what is drawn already, then what belongs to the range.
+    m_shown = withRanges(isLarge ? *m_shown : *m_whole, ranges[0], ranges[1], m_language);
+    m_canvas->setFigure(*m_shown, m_readings);
+    if (!isLarge)
         return;
-    }
-    const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
-    const CurveFigure full = m_readingMarks ? *m_whole
-                                            : deviationFigure(*m_evaluated.document->tests[m_test],
-                                                              *m_evaluated.tests[m_test], m_language);
-    m_canvas->setFigure(*m_shown, readingsOf(full, *measurement));
+    m_zooming.cancel();
+    m_zooming.start([whole = m_whole, ranges, language = m_language](
+                        const Background::Job &) { return figureIn(*whole, ranges, language); },
+                    [this](CurveFigure figure) {
+                        m_shown = std::move(figure);
+                        m_canvas->setFigure(*m_shown, m_readings);
+                    });
+}
+
+void FigureView::zoomBy(int steps) {
+    if (m_circles->isVisibleTo(this))
+        m_circles->zoomBy(steps);
+    else
+        m_canvas->zoomBy(steps);
 }
 
 void FigureView::fit() {
-    m_shown = m_whole;
+    m_shown.reset();
     m_circles->fit();
     refresh();
 }
@@ -351,7 +413,7 @@ void FigureView::mark() {
     const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
     const auto explained =
         explanation(m_evaluated, m_test, m_selection.parameter().toStdString(), m_language);
-    if (measurement && explained && !explained->result.isEmpty()) {
+    if (measurement && m_whole && explained && !explained->result.isEmpty()) {
         marking.label = explained->result;
         for (const std::size_t target : rulingTargets(m_evaluated, m_test, m_selection.parameter())) {
             if (target < m_whole->positions.size())
@@ -394,6 +456,7 @@ void FigureView::copy() {
     mime->setData(QStringLiteral("application/pdf"), figureAsPdf(shown->figure, shown->title));
     mime->setImageData(QImage::fromData(figureAsPng(shown->figure, clipboardDotsPerInch)));
     QGuiApplication::clipboard()->setMimeData(mime);
+    emit said(tr("Figure copied"));
 }
 
 bool FigureView::saveTo(const QString &path) {
@@ -453,7 +516,6 @@ void FigureView::retranslate() {
     };
     name(m_marks, circularOf(m_evaluated, m_test) ? tr("Show the points that rule the result")
                                                   : tr("Show single readings"));
-    name(m_fit, tr("Show the whole figure"), QStringLiteral("0"));
     name(m_copy, tr("Copy the figure"));
     name(m_save, tr("Save the figure as PDF, SVG or PNG"));
     name(m_detach, tr("Open the figure in a window of its own"));

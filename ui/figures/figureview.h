@@ -5,10 +5,13 @@
 #include "document/evaluateddocument.h"
 #include "figures/figure.h"
 #include "language/language.h"
+#include "ui/figures/figurecanvas.h"
+#include "ui/model/background.h"
 #include "ui/model/selection.h"
 
 #include <QWidget>
 #include <array>
+#include <memory>
 #include <optional>
 
 class QLabel;
@@ -18,7 +21,7 @@ namespace palmer::ui {
 
 class CircleFigureView;
 struct SyntheticPaths;
-class FigureCanvas;
+class ZoomButtons;
 
 /// The figure of the test in view: reads values under the pointer, zooms, pans, copies and saves. Follows the
 /// theme; what leaves it is white.
@@ -36,6 +39,8 @@ public:
     /// Draws these over the paths of the circular test they belong to.
     void setSynthetic(const SyntheticPaths &paths);
     void fit();
+    /// In by so many steps of the wheel about the middle, out where negative.
+    void zoomBy(int steps);
     /// Makes it a window of its own, which goes away when it is closed.
     void standAlone();
     /// Puts the figure on the clipboard, as vectors (SVG, PDF) and as a picture.
@@ -47,6 +52,8 @@ signals:
     /// The user wants it in a window of its own, or as large as the window.
     void detachWanted();
     void maximiseWanted();
+    /// What was done and cannot be seen, for the status bar.
+    void said(const QString &text);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -57,10 +64,24 @@ private:
         QString title;
     };
 
+    /// A figure of curves, made without the window.
+    struct Content {
+        std::shared_ptr<const CurveFigure> whole; ///< with the ranges that show everything
+        FigureReadings readings;
+        CurveFigure shown;
+        QString sentence; ///< what it shows, in words
+    };
+
+    static Content contentOf(const Test &test, const TestEvaluation &evaluation, const Language &language,
+                             bool marks, const std::optional<std::array<Interval, 2>> &zoomed);
     void refresh();
+    void refreshCurves();
     void refreshCircles();
+    void forget();
+    void take(Content content);
+    void namePositioning();
+    void nameDrift();
     void describe();
-    void refreshDrift(const DriftMeasurement &drift);
     [[nodiscard]] std::optional<std::array<Interval, 2>> zoomedRanges() const;
     /// What is copied and saved: the figure in view, for paper.
     [[nodiscard]] std::optional<Leaving> leaving() const;
@@ -75,19 +96,23 @@ private:
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
-    std::optional<CurveFigure> m_whole; ///< with the ranges that show everything
+    std::shared_ptr<const CurveFigure> m_whole; ///< with the ranges that show everything; null: none
     std::optional<CurveFigure> m_shown;
+    FigureReadings m_readings;
+    QString m_sentence;
     bool m_readingMarks = true;
     QLabel *m_title;
     QLabel *m_note;
     FigureCanvas *m_canvas;
     CircleFigureView *m_circles;
     QToolButton *m_marks;
-    QToolButton *m_fit;
+    ZoomButtons *m_zoom;
     QToolButton *m_copy;
     QToolButton *m_save;
     QToolButton *m_detach;
     QToolButton *m_maximise;
+    Background m_making;  ///< of the figure of a large test
+    Background m_zooming; ///< of what of it belongs to the ranges in view
 };
 
 } // namespace palmer::ui

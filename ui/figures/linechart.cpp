@@ -210,6 +210,10 @@ void LineChart::zoom(double factor, const QPointF &about) {
     setRange({corner, m_range.size() * factor});
 }
 
+void LineChart::zoomBy(int steps) {
+    zoom(std::pow(zoomStep, -steps), chart()->plotArea().center());
+}
+
 // ---- Points ----------------------------------------------------------------------------------------------
 
 std::optional<LineChart::Place> LineChart::nearest(const QPointF &place) const {
@@ -318,14 +322,10 @@ void LineChart::mouseDoubleClickEvent(QMouseEvent *) {
 }
 
 void LineChart::wheelEvent(QWheelEvent *event) {
-    // Passing over a chart while scrolling must not change it.
     const double steps = event->angleDelta().y() / 120.0;
-    if ((!hasFocus() && !(event->modifiers() & Qt::ControlModifier)) || steps == 0) {
-        event->ignore();
-        return;
-    }
-    zoom(std::pow(zoomStep, -steps), event->position());
-    event->accept();
+    if (steps != 0)
+        zoom(std::pow(zoomStep, -steps), event->position());
+    event->accept(); // also where it can zoom no further: what the chart stands in never scrolls
 }
 
 void LineChart::keyPressEvent(QKeyEvent *event) {
@@ -333,12 +333,11 @@ void LineChart::keyPressEvent(QKeyEvent *event) {
     const auto move = [&](double x, double y) {
         setRange(m_range.translated(x * pan * m_range.width(), y * pan * m_range.height()));
     };
-    const QPointF centre = chart()->plotArea().center();
     switch (event->key()) {
     case Qt::Key_Plus:
-        return zoom(1 / zoomStep, centre);
+        return zoomBy(1);
     case Qt::Key_Minus:
-        return zoom(zoomStep, centre);
+        return zoomBy(-1);
     case Qt::Key_0:
         return fit();
     case Qt::Key_Left:

@@ -34,6 +34,8 @@ public:
     [[nodiscard]] QRectF range() const { return m_range; }
     void setRange(const QRectF &range);
     void fit();
+    /// In by so many steps of the wheel about the middle, out where negative.
+    void zoomBy(int steps);
     /// The words of the point nearest to a place of the widget; empty where none is near.
     [[nodiscard]] QString readOutAt(const QPointF &place) const;
 

@@ -54,7 +54,7 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     auto *content = new QWidget(m_scroll);
     content->setProperty("ground", QStringLiteral("base"));
     content->setMaximumWidth(mostWidth + 2 * pageMargin);
-    m_scroll->viewport()->setProperty("ground", QStringLiteral("base"));
+    m_scroll->viewport()->setBackgroundRole(QPalette::Base); // beside the fields, which do not fill it
     m_body = new QVBoxLayout(content);
     m_body->setContentsMargins(pageMargin, 8, pageMargin, pageMargin);
     m_body->setSpacing(fieldGap);

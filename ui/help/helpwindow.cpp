@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/helpwindow.h"
 
+#include "kernel/evaluation/edition.h"
 #include "ui/help/reporthtml.h"
+#include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
 #include <QEvent>
@@ -20,6 +22,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int listWidth = 210;
+constexpr int pageRole = Qt::UserRole + 1; ///< index of the page of a row; none: the title of a group
 
 } // namespace
 
@@ -59,10 +62,24 @@ HelpWindow::HelpWindow(QWidget *parent)
     retranslate();
 }
 
+std::optional<std::size_t> HelpWindow::pageAt(int row) const {
+    const QListWidgetItem *item = m_list->item(row);
+    const QVariant page = item ? item->data(pageRole) : QVariant();
+    return page.isValid() ? std::optional(page.value<std::size_t>()) : std::nullopt;
+}
+
+void HelpWindow::goTo(std::size_t page) {
+    for (int row = 0; row < m_list->count(); ++row) {
+        if (pageAt(row) == page)
+            m_list->setCurrentRow(row);
+    }
+}
+
 void HelpWindow::showRow(int row) {
-    if (row < 0 || row >= static_cast<int>(m_pages.size()))
+    const auto index = pageAt(row);
+    if (!index)
         return;
-    HelpPage &page = m_pages[static_cast<std::size_t>(row)];
+    HelpPage &page = m_pages[*index];
     if (page.id == u"validation" && page.content.blocks.empty()) {
         if (!m_validated)
             m_validated = validateAll();
@@ -73,14 +90,14 @@ void HelpWindow::showRow(int row) {
 
 void HelpWindow::showPage(const QString &id, const QString &anchor) {
     const auto found = std::ranges::find(m_pages, id, &HelpPage::id);
-    m_list->setCurrentRow(found == m_pages.end() ? 0 : static_cast<int>(found - m_pages.begin()));
+    goTo(found == m_pages.end() ? 0 : static_cast<std::size_t>(found - m_pages.begin()));
     if (!anchor.isEmpty())
         m_browser->scrollToAnchor(anchor);
 }
 
 QString HelpWindow::currentPage() const {
-    const int row = m_list->currentRow();
-    return row < 0 ? QString() : m_pages[static_cast<std::size_t>(row)].id;
+    const auto page = pageAt(m_list->currentRow());
+    return page ? m_pages[*page].id : QString();
 }
 
 QString HelpWindow::text() const {
@@ -92,21 +109,46 @@ bool HelpWindow::find(const QString &words) {
         return false;
     if (m_browser->find(words))
         return true;
-    const int pages = m_list->count();
-    for (int step = 1; step <= pages; ++step) {
-        const int row = (m_list->currentRow() + step) % pages;
-        if (row != m_list->currentRow() && m_pages[static_cast<std::size_t>(row)].id == u"validation")
+    const std::size_t pages = m_pages.size();
+    const std::size_t here = pageAt(m_list->currentRow()).value_or(0);
+    for (std::size_t step = 1; step <= pages; ++step) {
+        const std::size_t page = (here + step) % pages;
+        if (page != here && m_pages[page].id == u"validation")
             continue; // it would have to be computed
         QTextDocument text;
-        text.setHtml(reportHtml(m_pages[static_cast<std::size_t>(row)].content));
-        if (row != m_list->currentRow() && text.find(words).isNull())
+        text.setHtml(reportHtml(m_pages[page].content));
+        if (page != here && text.find(words).isNull())
             continue;
-        m_list->setCurrentRow(row);
+        goTo(page);
         m_browser->moveCursor(QTextCursor::Start);
         if (m_browser->find(words))
             return true;
     }
     return false;
+}
+
+/// What to do, then the editions by what they are of, then the proof.
+void HelpWindow::fillList() {
+    m_list->clear();
+    const auto groupOf = [](const HelpPage &page) {
+        const QString prefix = QStringLiteral("editions.");
+        if (!page.id.startsWith(prefix))
+            return page.id == u"validation" ? tr("Proof") : tr("Working with Palmer");
+        const Edition *edition = findEdition(page.id.mid(prefix.size()).toStdString());
+        return edition && edition->kind == Kind::circular ? tr("Circular tests") : tr("Positioning of axes");
+    };
+    QString group;
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        if (groupOf(m_pages[i]) != group) {
+            group = groupOf(m_pages[i]);
+            auto *title = new QListWidgetItem(group, m_list);
+            title->setFlags(Qt::NoItemFlags);
+            title->setFont(themeFont(TextSize::head));
+            title->setForeground(token(Token::secondaryText, palette())); // not that of what cannot be used
+        }
+        auto *item = new QListWidgetItem(m_pages[i].title, m_list);
+        item->setData(pageRole, QVariant::fromValue(i));
+    }
 }
 
 void HelpWindow::changeEvent(QEvent *event) {
@@ -127,9 +169,7 @@ void HelpWindow::retranslate() {
     m_pages.push_back({QStringLiteral("validation"), tr("Validation"), {}});
     {
         const QSignalBlocker quiet(m_list);
-        m_list->clear();
-        for (const HelpPage &page : m_pages)
-            m_list->addItem(page.title);
+        fillList();
     }
     showPage(current);
 }

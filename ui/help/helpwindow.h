@@ -34,6 +34,9 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    [[nodiscard]] std::optional<std::size_t> pageAt(int row) const;
+    void goTo(std::size_t page);
+    void fillList();
     void showRow(int row);
     void retranslate();
 

@@ -6,14 +6,17 @@
 #include "figures/deviationfigure.h"
 #include "figures/driftfigure.h"
 #include "figures/linefigure.h"
+#include "figures/thinning.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/figures/lineview.h"
+#include "ui/figures/zoombuttons.h"
 #include "ui/import/columnroles.h"
 #include "ui/import/remarklist.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
+#include "ui/workbar.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -45,11 +48,12 @@ namespace palmer::ui {
 namespace {
 
 constexpr int boxColumns = 6;
+constexpr int drawnAtOnce = 50'000; ///< readings; the curve of more is made on a thread
 constexpr int rowHeight = 26;
 constexpr int remarksHeight = 150;
 
-/// A title over a part, what is said of its size at the right, and the part.
-QWidget *part(QWidget *parent, QLabel *title, QLabel *size, QWidget *content) {
+/// A title over a part, what is said of its size or done with it at the right, and the part.
+QWidget *part(QWidget *parent, QLabel *title, QWidget *beside, QWidget *content) {
     auto *whole = new QWidget(parent);
     whole->setProperty("ground", QStringLiteral("base"));
     auto *column = new QVBoxLayout(whole);
@@ -57,14 +61,27 @@ QWidget *part(QWidget *parent, QLabel *title, QLabel *size, QWidget *content) {
     title->setFont(themeFont(TextSize::head));
     auto *head = new QHBoxLayout;
     head->addWidget(title, 1);
-    if (size) {
-        size->setProperty("secondary", true);
-        head->addWidget(size);
+    if (beside) {
+        head->addWidget(beside);
         head->addSpacing(8);
     }
     column->addLayout(head);
     column->addWidget(content, 1);
     return whole;
+}
+
+/// As much of the curve as a screen resolves; nothing for circles.
+std::optional<CurveFigure> curveOf(const EvaluatedDocument &evaluated, const Language &language) {
+    const Test &test = *evaluated.document->tests[0];
+    std::optional<CurveFigure> figure;
+    if (std::holds_alternative<PositioningMeasurement>(test.measurement)) {
+        DeviationFigureOptions options;
+        options.dimensions = false; // results are not looked at before the readings are right
+        figure = deviationFigure(test, *evaluated.tests[0], language, options);
+    } else if (std::holds_alternative<DriftMeasurement>(test.measurement)) {
+        figure = driftFigure(test, *evaluated.tests[0], language);
+    }
+    return figure && !isOrdinary(*figure) ? thinned(*figure) : figure;
 }
 
 QString profileSetting(const QString &fileName) {
@@ -73,12 +90,27 @@ QString profileSetting(const QString &fileName) {
 
 } // namespace
 
-ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, const Document *open,
+MeasurementFile readMeasurementFile(const QByteArray &bytes, const QString &fileName,
+                                    const ImportOptions &options) {
+    const QString name = QFileInfo(fileName).fileName();
+    MeasurementFile file{bytes, name, showMeasurement(bytes, name, options), sha256(bytes), nullptr};
+    if (file.imported.test)
+        file.test = std::make_shared<const Test>(*file.imported.test);
+    return file;
+}
+
+bool isLargeFile(qint64 bytes) {
+    constexpr qint64 readAtOnce = 256 * 1024;
+    return bytes > readAtOnce;
+}
+
+ImportAssistant::ImportAssistant(const QByteArray &bytes, const QString &fileName, const Document *open,
                                  QWidget *parent)
+    : ImportAssistant(readMeasurementFile(bytes, fileName), open, parent) {}
+
+ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWidget *parent)
     : QDialog(parent)
-    , m_bytes(std::move(bytes))
-    , m_fileName(QFileInfo(fileName).fileName())
-    , m_imported(showMeasurement(m_bytes, m_fileName))
+    , m_file(std::move(file))
     , m_title(new QLabel(this))
     , m_origin(new QLabel(this))
     , m_other(new QPushButton(this))
@@ -96,6 +128,7 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
     , m_columns(new ColumnRoles(this))
     , m_table(new QTableView(this))
     , m_curveTitle(new QLabel(this))
+    , m_zoom(new ZoomButtons(this))
     , m_curves(new QStackedWidget(this))
     , m_curveCanvas(new FigureCanvas(m_selection, m_curves))
     , m_circleCanvas(new CircleCanvas(m_selection, m_curves))
@@ -108,7 +141,8 @@ ImportAssistant::ImportAssistant(QByteArray bytes, const QString &fileName, cons
     , m_saveProfile(new QPushButton(this))
     , m_open(new QLabel(this))
     , m_cancel(new QPushButton(this))
-    , m_import(new QPushButton(this)) {
+    , m_import(new QPushButton(this))
+    , m_work(new WorkBar(this)) {
     if (open)
         m_document = *open;
     setObjectName(QStringLiteral("importAssistant"));
@@ -132,6 +166,7 @@ void ImportAssistant::makeLayout() {
     auto *head = new QHBoxLayout;
     head->addWidget(m_title);
     head->addWidget(m_origin);
+    head->addWidget(m_work);
     head->addStretch();
     m_other->setObjectName(QStringLiteral("importOther"));
     m_paste->setObjectName(QStringLiteral("importPaste"));
@@ -204,7 +239,9 @@ QWidget *ImportAssistant::makeMiddle() {
     middle->setChildrenCollapsible(false);
     middle->addWidget(part(middle, m_rawTitle, m_rawSize, m_rawView));
     middle->addWidget(part(middle, m_tableTitle, m_tableSize, table));
-    middle->addWidget(part(middle, m_curveTitle, nullptr, m_curves));
+    m_rawSize->setProperty("secondary", true);
+    m_tableSize->setProperty("secondary", true);
+    middle->addWidget(part(middle, m_curveTitle, m_zoom, m_curves));
     middle->setSizes({427, 427, 427});
     return middle;
 }
@@ -231,6 +268,7 @@ QWidget *ImportAssistant::makeRemarks() {
 }
 
 void ImportAssistant::connectAll() {
+    connect(m_work, &WorkBar::cancelled, this, &ImportAssistant::cancelReading);
     connect(m_columns, &ColumnRoles::rolesChosen, this,
             [this](const QString &columns) { choose("columns", columns.toStdString()); });
     connect(m_remarks, &RemarkList::answered, this, [this](const QString &key, const QString &word) {
@@ -251,12 +289,24 @@ void ImportAssistant::connectAll() {
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_import, &QPushButton::clicked, this, &QDialog::accept);
     connect(m_curveCanvas, &FigureCanvas::rangesWanted, this, [this](const Interval &x, const Interval &y) {
-        if (m_curve)
-            m_curveCanvas->setFigure(withRanges(*m_curve, x, y, windowLanguage()), {});
+        if (!m_curve)
+            return;
+        const auto [positions, values] = rangesWithin(*m_curve, x, y);
+        m_curveCanvas->setFigure(withRanges(*m_curve, positions, values, windowLanguage()), {});
     });
     connect(m_curveCanvas, &FigureCanvas::fitWanted, this, [this] {
         if (m_curve)
             m_curveCanvas->setFigure(*m_curve, {});
+    });
+    connect(m_zoom, &ZoomButtons::zoomWanted, this, [this](int steps) {
+        if (m_curves->currentWidget() == m_circleCanvas)
+            m_circleCanvas->zoomBy(steps);
+        else
+            m_curveCanvas->zoomBy(steps);
+    });
+    connect(m_zoom, &ZoomButtons::fitWanted, this, [this] {
+        m_circleCanvas->fit();
+        emit m_curveCanvas->fitWanted();
     });
     // Both show the same file from above: they scroll together.
     connect(m_rawView->verticalScrollBar(), &QScrollBar::valueChanged, this, [this](int value) {
@@ -271,23 +321,78 @@ bool ImportAssistant::wantsNewDocument() const {
 }
 
 void ImportAssistant::addTo(Document &document) const {
-    addImported(document, m_imported, m_bytes, m_fileName, m_keep->isChecked());
+    Imported taken; // all but the table as it was read, which may be large
+    taken.test = m_file.imported.test;
+    taken.sensors = m_file.imported.sensors;
+    taken.gradientPerHour = m_file.imported.gradientPerHour;
+    taken.seriesStart = m_file.imported.seriesStart;
+    taken.machine = m_file.imported.machine;
+    taken.instrument = m_file.imported.instrument;
+    taken.operatorName = m_file.imported.operatorName;
+    addImported(document, std::move(taken), m_file.bytes, m_file.name, m_keep->isChecked());
+}
+
+/// Small files at once.
+void ImportAssistant::read(const QByteArray &bytes, const QString &name, const ImportOptions &options,
+                           std::function<void(std::variant<MeasurementFile, Error>)> take) {
+    using Outcome = std::variant<MeasurementFile, Error>;
+    const auto work = [bytes, name, options]() -> Outcome {
+        try {
+            return readMeasurementFile(bytes, name, options);
+        } catch (const Error &error) {
+            return error;
+        }
+    };
+    m_reader.cancel(); // only the latest counts
+    if (!isLargeFile(bytes.size())) {
+        m_work->end();
+        take(work());
+        return;
+    }
+    m_reader.start([work](const Background::Job &) { return work(); },
+                   [this, take = std::move(take)](Outcome outcome) {
+                       m_work->end();
+                       take(std::move(outcome));
+                   });
+    m_work->begin(tr("Reading %1…").arg(name));
+    showState();
+}
+
+/// What is shown was read with these.
+void ImportAssistant::settle() {
+    m_settled = m_options;
+    m_settledProfile = m_profile->currentIndex() > 0 ? m_profile->currentText() : QString();
+}
+
+void ImportAssistant::cancelReading() {
+    m_reader.cancel();
+    m_work->end();
+    m_options = m_settled;
+    m_profile->setCurrentIndex(std::max(m_profile->findText(m_settledProfile), 0));
+    refresh();
 }
 
 void ImportAssistant::takeFile(const QByteArray &bytes, const QString &fileName) {
     const QString name = QFileInfo(fileName).fileName();
-    try {
-        takeRead(showMeasurement(bytes, name));
-        m_bytes = bytes;
-        m_fileName = name;
-        m_options.clear();
-        m_profile->setCurrentIndex(0);
-        retranslate();
-        useLastProfile();
-    } catch (const Error &error) {
-        refuse(error, name);
-        showRemarks();
-    }
+    const bool couldImport = m_import->isEnabled();
+    read(bytes, name, {}, [this, name, couldImport](std::variant<MeasurementFile, Error> outcome) {
+        if (const auto *error = std::get_if<Error>(&outcome)) {
+            refuse(*error, name);
+            showRemarks();
+            m_import->setEnabled(couldImport); // what was read before
+            return;
+        }
+        takeOther(std::move(std::get<MeasurementFile>(outcome)));
+    });
+}
+
+void ImportAssistant::takeOther(MeasurementFile file) {
+    takeRead(std::move(file));
+    m_options.clear();
+    m_profile->setCurrentIndex(0);
+    settle();
+    retranslate();
+    useLastProfile();
 }
 
 void ImportAssistant::pasteText() {
@@ -323,7 +428,7 @@ void ImportAssistant::choose(const std::string &key, const std::string &value) {
 void ImportAssistant::confirmAll() {
     // An answer may raise the next question, which has to be read before it is confirmed: once is enough.
     ImportOptions options = m_options;
-    for (const Question &question : m_imported.questions) {
+    for (const Question &question : m_file.imported.questions) {
         if (canBeConfirmed(question))
             options[question.id] = question.proposal;
     }
@@ -331,25 +436,27 @@ void ImportAssistant::confirmAll() {
 }
 
 /// What was read takes the place of what is shown, with the reason where there is no measurement in it.
-void ImportAssistant::takeRead(Imported imported) {
+void ImportAssistant::takeRead(MeasurementFile file) {
     m_raw.show(nullptr);
     m_recognised.show(nullptr);
-    m_imported = std::move(imported);
+    m_file = std::move(file);
     m_refusal.reset();
-    if (m_imported.refusal)
-        refuse(*m_imported.refusal, {});
+    if (m_file.imported.refusal)
+        refuse(*m_file.imported.refusal, {});
 }
 
 /// Reads the file anew. Choices under which it cannot be read stay visible with the reason; they can be
 /// changed, but not accepted.
 void ImportAssistant::takeOptions(ImportOptions options) {
     m_options = std::move(options);
-    try {
-        takeRead(showMeasurement(m_bytes, m_fileName, m_options));
-    } catch (const Error &error) {
-        refuse(error, {}); // nothing to show: beside what was read last
-    }
-    refresh();
+    read(m_file.bytes, m_file.name, m_options, [this](std::variant<MeasurementFile, Error> outcome) {
+        if (const auto *error = std::get_if<Error>(&outcome))
+            refuse(*error, {}); // nothing to show: beside what was read last
+        else
+            takeRead(std::move(std::get<MeasurementFile>(outcome)));
+        settle();
+        refresh();
+    });
 }
 
 /// `file`: where it is not the one at hand.
@@ -363,7 +470,7 @@ void ImportAssistant::refuse(const Error &error, const QString &file) {
 }
 
 void ImportAssistant::useLastProfile() {
-    const QString last = QSettings().value(profileSetting(m_fileName)).toString();
+    const QString last = QSettings().value(profileSetting(m_file.name)).toString();
     if (m_profiles.contains(last.toStdString()))
         useProfile(last);
 }
@@ -399,7 +506,7 @@ void ImportAssistant::askProfileName() {
 
 bool ImportAssistant::saveProfile(const QString &name) {
     ImportOptions options;
-    for (const ImportChoice &choice : m_imported.choices) {
+    for (const ImportChoice &choice : m_file.imported.choices) {
         if (choice.origin == Origin::chosen && !choice.value.empty())
             options[choice.key] = choice.value;
     }
@@ -426,12 +533,12 @@ bool ImportAssistant::saveProfile(const QString &name) {
 std::vector<ImportChoice> ImportAssistant::shownChoices() const {
     std::vector<ImportChoice> shown;
     for (const ImportKey &key : importKeys()) {
-        const auto found = std::ranges::find(m_imported.choices, key.key, &ImportChoice::key);
+        const auto found = std::ranges::find(m_file.imported.choices, key.key, &ImportChoice::key);
         const auto chosen = m_options.find(key.key);
-        const bool isSheet = key.key == std::string_view("sheet") && !m_imported.sheets.empty();
+        const bool isSheet = key.key == std::string_view("sheet") && !m_file.imported.sheets.empty();
         if (key.key == std::string_view("columns"))
             continue;
-        if (found != m_imported.choices.end())
+        if (found != m_file.imported.choices.end())
             shown.push_back(*found);
         else if (m_refusal && chosen != m_options.end())
             shown.push_back({key.key, chosen->second, Origin::chosen});
@@ -443,7 +550,7 @@ std::vector<ImportChoice> ImportAssistant::shownChoices() const {
 
 /// The sheets of the workbook, the hidden ones last and said so.
 void ImportAssistant::fillSheets(QComboBox &sheets) const {
-    for (const ImportSheet &sheet : m_imported.sheets) {
+    for (const ImportSheet &sheet : m_file.imported.sheets) {
         const QString name = QString::fromStdString(sheet.name);
         sheets.addItem(sheet.isHidden ? tr("%1 (hidden)").arg(name) : name, name);
     }
@@ -469,7 +576,7 @@ void ImportAssistant::makeBoxes() {
         box.badge = new QLabel(tr("guessed"), box.cell);
         box.badge->setObjectName(QStringLiteral("guessed.") + QString::fromStdString(choice.key));
         QWidget *control = nullptr;
-        const bool isSheet = choice.key == "sheet" && !m_imported.sheets.empty();
+        const bool isSheet = choice.key == "sheet" && !m_file.imported.sheets.empty();
         if (key->value == ImportValue::word || isSheet) {
             box.words = new QComboBox(box.cell);
             box.words->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -562,51 +669,64 @@ void ImportAssistant::showAnswerOf(const QString &key) {
 }
 
 void ImportAssistant::showRemarks() {
-    m_remarks->showRemarks(m_imported, m_refusal,
+    m_remarks->showRemarks(m_file.imported, m_refusal,
                            [this](std::size_t line) { return m_raw.rowOf(line) >= 0; });
-    const auto questions = static_cast<int>(m_imported.questions.size());
+    const auto questions = static_cast<int>(m_file.imported.questions.size());
     m_remarksTitle->setText(questions > 0 ? tr("%n question(s) to answer, and remarks", nullptr, questions)
                                           : tr("Remarks"));
-    m_confirmAll->setVisible(std::ranges::count_if(m_imported.questions, canBeConfirmed) > 0);
+    m_confirmAll->setVisible(std::ranges::count_if(m_file.imported.questions, canBeConfirmed) > 0);
 }
 
 void ImportAssistant::showCurve() {
+    m_drawer.cancel();
     m_curve.reset();
     m_noCurve->setText(m_refusal ? tr("No measurement can be read yet: what is missing is said below.")
                                  : tr("There is no curve of this measurement."));
     m_curves->setCurrentWidget(m_noCurve);
-    if (!m_imported.test) {
-        const LineFigure temperatures = temperatureFigure(m_imported.sensors, windowLanguage());
+    m_zoom->setEnabled(m_file.imported.test.has_value());
+    if (!m_file.imported.test) {
+        const LineFigure temperatures = temperatureFigure(m_file.imported.sensors, windowLanguage());
         m_lineView->setFigure(temperatures);
         if (!temperatures.lines.empty())
             m_curves->setCurrentWidget(m_lineView);
         return;
     }
     auto document = std::make_shared<Document>();
-    document->tests.push_back(std::make_shared<const Test>(*m_imported.test));
-    const EvaluatedDocument evaluated = evaluate(document);
-    const Test &test = *document->tests[0];
-    if (std::holds_alternative<PositioningMeasurement>(test.measurement)) {
-        DeviationFigureOptions options;
-        options.dimensions = false; // results are not looked at before the readings are right
-        m_curve = deviationFigure(test, *evaluated.tests[0], windowLanguage(), options);
-        m_curveCanvas->setFigure(*m_curve, {});
-        m_curves->setCurrentWidget(m_curveCanvas);
-    } else if (std::holds_alternative<CircularMeasurement>(test.measurement)) {
-        m_circleCanvas->show(evaluated, 0, {}, windowLanguage());
-        m_curves->setCurrentWidget(m_circleCanvas);
-    } else {
-        m_curve = driftFigure(test, *evaluated.tests[0], windowLanguage());
-        m_curveCanvas->setFigure(*m_curve, {});
-        m_curves->setCurrentWidget(m_curveCanvas);
+    document->tests.push_back(m_file.test);
+    const auto work = [document = std::shared_ptr<const Document>(document), language = windowLanguage()] {
+        EvaluatedDocument evaluated = evaluate(document);
+        std::optional<CurveFigure> curve = curveOf(evaluated, language);
+        return std::pair(std::move(evaluated), std::move(curve));
+    };
+    if (readingsOf(m_file.imported) <= drawnAtOnce) {
+        const auto [evaluated, curve] = work();
+        showEvaluated(evaluated, curve);
+        return;
     }
+    m_noCurve->setText(tr("Being drawn…"));
+    m_drawer.start([work](const Background::Job &) { return work(); },
+                   [this](const std::pair<EvaluatedDocument, std::optional<CurveFigure>> &drawn) {
+                       showEvaluated(drawn.first, drawn.second);
+                   });
+}
+
+/// `curve`: null for circles.
+void ImportAssistant::showEvaluated(const EvaluatedDocument &evaluated, std::optional<CurveFigure> curve) {
+    m_curve = std::move(curve);
+    if (m_curve) {
+        m_curveCanvas->setFigure(*m_curve, {});
+        m_curves->setCurrentWidget(m_curveCanvas);
+        return;
+    }
+    m_circleCanvas->show(evaluated, 0, {}, windowLanguage());
+    m_curves->setCurrentWidget(m_circleCanvas);
 }
 
 void ImportAssistant::showSizes() {
     m_rawSize->setText(tr("%n line(s)", nullptr, m_raw.rowCount()));
     QStringList sizes;
-    if (m_imported.test) {
-        const auto &measurement = m_imported.test->measurement;
+    if (m_file.imported.test) {
+        const auto &measurement = m_file.imported.test->measurement;
         if (const auto *positioning = std::get_if<PositioningMeasurement>(&measurement)) {
             sizes << tr("%n target(s)", nullptr, static_cast<int>(positioning->targets.size()));
             for (const auto &[approach, arrow] :
@@ -616,20 +736,20 @@ void ImportAssistant::showSizes() {
             }
         } else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement)) {
             sizes << tr("%n arc(s)", nullptr, static_cast<int>(circular->arcs.size()))
-                  << tr("%n point(s)", nullptr, readingsOf(m_imported));
+                  << tr("%n point(s)", nullptr, readingsOf(m_file.imported));
         } else {
-            sizes << tr("%n point(s)", nullptr, readingsOf(m_imported));
+            sizes << tr("%n point(s)", nullptr, readingsOf(m_file.imported));
         }
-    } else if (!m_imported.refusal) {
-        sizes << tr("%n sensor(s)", nullptr, static_cast<int>(m_imported.sensors.size()));
+    } else if (!m_file.imported.refusal) {
+        sizes << tr("%n sensor(s)", nullptr, static_cast<int>(m_file.imported.sensors.size()));
     }
     m_tableSize->setText(sizes.join(QStringLiteral(" · ")));
 }
 
 void ImportAssistant::refresh() {
-    m_raw.show(&m_imported);
-    m_recognised.show(&m_imported);
-    m_columns->showColumns(m_imported.columns);
+    m_raw.show(&m_file.imported);
+    m_recognised.show(&m_file.imported);
+    m_columns->showColumns(m_file.imported.columns);
     showSizes();
     showChoices();
     showRemarks();
@@ -639,11 +759,11 @@ void ImportAssistant::refresh() {
 
 /// How many readings come in, or what hinders them.
 void ImportAssistant::showState() {
-    const int readings = readingsOf(m_imported);
-    const auto questions = static_cast<int>(m_imported.questions.size());
+    const int readings = readingsOf(m_file.imported);
+    const auto questions = static_cast<int>(m_file.imported.questions.size());
     m_import->setText(tr("&Import %n reading(s)", nullptr, readings));
-    m_import->setEnabled(!m_refusal && readings > 0 && questions == 0);
-    const int missing = missingOf(m_imported);
+    m_import->setEnabled(!m_refusal && readings > 0 && questions == 0 && !m_reader.isBusy());
+    const int missing = missingOf(m_file.imported);
     QStringList open;
     if (missing > 0)
         open << tr("%n missing reading(s)", nullptr, missing);
@@ -678,7 +798,7 @@ void ImportAssistant::accept() {
     }
     QSettings settings;
     settings.setValue(QStringLiteral("import/keepBytes"), m_keep->isChecked());
-    settings.setValue(profileSetting(m_fileName),
+    settings.setValue(profileSetting(m_file.name),
                       m_profile->currentIndex() > 0 ? m_profile->currentText() : QString());
     QDialog::accept();
 }
@@ -693,10 +813,11 @@ void ImportAssistant::retranslate() {
     setWindowTitle(tr("Import"));
     m_other->setText(tr("&Other file…"));
     m_paste->setText(tr("&Paste text"));
-    m_title->setText(tr("Import %1").arg(m_fileName));
-    const QString hash = QString::fromStdString(sha256(m_bytes));
-    m_origin->setText(QStringLiteral("%1 · SHA-256 %2…%3")
-                          .arg(QLocale().formattedDataSize(m_bytes.size(), 1), hash.left(4), hash.right(4)));
+    m_title->setText(tr("Import %1").arg(m_file.name));
+    const QString hash = QString::fromStdString(m_file.hash);
+    m_origin->setText(
+        QStringLiteral("%1 · SHA-256 %2…%3")
+            .arg(QLocale().formattedDataSize(m_file.bytes.size(), 1), hash.left(4), hash.right(4)));
     m_origin->setToolTip(hash);
     m_destinationName->setText(tr("Destination"));
     const int destination = m_destination->currentIndex();
@@ -725,8 +846,8 @@ void ImportAssistant::retranslate() {
     m_keep->setText(tr("&Keep the original in the file"));
     m_saveProfile->setText(tr("&Save these choices as a profile…"));
     m_cancel->setText(tr("&Cancel"));
-    if (m_imported.refusal)
-        refuse(*m_imported.refusal, {});
+    if (m_file.imported.refusal)
+        refuse(*m_file.imported.refusal, {});
     makeBoxes(); // in the language, and with it
     refresh();
 }

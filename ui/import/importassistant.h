@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/evaluateddocument.h"
 #include "figures/figure.h"
 #include "import/importmeasurement.h"
 #include "import/profiles.h"
 #include "ui/import/rawtextmodel.h"
 #include "ui/import/recognisedmodel.h"
+#include "ui/model/background.h"
 #include "ui/model/selection.h"
 
 #include <QDialog>
+#include <functional>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 class QCheckBox;
@@ -30,6 +35,24 @@ class ColumnRoles;
 class FigureCanvas;
 class LineView;
 class RemarkList;
+class WorkBar;
+class ZoomButtons;
+
+/// A measurement file as it was read; may be made on any thread.
+struct MeasurementFile {
+    QByteArray bytes;
+    QString name; ///< without its folder
+    Imported imported;
+    std::string hash; ///< SHA-256 of the bytes
+    TestPointer test; ///< that of `imported`, for who draws it on another thread; null for none
+};
+
+/// Throws Error for bytes of which nothing can be shown.
+[[nodiscard]] MeasurementFile readMeasurementFile(const QByteArray &bytes, const QString &fileName,
+                                                  const ImportOptions &options = {});
+
+/// Whether reading takes longer than a window may stand still: then it is read on a thread.
+[[nodiscard]] bool isLargeFile(qint64 bytes);
 
 /// "Import…": what a measurement file says, before anything is accepted. The text as it was read, the roles
 /// of its columns, the table and the curve that come of it, every choice with how it came about, the
@@ -42,10 +65,11 @@ class ImportAssistant : public QDialog {
 public:
     /// `open`: the document that is open, to put the measurement into; null for none. Throws Error for bytes
     /// of which nothing can be shown.
-    ImportAssistant(QByteArray bytes, const QString &fileName, const Document *open,
+    ImportAssistant(const QByteArray &bytes, const QString &fileName, const Document *open,
                     QWidget *parent = nullptr);
+    ImportAssistant(MeasurementFile file, const Document *open, QWidget *parent = nullptr);
 
-    [[nodiscard]] const Imported &imported() const { return m_imported; }
+    [[nodiscard]] const Imported &imported() const { return m_file.imported; }
     /// Whether the measurement shall be a new document and not go into the open one.
     [[nodiscard]] bool wantsNewDocument() const;
     void addTo(Document &document) const;
@@ -55,6 +79,7 @@ public:
     /// Takes what is proposed to every question but those about data that were not read.
     void confirmAll();
     /// Reads other bytes in the place of those at hand; what cannot be read is said, and nothing changes.
+    /// Large files are read beside the window, with a bar and Cancel, which leaves all as it was.
     void takeFile(const QByteArray &bytes, const QString &fileName);
     void pasteText();
 
@@ -85,6 +110,12 @@ private:
     void chooseOther();
     void takeTyped();
     void takeOptions(ImportOptions options);
+    void read(const QByteArray &bytes, const QString &name, const ImportOptions &options,
+              std::function<void(std::variant<MeasurementFile, Error>)> take);
+    void settle();
+    void cancelReading();
+    void takeOther(MeasurementFile file);
+    void showEvaluated(const EvaluatedDocument &evaluated, std::optional<CurveFigure> curve);
     void useProfile(const QString &name);
     void fillProfiles(const QString &current);
     void askProfileName();
@@ -99,21 +130,21 @@ private:
     void showSizes();
     void showState();
     void refresh();
-    void takeRead(Imported imported);
+    void takeRead(MeasurementFile file);
     void refuse(const Error &error, const QString &file);
     void retranslate();
 
-    QByteArray m_bytes;
-    QString m_fileName;
+    MeasurementFile m_file;
     std::optional<Document> m_document; ///< the open one
     ImportOptions m_options;
-    Imported m_imported;
+    ImportOptions m_settled; ///< those that what is shown was read with
+    QString m_settledProfile;
     ImportProfiles m_profiles;
     std::optional<QString> m_refusal; ///< why the latest choices cannot be used
     Selection m_selection;
     RawTextModel m_raw;
     RecognisedModel m_recognised;
-    std::optional<CurveFigure> m_curve;
+    std::optional<CurveFigure> m_curve; ///< of a large measurement as much as a screen resolves
     std::vector<Box> m_boxes;
 
     QLabel *m_title;
@@ -133,6 +164,7 @@ private:
     ColumnRoles *m_columns;
     QTableView *m_table;
     QLabel *m_curveTitle;
+    ZoomButtons *m_zoom;
     QStackedWidget *m_curves;
     FigureCanvas *m_curveCanvas;
     CircleCanvas *m_circleCanvas;
@@ -146,6 +178,9 @@ private:
     QLabel *m_open;
     QPushButton *m_cancel;
     QPushButton *m_import;
+    WorkBar *m_work;
+    Background m_reader;
+    Background m_drawer; ///< of the curve of a large measurement
 };
 
 } // namespace palmer::ui

@@ -184,7 +184,10 @@ void RawTextDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
                       QString::number(model->lineNumber(index.row())));
     const QFontMetrics metrics(option.font);
     QRect rest = option.rect.adjusted(numberWidth, 0, 0, 0);
+    const int end = option.widget ? option.widget->width() : option.rect.right();
     for (RawPiece &piece : model->pieces(index.row())) {
+        if (rest.left() > end)
+            break; // of a line of a thousand cells few are in sight
         piece.text.replace(u'\t', QStringLiteral(" → "));
         switch (piece.role) {
         case CellRole::positive:

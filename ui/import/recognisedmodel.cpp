@@ -12,6 +12,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int mostDecimals = 4;
+constexpr std::size_t looked = 20'000; ///< numbers whose decimals are counted
 
 std::vector<std::optional<double>> column(const std::vector<double> &values) {
     return {values.begin(), values.end()};
@@ -35,15 +36,26 @@ void RecognisedModel::show(const Imported *imported) {
         for (const Sensor &sensor : imported->sensors)
             addSensor(sensor);
     }
-    for (Column &column : m_columns) {
+    countDecimals();
+    endResetModel();
+}
+
+/// Of a large table those of numbers spread all over it.
+void RecognisedModel::countDecimals() {
+    std::size_t numbers = 0;
+    for (const Column &column : m_columns) {
         m_rows = std::max(m_rows, column.values.size());
-        for (const auto &value : column.values) {
+        numbers += column.values.size();
+    }
+    const std::size_t step = numbers / looked + 1;
+    for (Column &column : m_columns) {
+        for (std::size_t row = 0; row < column.values.size(); row += step) {
+            const auto &value = column.values[row];
             if (value && column.decimals < mostDecimals)
                 column.decimals =
                     std::max(column.decimals, std::min(decimalsOf(*value, column.quantity), mostDecimals));
         }
     }
-    endResetModel();
 }
 
 void RecognisedModel::addPositioning(const PositioningMeasurement &measurement) {

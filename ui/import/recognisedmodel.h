@@ -40,6 +40,7 @@ private:
     void addCircular(const CircularMeasurement &measurement);
     void addDrift(const DriftMeasurement &measurement);
     void addSensor(const Sensor &sensor);
+    void countDecimals();
 
     std::vector<Column> m_columns;
     std::size_t m_rows = 0;

@@ -14,6 +14,7 @@
 #include "register/trendoutput.h"
 #include "report/accordancetext.h"
 #include "report/wording.h"
+#include "ui/figures/zoombuttons.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/register/curvechart.h"
 #include "ui/register/foldersdialog.h"
@@ -420,8 +421,12 @@ QWidget *RegisterWindow::makeTrend() {
     head->addStretch();
     head->addLayout(m_parameterRow);
     head->addWidget(m_under);
-    head->addWidget(copy);
     m_trend = new TrendChart;
+    auto *zoom = new ZoomButtons;
+    connect(zoom, &ZoomButtons::zoomWanted, m_trend, &TrendChart::zoomBy);
+    connect(zoom, &ZoomButtons::fitWanted, m_trend, &TrendChart::showAll);
+    head->addWidget(zoom);
+    head->addWidget(copy);
     m_legend = made("trendLegend", TextSize::tiny);
     m_legend->setAlignment(Qt::AlignCenter);
     m_legend->setWordWrap(true);

@@ -12,6 +12,7 @@
 #include <QChart>
 #include <QEvent>
 #include <QGraphicsLayout>
+#include <QKeyEvent>
 #include <QLegend>
 #include <QLineSeries>
 #include <QLocale>
@@ -36,6 +37,7 @@ constexpr int strip = 24;   ///< above the plot, for interventions
 constexpr double bandLight = 0.13;
 constexpr double bandDark = 0.20;
 constexpr int mostTicks = 12;
+constexpr double zoomStep = 1.2;
 
 } // namespace
 
@@ -383,18 +385,38 @@ void TrendChart::mouseDoubleClickEvent(QMouseEvent *) {
     showAll();
 }
 
+void TrendChart::zoomBy(int steps) {
+    if (m_x)
+        zoom(std::pow(zoomStep, -steps), (m_x->min() + m_x->max()) / 2);
+}
+
 void TrendChart::wheelEvent(QWheelEvent *event) {
-    if (!m_x)
-        return;
-    constexpr double step = 1.2;
+    const double steps = event->angleDelta().y() / 120.0;
+    if (m_x && steps != 0)
+        zoom(std::pow(zoomStep, -steps), chart()->mapToValue(event->position()).x());
+    event->accept();
+}
+
+void TrendChart::keyPressEvent(QKeyEvent *event) {
+    switch (event->key()) {
+    case Qt::Key_Plus:
+        return zoomBy(1);
+    case Qt::Key_Minus:
+        return zoomBy(-1);
+    case Qt::Key_0:
+        return showAll();
+    default:
+        QChartView::keyPressEvent(event);
+    }
+}
+
+/// `about` stays where it is, years.
+void TrendChart::zoom(double factor, double about) {
     constexpr double shortest = 0.1; // years
-    const double factor = event->angleDelta().y() > 0 ? 1 / step : step;
-    const double about = chart()->mapToValue(event->position()).x();
     const double from = std::max(m_panel.x.from, about - (about - m_x->min()) * factor);
     const double to = std::min(m_panel.x.to, about + (m_x->max() - about) * factor);
     if (to - from > shortest)
         m_x->setRange(from, to);
-    event->accept();
 }
 
 } // namespace palmer::ui

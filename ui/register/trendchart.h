@@ -31,6 +31,8 @@ public:
     [[nodiscard]] QString label(std::size_t value) const;
     [[nodiscard]] const TrendPanel &panel() const { return m_panel; }
     void showAll();
+    /// In by so many steps of the wheel about the middle, out where negative.
+    void zoomBy(int steps);
 
 signals:
     void testChosen(const QString &digest);
@@ -38,6 +40,7 @@ signals:
 protected:
     void drawForeground(QPainter *painter, const QRectF &rect) override;
     void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
     void mouseDoubleClickEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -46,6 +49,7 @@ protected:
 
 private:
     void rebuild();
+    void zoom(double factor, double about);
     void addLine(const std::vector<QPointF> &points, const QPen &pen);
     [[nodiscard]] QPointF place(const QPointF &value) const;
     [[nodiscard]] std::optional<std::size_t> valueAt(const QPointF &position) const;

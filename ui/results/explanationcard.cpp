@@ -111,9 +111,10 @@ void ExplanationCard::refresh() {
         m_bars->setBars({}, {});
 }
 
-void ExplanationCard::copy() const {
+void ExplanationCard::copy() {
     QGuiApplication::clipboard()->setText(m_name->text() + u'\n' + m_view->plainText() + u'\n' +
                                           m_source->text() + u'\n');
+    emit said(tr("Explanation copied"));
 }
 
 void ExplanationCard::paintEvent(QPaintEvent *) {

@@ -28,7 +28,11 @@ public:
     void setLanguage(const Language &language);
 
     /// Puts the explanation on the clipboard as text.
-    void copy() const;
+    void copy();
+
+signals:
+    /// What was done and cannot be seen, for the status bar.
+    void said(const QString &text);
 
 protected:
     void changeEvent(QEvent *event) override;

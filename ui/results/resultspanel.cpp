@@ -286,11 +286,12 @@ void ResultsPanel::showExplained() {
     m_table->viewport()->update();
 }
 
-void ResultsPanel::copy() const {
+void ResultsPanel::copy() {
     auto *mime = new QMimeData;
     mime->setText(asTabSeparated(m_model.table(), m_language));
     mime->setHtml(asHtml(m_model.table(), m_language));
     QGuiApplication::clipboard()->setMimeData(mime);
+    emit said(tr("Results copied"));
 }
 
 bool ResultsPanel::eventFilter(QObject *watched, QEvent *event) {

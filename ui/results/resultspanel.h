@@ -32,7 +32,11 @@ public:
     void setNarrow(bool narrow);
 
     /// Puts the table on the clipboard: tab-separated for spreadsheets, HTML for texts.
-    void copy() const;
+    void copy();
+
+signals:
+    /// What was done and cannot be seen, for the status bar.
+    void said(const QString &text);
 
 protected:
     void changeEvent(QEvent *event) override;

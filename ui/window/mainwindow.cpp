@@ -39,6 +39,7 @@
 #include "ui/window/noticebar.h"
 #include "ui/window/workplace.h"
 #include "ui/windowlanguage.h"
+#include "ui/workbar.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -75,7 +76,6 @@ namespace {
 constexpr int menuHeight = 28;
 constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
-constexpr qint64 readAtOnce = 256LL * 1024; ///< bytes; larger files are read on a thread
 constexpr int iconsOnlyBelow = 1180;
 
 /// Whether a file is no test file; of what cannot be read opening says why.
@@ -362,7 +362,10 @@ void MainWindow::makeStatusBar() {
     m_state->setContentsMargins(8, 0, 14, 0);
     statusBar()->addWidget(m_content);
     statusBar()->addWidget(m_hint, 1);
+    m_work = new WorkBar(this);
     statusBar()->addPermanentWidget(m_state);
+    statusBar()->addPermanentWidget(m_work);
+    m_work->hide(); // the status bar has shown it
 }
 
 void MainWindow::connectParts() {
@@ -390,6 +393,7 @@ void MainWindow::connectParts() {
     });
     connect(&m_watch, &FileWatch::changed, this, &MainWindow::fileChangedOutside);
     connect(m_openAction, &QAction::triggered, this, &MainWindow::chooseFile);
+    connect(m_work, &WorkBar::cancelled, this, &MainWindow::cancelReading);
     connect(m_saveAction, &QAction::triggered, this, &MainWindow::save);
     connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveAs);
     connect(m_reportAction, &QAction::triggered, this, &MainWindow::showReport);
@@ -516,28 +520,70 @@ void MainWindow::importFiles(const QStringList &paths) {
 
 /// The assistant is asked for one file after the other, however they came.
 void MainWindow::importNext() {
-    while (!m_assistant && !m_toImport.isEmpty()) {
+    while (!m_assistant && m_importing.isEmpty() && !m_toImport.isEmpty()) {
         const QString path = m_toImport.takeFirst();
-        try {
-            showAssistant(readBytes(path), path);
-        } catch (const Error &error) {
-            showError(tr("%1 cannot be imported").arg(QFileInfo(path).fileName()), path, error);
-        }
+        readToImport([path] { return readBytes(path); }, path, QFileInfo(path).size());
     }
+}
+
+/// `size`: by which it is read at once or beside the window.
+void MainWindow::readToImport(const std::function<QByteArray()> &bytes, const QString &name, qint64 size) {
+    using Outcome = std::variant<MeasurementFile, Error>;
+    const auto read = [bytes, name]() -> Outcome {
+        try {
+            return readMeasurementFile(bytes(), name);
+        } catch (const Error &error) {
+            return error;
+        }
+    };
+    const auto show = [this, name](Outcome outcome) {
+        if (const auto *error = std::get_if<Error>(&outcome))
+            showError(tr("%1 cannot be imported").arg(QFileInfo(name).fileName()), name, *error);
+        else
+            showAssistant(std::move(std::get<MeasurementFile>(outcome)));
+    };
+    if (!isLargeFile(size)) {
+        show(read());
+        return;
+    }
+    m_importing = name;
+    m_reader.start([read](const Background::Job &) { return read(); },
+                   [this, show](Outcome outcome) {
+                       m_importing.clear();
+                       showReading();
+                       show(std::move(outcome));
+                       importNext();
+                   });
+    showReading();
+}
+
+/// Says what is being read, with a bar and Cancel where it takes long.
+void MainWindow::showReading() {
+    showState();
+    if (m_reading.isEmpty() && m_importing.isEmpty())
+        m_work->end();
+    else
+        m_work->begin(m_state->text());
+}
+
+/// Nothing that is being read comes any more.
+void MainWindow::cancelReading() {
+    m_reader.cancel();
+    m_reading.clear();
+    m_importing.clear();
+    m_toImport.clear();
+    showReading();
 }
 
 void MainWindow::importClipboard() {
-    const QString name = tr("clipboard");
-    try {
-        if (!m_assistant)
-            showAssistant(QGuiApplication::clipboard()->text().toUtf8(), name);
-    } catch (const Error &error) {
-        showError(tr("%1 cannot be imported").arg(name), name, error);
-    }
+    if (m_assistant || !m_importing.isEmpty())
+        return;
+    const QByteArray bytes = QGuiApplication::clipboard()->text().toUtf8();
+    readToImport([bytes] { return bytes; }, tr("clipboard"), bytes.size());
 }
 
-void MainWindow::showAssistant(const QByteArray &bytes, const QString &fileName) {
-    m_assistant = new ImportAssistant(bytes, fileName, m_open ? m_model.document().get() : nullptr, this);
+void MainWindow::showAssistant(MeasurementFile file) {
+    m_assistant = new ImportAssistant(std::move(file), m_open ? m_model.document().get() : nullptr, this);
     m_assistant->setAttribute(Qt::WA_DeleteOnClose);
     connect(m_assistant, &QDialog::finished, this, [this](int result) {
         const ImportAssistant *assistant = m_assistant;
@@ -609,20 +655,20 @@ void MainWindow::read(const QString &path) {
             take(std::move(*document), isUtf8FileName(path) ? path : QString()); // to be saved under another
     };
     const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulations
-    if (QFileInfo(path).size() <= readAtOnce && !mayTakeLong) {
+    if (!isLargeFile(QFileInfo(path).size()) && !mayTakeLong) {
         finish(open({}));
         return;
     }
     if (m_reading.contains(path))
         return;
     m_reading += path;
-    m_state->setText(tr("Reading %1…").arg(QFileInfo(path).fileName()));
     m_reader.start([open](const Background::Job &job) { return open(job.stop()); },
                    [this, path, finish](Outcome outcome) {
                        m_reading.removeAll(path);
-                       showState();
+                       showReading();
                        finish(std::move(outcome));
                    });
+    showReading();
 }
 
 MainWindow *MainWindow::take(Document document, const QString &path, bool modified,
@@ -1153,11 +1199,11 @@ void MainWindow::showState() {
     m_content->setVisible(m_open);
     m_hint->setVisible(m_open);
 
+    const QString path = m_reading.isEmpty() ? m_importing : m_reading.constFirst();
+    const QString reading = path.isEmpty() ? QString() : tr("Reading %1…").arg(QFileInfo(path).fileName());
     if (!m_open) {
         setWindowTitle(QStringLiteral("Palmer"));
-        m_state->setText(m_reading.isEmpty()
-                             ? QStringLiteral("Palmer " PALMER_VERSION)
-                             : tr("Reading %1…").arg(QFileInfo(m_reading.constFirst()).fileName()));
+        m_state->setText(reading.isEmpty() ? QStringLiteral("Palmer " PALMER_VERSION) : reading);
         return;
     }
     setWindowFilePath(m_model.path());
@@ -1169,8 +1215,8 @@ void MainWindow::showState() {
         name = tr("%1 (read-only)").arg(name);
     setWindowTitle(QStringLiteral("%1[*] — Palmer").arg(name.isEmpty() ? tr("Untitled") : name));
     setWindowModified(isUnsaved());
-    if (!m_reading.isEmpty())
-        m_state->setText(tr("Reading %1…").arg(QFileInfo(m_reading.constFirst()).fileName()));
+    if (!reading.isEmpty())
+        m_state->setText(reading);
     else if (m_evaluator.isBusy())
         m_state->setText(tr("Computing…"));
     else if (isUnsaved())

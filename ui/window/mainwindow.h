@@ -15,6 +15,7 @@
 #include <QLockFile>
 #include <QMainWindow>
 #include <QPointer>
+#include <functional>
 #include <memory>
 
 class QLabel;
@@ -26,6 +27,8 @@ namespace palmer::ui {
 
 class HelpWindow;
 class ImportAssistant;
+class WorkBar;
+struct MeasurementFile;
 class NoticeBar;
 class ReportBar;
 class WelcomePage;
@@ -91,7 +94,10 @@ private:
     void chooseFile();
     void chooseMeasurements();
     void importNext();
-    void showAssistant(const QByteArray &bytes, const QString &fileName);
+    void readToImport(const std::function<QByteArray()> &bytes, const QString &name, qint64 size);
+    void showReading();
+    void cancelReading();
+    void showAssistant(MeasurementFile file);
     void takeImport(const ImportAssistant &assistant);
     bool save();
     bool saveAs();
@@ -156,6 +162,7 @@ private:
     bool m_open = false;
     bool m_rememberNext = false;
     QStringList m_toImport; ///< measurement files that wait for the assistant
+    QString m_importing;    ///< the one that is being read for it; empty: none
     QPointer<ImportAssistant> m_assistant;
     QString m_savedAt;
     QPointer<HelpWindow> m_help;
@@ -168,6 +175,7 @@ private:
         nullptr; ///< made first: whatever moves to another parent costs all styles below it anew
     NoticeBar *m_notice = nullptr;
     ReportBar *m_reportBar = nullptr;
+    WorkBar *m_work = nullptr;
     QStackedWidget *m_stack = nullptr;
     WelcomePage *m_welcome = nullptr;
     Workplace *m_workplace = nullptr;

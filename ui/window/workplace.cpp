@@ -55,6 +55,11 @@ constexpr int rightWidth = 496;
 constexpr int leastRightWidth = 380;
 constexpr int railBelow = 1180;
 constexpr int stackedBelow = 1000;
+/// Under the table of a low window the figure would leave no rows: there it stays beside a narrower centre.
+constexpr int narrowCentreWidth = 528;
+constexpr int narrowRightWidth = 366;
+constexpr int besideFrom = narrowCentreWidth + narrowRightWidth + 50; ///< with the rail
+constexpr int stackedFrom = 700 - 99;                                 ///< of the height
 constexpr int wideFrom = 1580;
 constexpr int wideShare = 42; ///< per cent of the right side in a wide window
 // Heights of the workplace; menu, toolbar and status bar take 99 of the window's.
@@ -279,6 +284,9 @@ void Workplace::connectParts() {
         if (m_detachedFigure)
             m_detachedFigure->setSynthetic(paths);
     });
+    connect(m_figure, &FigureView::said, this, &Workplace::hintChanged);
+    connect(m_results, &ResultsPanel::said, this, &Workplace::hintChanged);
+    connect(m_explanation, &ExplanationCard::said, this, &Workplace::hintChanged);
     connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
     connect(m_figure, &FigureView::maximiseWanted, this, [this] { setFigureMaximised(!m_maximised); });
     for (QSplitter *splitter : {m_outer, m_inner})
@@ -394,6 +402,7 @@ void Workplace::detachFigure() {
         m_detachedFigure = new FigureView(m_selection, this);
         m_detachedFigure->standAlone();
         m_detachedFigure->setObjectName(QStringLiteral("detachedFigure"));
+        connect(m_detachedFigure, &FigureView::said, this, &Workplace::hintChanged);
         m_detachedFigure->setWindowTitle(window()->windowTitle());
         m_detachedFigure->resize(m_figure->size() * 3 / 2);
         m_detachedFigure->setLanguage(windowLanguage());
@@ -429,6 +438,8 @@ void Workplace::presentTest() {
     presentResults();
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->setCount(static_cast<int>(i), countMissing(m_evaluated, test, testPages.at(i)));
+    if (wantsStack() != m_right->isTabbed())
+        arrange();
     restoreSizes();
     presentStatus();
 }
@@ -650,7 +661,10 @@ void Workplace::resizeEvent(QResizeEvent *event) {
 
 void Workplace::arrange() {
     const bool rail = width() < railBelow;
-    const bool stacked = width() < stackedBelow;
+    const bool stacked = wantsStack();
+    const bool narrow = width() < stackedBelow && !stacked;
+    m_centre->setMinimumWidth(narrow ? narrowCentreWidth : centreWidth);
+    m_right->setMinimumWidth(stacked ? 0 : narrow ? narrowRightWidth : leastRightWidth);
     if (rail != m_navigation->isRail() || m_side->maximumWidth() > NavigationList::fullWidth * 2) {
         m_navigation->setRail(rail);
         m_addTest->setToolButtonStyle(rail ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
@@ -662,12 +676,17 @@ void Workplace::arrange() {
     if (stacked != m_right->isTabbed()) {
         m_inner->setOrientation(stacked ? Qt::Vertical : Qt::Horizontal);
         m_right->setTabbed(stacked);
-        m_right->setMinimumWidth(stacked ? 0 : leastRightWidth);
         m_sizesOf.clear();
     }
     restoreSizes(); // where they are others now: stacked, wide
     m_findings->setFolded(!stacked && height() < foldBelow);
     presentCard();
+}
+
+/// Whether the figure goes under the centre.
+bool Workplace::wantsStack() const {
+    const bool beside = width() >= besideFrom && height() < stackedFrom && isPositioning();
+    return width() < stackedBelow && !beside;
 }
 
 bool Workplace::isCircular() const {
@@ -716,7 +735,7 @@ void Workplace::restoreSizes() {
     } else {
         const int whole = width() - m_side->width(); // what both will share
         const int right = wide ? whole * wideShare / 100 : rightWidth;
-        m_inner->setSizes({std::max(centreWidth, whole - right), right});
+        m_inner->setSizes({std::max(m_centre->minimumWidth(), whole - right), right});
     }
 }
 
@@ -725,7 +744,7 @@ void Workplace::restoreNavigation() {
     const int kept = QSettings().value(navigationKey(), NavigationList::fullWidth).toInt();
     const int side =
         rail ? NavigationList::railWidth : std::clamp(kept, m_side->minimumWidth(), m_side->maximumWidth());
-    m_outer->setSizes({side, std::max(centreWidth, width() - side)});
+    m_outer->setSizes({side, std::max(m_centre->minimumWidth(), width() - side)});
 }
 
 QString Workplace::navigationKey() const {

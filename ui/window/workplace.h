@@ -114,6 +114,7 @@ private:
     void restoreNavigation();
     void keepSizes() const;
     void retranslate();
+    [[nodiscard]] bool wantsStack() const;
     [[nodiscard]] bool isCircular() const; ///< the test in view
     [[nodiscard]] bool isDrift() const;
     [[nodiscard]] bool isPositioning() const;

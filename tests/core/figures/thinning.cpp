@@ -111,6 +111,13 @@ class ThinningTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void whatIsSaidOfAFigureStays() {
+        CurveFigure figure = figureOf(50, 2000, 0, 3);
+        figure.note = QStringLiteral("limits beyond the scale: A 32 µm");
+        QVERIFY(!isOrdinary(figure));
+        QCOMPARE(thinned(figure).note, figure.note);
+    }
+
     void anOrdinaryFigureStaysAsItIs() {
         for (const auto &[targets, runs] : {std::pair{1, 1}, {11, 5}, {500, 4}, {4000, 0}}) {
             const CurveFigure figure = figureOf(targets, runs, 0.1, 1);

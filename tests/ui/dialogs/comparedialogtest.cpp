@@ -7,6 +7,8 @@
 #include "document/savedocument.h"
 #include "ui/circles.h"
 #include "ui/examples.h"
+#include "ui/theme.h"
+#include "ui/windowlanguage.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -33,19 +35,79 @@ private slots:
     void showsTheEditionsWithReasons() {
         CompareDialog dialog(evaluatedDocument(example1988("ISO 230-2:1988")), 0);
         auto *table = dialog.findChild<QTableWidget *>("editionTable");
-        QCOMPARE(table->columnCount(), 7); // symbol, five families, reason
+        QCOMPARE(table->columnCount(), 8); // symbol, name, five families, notes
         QVERIFY(table->rowCount() > 10);
-        for (int row = 0; row < table->rowCount(); ++row)
-            QVERIFY2(!table->item(row, 6)->text().isEmpty(), qPrintable(table->item(row, 0)->text()));
+        const QString notes = dialog.findChild<QLabel *>("editionNotes")->text();
+        const QStringList lines = notes.split('\n');
+        QStringList told = lines;
+        told.removeDuplicates();
+        QCOMPARE(told, lines); // every reason once
+        for (int row = 0; row < table->rowCount(); ++row) {
+            const QString numbers = table->item(row, 7)->text();
+            QVERIFY2(!numbers.isEmpty(), qPrintable(table->item(row, 0)->text()));
+            QVERIFY(!table->item(row, 1)->text().isEmpty());
+            for (const QString &number : numbers.split(", ")) {
+                const QString line = lines.value(number.toInt() - 1);
+                QVERIFY2(line.startsWith(number + QChar(0x2002)), qPrintable(line));
+                QVERIFY(table->item(row, 7)->toolTip().contains(line.section(QChar(0x2002), 1)));
+            }
+        }
         // An edition less is a column less.
         dialog.findChild<QListWidget *>("editionList")->item(1)->setCheckState(Qt::Unchecked);
-        QCOMPARE(table->columnCount(), 6);
+        QCOMPARE(table->columnCount(), 7);
+    }
+
+    void whatDiffersIsMarked() {
+        CompareDialog dialog(evaluatedDocument(example1988("ISO 230-2:1988")), 0);
+        const auto *table = dialog.findChild<QTableWidget *>("editionTable");
+        int marked = 0;
+        for (int row = 0; row < table->rowCount(); ++row) {
+            const QString first = table->item(row, 2)->text();
+            for (int column = 2; column < 7; ++column) {
+                const QTableWidgetItem *item = table->item(row, column);
+                const bool differs = !first.isEmpty() && !item->text().isEmpty() && item->text() != first;
+                QCOMPARE(item->font().bold(), differs);
+                marked += differs;
+            }
+        }
+        QVERIFY(marked > 3);
+    }
+
+    void nothingIsClipped_data() {
+        QTest::addColumn<Language::Id>("language");
+        QTest::newRow("in English") << Language::Id::english;
+        QTest::newRow("in French") << Language::Id::french;
+    }
+    void nothingIsClipped() {
+        QFETCH(Language::Id, language);
+        setWindowLanguage(language);
+        CompareDialog dialog(evaluatedDocument(example1988("ISO 230-2:2014")), 0);
+        dialog.resize(960, 640);
+        dialog.show();
+        const auto *table = dialog.findChild<QTableWidget *>("editionTable");
+        for (int row = 0; row < table->rowCount(); ++row) {
+            for (int column = 1; column < table->columnCount(); ++column) {
+                const QTableWidgetItem *item = table->item(row, column);
+                const QFontMetrics metrics(item->data(Qt::FontRole).isValid() ? item->font() : table->font());
+                const QRect room(0, 0, table->columnWidth(column) - 12, 1000);
+                const QRect text =
+                    metrics.boundingRect(room, column == 1 ? int(Qt::TextWordWrap) : 0, item->text());
+                QVERIFY2(text.width() <= room.width() && text.height() <= table->rowHeight(row),
+                         qPrintable(item->text()));
+            }
+        }
+        for (int column = 1; column < table->columnCount(); ++column)
+            QVERIFY(QFontMetrics(themeFont(TextSize::small))
+                            .horizontalAdvance(table->horizontalHeaderItem(column)->text()) +
+                        12 <=
+                    table->columnWidth(column));
+        setWindowLanguage(Language::Id::english);
     }
 
     void testsOfAnotherFileAreAdded() {
         CompareDialog dialog(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
         auto *table = dialog.findChild<QTableWidget *>("testTable");
-        QCOMPARE(table->columnCount(), 2);
+        QCOMPARE(table->columnCount(), 3);
         QTemporaryDir folder;
         Document other;
         Test left = example1988("ISO 230-2:2006");
@@ -53,9 +115,9 @@ private slots:
         other.tests.push_back(std::make_shared<const Test>(left));
         saveDocument(other, folder.filePath("left.palmer"));
         QVERIFY(dialog.addFile(folder.filePath("left.palmer")));
-        QCOMPARE(table->columnCount(), 4); // and the differences
-        QVERIFY(table->horizontalHeaderItem(2)->text().contains("left.palmer"));
-        QCOMPARE(table->item(0, 3)->text().remove('.').remove('0').remove(','),
+        QCOMPARE(table->columnCount(), 5); // and the differences
+        QVERIFY(table->horizontalHeaderItem(3)->text().contains("left.palmer"));
+        QCOMPARE(table->item(0, 4)->text().remove('.').remove('0').remove(','),
                  QString()); // the same readings
         dialog.findChild<QTabWidget *>("compareTabs")->setCurrentIndex(1);
         dialog.findChild<QPushButton *>("copyComparison")->click();
@@ -71,8 +133,8 @@ private slots:
         file.close();
         QVERIFY(dialog.addFile(file.fileName()));
         auto *table = dialog.findChild<QTableWidget *>("testTable");
-        QCOMPARE(table->columnCount(), 4);
-        QVERIFY(table->horizontalHeaderItem(2)->text().contains("left.csv"));
+        QCOMPARE(table->columnCount(), 5);
+        QVERIFY(table->horizontalHeaderItem(3)->text().contains("left.csv"));
         bool told = false; // what was guessed stands below
         for (const QLabel *label : dialog.findChildren<QLabel *>())
             told = told || label->text().contains("left.csv: ");
@@ -124,7 +186,7 @@ private slots:
         CompareDialog dialog(evaluated, 0);
         QCOMPARE(dialog.findChild<QListWidget *>("testList")->count(), 2);
         dialog.findChild<QListWidget *>("testList")->item(1)->setCheckState(Qt::Checked);
-        QCOMPARE(dialog.findChild<QTableWidget *>("testTable")->columnCount(), 4);
+        QCOMPARE(dialog.findChild<QTableWidget *>("testTable")->columnCount(), 5);
     }
 
     void withoutTestNothingIsCompared() {

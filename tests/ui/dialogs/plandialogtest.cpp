@@ -4,6 +4,8 @@
 
 #include "ui/dialogs/plandialog.h"
 
+#include "document/readdocument.h"
+#include "document/savedocument.h"
 #include "ui/examples.h"
 #include "ui/model/documentmodel.h"
 #include "ui/windowlanguage.h"
@@ -70,6 +72,57 @@ private slots:
         QCOMPARE(dialog.plan().targets.size(), std::size_t(6)); // 1 198 mm between the ends
         QVERIFY(dialog.plan().targets.front() - dialog.program().approach >= 0);
         QVERIFY(dialog.plan().targets.back() + dialog.program().approach <= 1200);
+    }
+
+    /// Its axis moves 5° beyond a turn either way, to approach 0° and 360°.
+    void aRotaryAxisIsPlannedOverATurnWithinItsEnds() {
+        DocumentModel model;
+        model.setDocument(readDocument(readBytes(":/examples/rotary-axis.palmer")), {});
+        PlanDialog dialog(model, 0);
+        dialog.show();
+        const Interval ends =
+            *std::get<PositioningMeasurement>(model.document()->tests[0]->measurement).axis.range;
+        QVERIFY(dialog.plan().targets.front() - dialog.program().approach >= ends.from);
+        QVERIFY(dialog.plan().targets.back() + dialog.program().approach <= ends.to);
+        QCOMPARE(dialog.program().runs, 5); // no long axis
+        const QString summary = dialog.findChild<QLabel *>("planSummary")->text();
+        QVERIFY2(!summary.contains("beyond the ends") && !summary.contains("long axis"), qPrintable(summary));
+        QVERIFY2(summary.contains("nominal position + a random part"), qPrintable(summary));
+        // Targets per metre are of lengths.
+        QVERIFY(!dialog.findChild<QLineEdit *>("plan.perMetre")->isVisible());
+        auto *motion = dialog.findChild<QComboBox *>("plan.motion");
+        motion->setCurrentIndex(0);
+        emit motion->activated(0);
+        QVERIFY(dialog.findChild<QLineEdit *>("plan.perMetre")->isVisible());
+    }
+
+    /// Whatever the ends and the way of approach: what is proposed at first stays within the ends.
+    void theFirstPlanStaysWithinTheEnds() {
+        for (const Motion motion : {Motion::linear, Motion::rotary}) {
+            for (const Interval ends : {Interval{-5, 365}, Interval{0, 360}, Interval{-180, 190},
+                                        Interval{-720, 720}, Interval{0, 90}, Interval{10, 1500}}) {
+                for (const std::optional<double> approach :
+                     {std::optional<double>(), std::optional(0.5), std::optional(3.0)}) {
+                    Document document = emptyTest();
+                    Test test = *document.tests[0];
+                    auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+                    measurement.axis.motion = motion;
+                    measurement.axis.range = ends;
+                    measurement.conditions.approachDistance = approach;
+                    document.tests[0] = std::make_shared<const Test>(test);
+                    DocumentModel model;
+                    model.setDocument(document, {});
+                    PlanDialog dialog(model, 0);
+                    QVERIFY(!dialog.plan().targets.empty());
+                    const double beyond = dialog.program().approach;
+                    QCOMPARE(beyond, approach.value_or(1.0));
+                    QVERIFY(dialog.plan().targets.front() - beyond >= ends.from - 1e-9);
+                    QVERIFY(dialog.plan().targets.back() + beyond <= ends.to + 1e-9);
+                    if (motion == Motion::rotary)
+                        QVERIFY(dialog.plan().targets.back() - dialog.plan().targets.front() <= 360 + 1e-9);
+                }
+            }
+        }
     }
 
     void fillsATestWithoutReadings() {

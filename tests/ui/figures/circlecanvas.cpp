@@ -26,9 +26,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-void wheel(QWidget *widget, QPointF at, Qt::KeyboardModifiers modifiers) {
-    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, modifiers, Qt::NoScrollPhase,
-                      false);
+void wheel(QWidget *widget, QPointF at) {
+    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(widget, &event);
 }
 
@@ -106,13 +106,35 @@ private slots:
         const auto at = shown.canvas->placeOf(ReadingPlace{0, 400});
         QVERIFY(at);
         for (int k = 0; k < 12; ++k)
-            wheel(shown.canvas, *at, Qt::ControlModifier);
+            wheel(shown.canvas, *at);
         QVERIFY(shown.canvas->view().zoom > 10);
         const auto after = shown.canvas->placeOf(ReadingPlace{0, 400});
         QVERIFY(after);
         QVERIFY((*after - *at).manhattanLength() < 0.5);
-        wheel(shown.canvas, *at, Qt::NoModifier); // passing over it changes nothing
-        QCOMPARE(shown.canvas->placeOf(ReadingPlace{0, 400}), after);
+    }
+
+    void buttonsZoomAllSurfacesAlike() {
+        Shown shown;
+        shown.view.findChild<QComboBox *>(u"circleChoice"_s)->setCurrentIndex(1); // side by side
+        emit shown.view.findChild<QComboBox *>(u"circleChoice"_s)->activated(1);
+        const auto zooms = [&] {
+            QList<double> all;
+            for (const CircleCanvas *canvas : shown.circles->findChildren<CircleCanvas *>())
+                if (canvas->isVisible())
+                    all << canvas->view().zoom;
+            return all;
+        };
+        QVERIFY(zooms().size() > 1);
+        shown.view.findChild<QToolButton *>(u"zoomIn"_s)->click();
+        for (const double zoom : zooms())
+            QVERIFY(zoom > 1.2);
+        shown.view.findChild<QToolButton *>(u"zoomOut"_s)->click();
+        for (const double zoom : zooms())
+            QVERIFY(std::abs(zoom - 1) < 1e-9);
+        shown.view.findChild<QToolButton *>(u"zoomIn"_s)->click();
+        shown.view.findChild<QToolButton *>(u"fitFigure"_s)->click();
+        for (const double zoom : zooms())
+            QCOMPARE(zoom, 1.0);
     }
 
     void keysZoomAndMove() {

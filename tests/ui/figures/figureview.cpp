@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/figureview.h"
 
+#include "figures/deviationfigure.h"
+#include "figures/thinning.h"
 #include "ui/examples.h"
 #include "ui/figures/figurecanvas.h"
 
@@ -13,6 +15,8 @@
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <cmath>
+#include <numeric>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -21,11 +25,30 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-void wheel(QWidget *widget, Qt::KeyboardModifiers modifiers) {
+/// False: it goes on to what the widget stands in.
+bool wheel(QWidget *widget, int delta) {
     const QPointF at(widget->rect().center());
-    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, modifiers, Qt::NoScrollPhase,
-                      false);
+    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, delta}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(widget, &event);
+    return event.isAccepted();
+}
+
+/// 300 targets, 100 runs each way: more than a screen resolves.
+Test largeTest() {
+    std::vector<double> targets(300);
+    std::iota(targets.begin(), targets.end(), 0.0);
+    std::vector<std::vector<double>> up;
+    std::vector<std::vector<double>> down;
+    for (int run = 0; run < 100; ++run) {
+        up.emplace_back();
+        down.emplace_back();
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            up.back().push_back(std::sin(0.1 * double(i)) + 0.01 * ((run * 37) % 100));
+            down.back().push_back(2 + std::cos(0.1 * double(i)) + 0.01 * ((run * 53) % 100));
+        }
+    }
+    return positioningTest("ISO 230-2:2006", targets, up, down);
 }
 
 double span(const FigureView &view) {
@@ -96,18 +119,50 @@ private slots:
         QCOMPARE(marked.copy(elsewhere), before.copy(elsewhere));
     }
 
-    void wheelChangesNothingUnlessAskedFor() {
+    void theWheelZoomsAndNeverScrollsWhatTheFigureStandsIn() {
         Selection selection;
         FigureView view(selection);
         view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
         view.resize(560, 380);
         auto *canvas = view.findChild<FigureCanvas *>();
         const double whole = span(view);
-        wheel(canvas, Qt::NoModifier);
-        QCOMPARE(span(view), whole);
-        wheel(canvas, Qt::ControlModifier);
+        QVERIFY(!canvas->hasFocus());
+        QVERIFY(wheel(canvas, 120));
         QVERIFY(span(view) < whole * 0.9);
-        view.fit();
+        QVERIFY(wheel(canvas, -120));
+        QVERIFY(wheel(canvas, -120)); // the whole is shown already
+        QCOMPARE(span(view), whole);
+        QVERIFY(wheel(canvas, 0));
+        QCOMPARE(span(view), whole);
+    }
+
+    void buttonsZoom() {
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        view.resize(560, 380);
+        view.setVisible(true);
+        const double whole = span(view);
+        const double middleOfAll = view.figure()->x.from + view.figure()->x.to;
+        const auto click = [&](const QString &name) {
+            auto *button = view.findChild<QToolButton *>(name);
+            QVERIFY(button->isVisible() && !button->accessibleName().isEmpty());
+            QVERIFY(button->toolTip().startsWith(button->accessibleName()));
+            button->click();
+        };
+        click(u"zoomIn"_s);
+        const double once = span(view);
+        QVERIFY(once < whole);
+        // About the middle: as much is gone at either end.
+        const auto middle = [&] { return view.figure()->x.from + view.figure()->x.to; };
+        QVERIFY(std::abs(middle() - middleOfAll) < 1e-6 * whole);
+        click(u"zoomIn"_s);
+        QVERIFY(span(view) < once);
+        click(u"zoomOut"_s);
+        QVERIFY(std::abs(span(view) - once) < 1e-9 * whole);
+        click(u"fitFigure"_s);
+        QCOMPARE(span(view), whole);
+        click(u"zoomOut"_s); // never beyond the whole
         QCOMPARE(span(view), whole);
     }
 
@@ -149,11 +204,56 @@ private slots:
         QCOMPARE(span(view), zoomed);
     }
 
+    void aLargeFigureIsMadeBesideTheWindow() {
+        Selection selection;
+        FigureView view(selection);
+        view.resize(560, 380);
+        const EvaluatedDocument large = evaluatedDocument(largeTest());
+        view.show(large, 0);
+        QVERIFY(!view.figure()); // not yet
+        QTRY_VERIFY(view.figure());
+        const CurveFigure whole =
+            deviationFigure(*large.document->tests[0], *large.tests[0], Language(Language::Id::english));
+        QCOMPARE(whole.readings.size(), std::size_t{60'000});
+        QCOMPARE(*view.figure(), thinned(whole));
+        // Zoomed: at once what is drawn already, then all that belongs there.
+        auto *canvas = view.findChild<FigureCanvas *>();
+        QVERIFY(wheel(canvas, 240));
+        const CurveFigure zoomed = *view.figure();
+        QVERIFY(span(view) < whole.x.to - whole.x.from);
+        const CurveFigure there =
+            thinned(withRanges(whole, {zoomed.x.from, zoomed.x.to}, {zoomed.y.from, zoomed.y.to},
+                               Language(Language::Id::english)));
+        QTRY_COMPARE(*view.figure(), there);
+        // The pointer finds every reading, drawn or not.
+        view.fit();
+        QTRY_VERIFY(view.figure() && span(view) == whole.x.to - whole.x.from);
+        for (const std::size_t target : {std::size_t{0}, std::size_t{150}, std::size_t{299}})
+            QVERIFY(canvas->placeOf({17, target}));
+    }
+
+    void ofTwoTestsTheLatterIsShown() {
+        Selection selection;
+        FigureView view(selection);
+        view.resize(560, 380);
+        view.show(evaluatedDocument(largeTest()), 0);
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0); // before the other is there
+        QVERIFY(view.figure());
+        QCOMPARE(view.figure()->positions.size(), std::size_t{11});
+        QTest::qWait(500);
+        QCOMPARE(view.figure()->positions.size(), std::size_t{11});
+        selection.setParameter(u"R"_s);
+        view.grab();
+    }
+
     void copyHoldsVectorsAndAPicture() {
         Selection selection;
         FigureView view(selection);
         view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        QSignalSpy said(&view, &FigureView::said);
         view.findChild<QToolButton *>(u"copyFigure"_s)->click();
+        QCOMPARE(said.size(), 1);
+        QVERIFY(!said[0][0].toString().isEmpty());
         const QMimeData *copied = QGuiApplication::clipboard()->mimeData();
         QVERIFY(copied->data(u"image/svg+xml"_s).contains("<svg"));
         QVERIFY(copied->data(u"application/pdf"_s).startsWith("%PDF"));
@@ -195,7 +295,8 @@ private slots:
         view.show({}, 0);
         view.grab();
         QVERIFY(!view.figure());
-        QVERIFY(!view.findChild<QToolButton *>(u"copyFigure"_s)->isEnabled());
+        for (const QString &name : {u"copyFigure"_s, u"zoomIn"_s, u"zoomOut"_s, u"fitFigure"_s})
+            QVERIFY(!view.findChild<QToolButton *>(name)->isEnabled());
         QVERIFY(!view.saveTo(u"x.pdf"_s));
     }
 

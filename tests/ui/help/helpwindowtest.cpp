@@ -8,6 +8,8 @@
 
 #include <QAction>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QRegularExpression>
 #include <QTest>
 #include <QTextBrowser>
 
@@ -51,6 +53,55 @@ private slots:
             QApplication::focusWidget()->clearFocus();
         shown.find<QAction>("help")->trigger();
         QCOMPARE(shown.find<HelpWindow>("helpWindow")->currentPage(), QString("editions.ISO 230-2:1988"));
+    }
+
+    void thePagesAreGrouped() {
+        setWindowLanguage(Language::Id::english);
+        HelpWindow help;
+        const auto *list = help.findChild<QListWidget *>("helpPages");
+        QStringList groups;
+        QMap<QString, QString> groupOf;
+        for (int row = 0; row < list->count(); ++row) {
+            if (!(list->item(row)->flags() & Qt::ItemIsSelectable))
+                groups << list->item(row)->text();
+            else
+                groupOf[list->item(row)->text()] = groups.value(groups.size() - 1);
+        }
+        QCOMPARE(groups,
+                 QStringList({"Working with Palmer", "Positioning of axes", "Circular tests", "Proof"}));
+        QCOMPARE(groupOf["ISO 230-2:2014"], QString("Positioning of axes"));
+        QCOMPARE(groupOf["ISO 230-4:2005"], QString("Circular tests"));
+        QCOMPARE(groupOf["Validation"], QString("Proof"));
+        QVERIFY(groupOf.size() > 12);
+        // The arrow keys pass over the titles.
+        help.showPage("workflow");
+        auto *keys = help.findChild<QListWidget *>("helpPages");
+        QStringList walked{help.currentPage()};
+        for (int step = 0; step < list->count(); ++step) {
+            QTest::keyClick(keys, Qt::Key_Down);
+            if (help.currentPage() != walked.last())
+                walked << help.currentPage();
+        }
+        QCOMPARE(walked.size(), groupOf.size());
+        QVERIFY(!walked.contains(QString()));
+    }
+
+    void theValidationBeginsWithItsCount() {
+        for (const auto id : {Language::Id::english, Language::Id::french}) {
+            setWindowLanguage(id);
+            HelpWindow help;
+            help.showPage("validation");
+            const QString text = help.text();
+            const QRegularExpression count(id == Language::Id::french
+                                               ? "(\\d+) valeurs reproduites sur (\\d+)"
+                                               : "(\\d+) of (\\d+) values reproduced");
+            const QString plain = QString(text).remove(QChar(0x202F)).remove(QChar(0xA0));
+            const auto match = count.match(plain);
+            QVERIFY2(match.hasMatch(), qPrintable(text.left(400)));
+            QCOMPARE(match.captured(1), match.captured(2));
+            QVERIFY(match.capturedStart() < 200);
+        }
+        setWindowLanguage(Language::Id::english);
     }
 
     void searchesPageAfterPage() {

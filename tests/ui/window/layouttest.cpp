@@ -48,6 +48,8 @@ private slots:
     void lowWindowsHaveRoomForAll_data();
     void lowWindowsHaveRoomForAll();
     void formsEndAt720();
+    void sixTargetsAreInSight_data();
+    void sixTargetsAreInSight();
     void limitsStandAsATable();
     void conditionsBeginWithTestAndAxis();
     void allExamplesAreInSight_data();
@@ -218,6 +220,45 @@ void LayoutTest::formsEndAt720() {
         for (const auto *field : form->findChildren<Field *>())
             QVERIFY2(field->mapTo(form, QPoint(field->width(), 0)).x() <= 16 + 720,
                      qPrintable(field->edit()->objectName()));
+        // What is beside them is of their colour.
+        const QImage page = form->grab().toImage();
+        QCOMPARE(page.pixelColor(page.width() - page.width() / 20, page.height() / 2),
+                 form->palette().color(QPalette::Base));
+    }
+}
+
+/// 950 × 575 is what a screen of 1 920 × 1 200 at twice the scale leaves.
+void LayoutTest::sixTargetsAreInSight_data() {
+    QTest::addColumn<Language::Id>("language");
+    QTest::addColumn<QSize>("size");
+    for (const QSize size : {QSize(960, 720), QSize(1024, 600), QSize(960, 600), QSize(950, 575)}) {
+        QTest::addRow("French, %d x %d", size.width(), size.height()) << Language::Id::french << size;
+        QTest::addRow("English, %d x %d", size.width(), size.height()) << Language::Id::english << size;
+    }
+}
+
+void LayoutTest::sixTargetsAreInSight() {
+    QFETCH(Language::Id, language);
+    QFETCH(QSize, size);
+    setWindowLanguage(language);
+    for (const char *example : {"iso230-2-1988-example", "rotary-axis"}) {
+        const ShownWindow shown(examplePath(example), size);
+        const auto *view = shown.find<QTableView>("readings");
+        QTRY_VERIFY(view->isVisible());
+        QCoreApplication::processEvents();
+        QCOMPARE(shown.window->size(), size);
+        QVERIFY(view->model()->rowCount() > 6);
+        const QRect sixth = view->visualRect(view->model()->index(5, 0));
+        QVERIFY2(view->viewport()->rect().contains(sixth),
+                 qPrintable(QString::number(view->viewport()->height())));
+        // Every button of the page is whole.
+        for (const auto *button : shown.find("readingsPage")->findChildren<QToolButton *>()) {
+            if (button->isVisible())
+                QVERIFY2(button->width() >= button->minimumSizeHint().width() &&
+                             shown.find("centre")->rect().contains(
+                                 QRect(button->mapTo(shown.find("centre"), QPoint()), button->size())),
+                         qPrintable(button->objectName()));
+        }
     }
 }
 

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/window/shownwindow.h"
+
+#include "document/savedocument.h"
+#include "ui/import/importassistant.h"
+#include "ui/workbar.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+namespace {
+
+constexpr int targets = 400;
+constexpr int runs = 100; ///< each way
+
+double deviationOf(int target, int run, bool up) { // µm
+    return 0.01 * target + 0.1 * (run % 7) + (up ? 0 : 2);
+}
+
+QByteArray largeTable() {
+    QByteArray text = "P mm";
+    for (int j = 1; j <= runs; ++j)
+        text += QString(";%1 ↑ µm;%1 ↓ µm").arg(j).toUtf8();
+    text += '\n';
+    for (int i = 0; i < targets; ++i) {
+        text += QByteArray::number(i);
+        for (int j = 0; j < runs; ++j)
+            for (const bool up : {true, false})
+                text += ';' + QByteArray::number(deviationOf(i, j, up), 'f', 2);
+        text += '\n';
+    }
+    return text;
+}
+
+Document largeDocument() {
+    PositioningMeasurement measurement;
+    for (int i = 0; i < targets; ++i)
+        measurement.targets.push_back(i);
+    for (int j = 0; j < runs; ++j) {
+        for (const bool up : {true, false}) {
+            Run run;
+            run.approach = up ? Direction::positive : Direction::negative;
+            for (int i = 0; i < targets; ++i)
+                run.deviations.push_back(deviationOf(i, j, up) / 1000);
+            measurement.runs.push_back(std::move(run));
+        }
+    }
+    Test test;
+    test.id = "large";
+    test.edition = "ISO 230-2:2014";
+    test.measurement = std::move(measurement);
+    Document document;
+    document.tests = {std::make_shared<const Test>(std::move(test))};
+    return document;
+}
+
+} // namespace
+
+/// Files that take longer to read than a window may stand still.
+class LargeFilesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        prepareApplication();
+        QVERIFY(m_folder.isValid());
+        QFile file(table());
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(largeTable());
+        file.close();
+        QVERIFY(isLargeFile(QFileInfo(table()).size()));
+        QFile small(smallTable());
+        QVERIFY(small.open(QIODevice::WriteOnly));
+        small.write("P mm;1 ↑ µm;1 ↓ µm\n0;1,0;2,0\n100;3,0;4,0\n");
+        small.close();
+        saveDocument(largeDocument(), document());
+        QVERIFY(isLargeFile(QFileInfo(document()).size()));
+    }
+    void init() { setWindowLanguage(Language::Id::english); }
+
+    void measurementsAreReadBesideTheWindow() {
+        const ShownWindow shown;
+        shown.window->importFiles({table()});
+        QVERIFY(!assistantOf(shown)); // not yet
+        QVERIFY(shown.find<QLabel>("statusState")->text().contains("large.csv"));
+        QVERIFY(!shown.find("workBar")->isVisible()); // nor does anything blink
+        QTRY_VERIFY(assistantOf(shown));
+        QCOMPARE(shown.find<QLabel>("statusState")->text().contains("large.csv"), false);
+        const Imported &imported = assistantOf(shown)->imported();
+        const auto &measurement = std::get<PositioningMeasurement>(imported.test->measurement);
+        QCOMPARE(measurement.targets.size(), std::size_t{targets});
+        QCOMPARE(measurement.runs.size(), std::size_t{2 * runs});
+        QVERIFY(std::abs(*measurement.runs[3].deviations[7] - deviationOf(7, 1, false) / 1000) < 1e-9);
+    }
+
+    void whatTakesLongHasABarWithCancel() {
+        WorkBar bar;
+        bar.begin("reading");
+        QVERIFY(!bar.isVisible());
+        QTRY_VERIFY(bar.isVisible());
+        bar.end();
+        QVERIFY(!bar.isVisible());
+        bar.begin("reading");
+        bar.end(); // done at once: it never appears
+        QTest::qWait(400);
+        QVERIFY(!bar.isVisible());
+    }
+
+    void cancelledMeasurementsNeverCome() {
+        const ShownWindow shown;
+        shown.window->importFiles({table(), table()});
+        shown.find<QPushButton>("cancelWork")->click();
+        QVERIFY(!shown.find<QLabel>("statusState")->text().contains("large.csv"));
+        // Behind what was cancelled: when this is there, the other would have been.
+        shown.window->openFile(document());
+        QTRY_VERIFY(shown.window->hasDocument());
+        QVERIFY(!assistantOf(shown));
+        QCOMPARE(shown.window->model().document()->tests.size(), std::size_t{1});
+        shown.window->importFiles({smallTable()});
+        QTRY_VERIFY(assistantOf(shown));
+        QCOMPARE(
+            std::get<PositioningMeasurement>(assistantOf(shown)->imported().test->measurement).targets.size(),
+            std::size_t{2});
+    }
+
+    void aCancelledFileIsNotOpened() {
+        const ShownWindow shown;
+        shown.window->openFile(document());
+        QVERIFY(!shown.window->hasDocument());
+        QVERIFY(shown.find<QLabel>("statusState")->text().contains("large.palmer"));
+        shown.find<QPushButton>("cancelWork")->click();
+        shown.window->importFiles({table()}); // behind it
+        QTRY_VERIFY(assistantOf(shown));
+        QVERIFY(!shown.window->hasDocument());
+        // And it can be opened again.
+        assistantOf(shown)->reject();
+        shown.window->openFile(document());
+        QTRY_VERIFY(shown.window->hasDocument());
+    }
+
+    void filesComeInTheirOrder() {
+        const ShownWindow shown;
+        shown.window->importFiles({table(), smallTable()});
+        QTRY_VERIFY(assistantOf(shown));
+        QCOMPARE(
+            std::get<PositioningMeasurement>(assistantOf(shown)->imported().test->measurement).targets.size(),
+            std::size_t{targets});
+        assistantOf(shown)->reject();
+        QTRY_VERIFY(assistantOf(shown) &&
+                    std::get<PositioningMeasurement>(assistantOf(shown)->imported().test->measurement)
+                            .targets.size() == 2);
+    }
+
+    void theWindowGoesWhileItReads() {
+        const ShownWindow shown;
+        shown.window->importFiles({table()});
+        shown.window->openFile(document());
+    }
+
+    void anotherChoiceIsReadBesideTheAssistant() {
+        ImportAssistant dialog(largeTable(), "large.csv", nullptr);
+        const auto first = [&] {
+            return *std::get<PositioningMeasurement>(dialog.imported().test->measurement)
+                        .runs[1]
+                        .deviations[0];
+        };
+        const double before = first();
+        dialog.choose("unit", "mm");
+        QCOMPARE(first(), before); // as it was, until it is read
+        QVERIFY(!dialog.findChild<QPushButton *>("acceptImport")->isEnabled());
+        QTRY_VERIFY(std::abs(first() - 1000 * before) < 1e-9);
+    }
+
+    void aCancelledChoiceIsAsItWas() {
+        ImportAssistant dialog(largeTable(), "large.csv", nullptr);
+        auto *unit = dialog.findChild<QComboBox *>("import.unit");
+        QVERIFY(unit);
+        const int before = unit->currentIndex();
+        const int other = unit->findData("mm");
+        QVERIFY(other >= 0 && other != before);
+        unit->setCurrentIndex(other);
+        emit unit->activated(other);
+        dialog.findChild<QPushButton *>("cancelWork")->click();
+        QCOMPARE(dialog.findChild<QComboBox *>("import.unit")->currentIndex(), before);
+        dialog.choose("sign", "targetMinusActual"); // behind it
+        const auto first = [&] {
+            return *std::get<PositioningMeasurement>(dialog.imported().test->measurement)
+                        .runs[1]
+                        .deviations[0];
+        };
+        QTRY_VERIFY(first() < 0);
+        QVERIFY(std::abs(first() + deviationOf(0, 0, false) / 1000) < 1e-9); // still µm
+    }
+
+private:
+    static ImportAssistant *assistantOf(const ShownWindow &shown) {
+        for (auto *assistant : shown.window->findChildren<ImportAssistant *>())
+            if (assistant->isVisible())
+                return assistant;
+        return nullptr;
+    }
+    [[nodiscard]] QString table() const { return m_folder.filePath("large.csv"); }
+    [[nodiscard]] QString smallTable() const { return m_folder.filePath("small.csv"); }
+    [[nodiscard]] QString document() const { return m_folder.filePath("large.palmer"); }
+
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(LargeFilesTest)
+#include "largefilestest.moc"

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/figures/zoombuttons.h"
+
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace palmer::ui {
+
+ZoomButtons::ZoomButtons(QWidget *parent)
+    : QWidget(parent)
+    , m_out(add(QStringLiteral("zoomOut"), QStringLiteral("zoomout")))
+    , m_in(add(QStringLiteral("zoomIn"), QStringLiteral("zoomin")))
+    , m_fit(add(QStringLiteral("fitFigure"), QStringLiteral("fit"))) {
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    for (QToolButton *button : {m_out, m_in, m_fit})
+        row->addWidget(button);
+    connect(m_out, &QToolButton::clicked, this, [this] { emit zoomWanted(-1); });
+    connect(m_in, &QToolButton::clicked, this, [this] { emit zoomWanted(1); });
+    connect(m_fit, &QToolButton::clicked, this, &ZoomButtons::fitWanted);
+    retranslate();
+}
+
+QToolButton *ZoomButtons::add(const QString &name, const QString &icon) {
+    auto *button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setIcon(lineIcon(icon));
+    button->setProperty("iconOnly", true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
+}
+
+void ZoomButtons::retranslate() {
+    const auto name = [](QToolButton *button, const QString &text, const QString &key) {
+        button->setAccessibleName(text);
+        button->setToolTip(text + QStringLiteral(" (") + key + u')');
+    };
+    name(m_out, tr("Zoom out"), QStringLiteral("−"));
+    name(m_in, tr("Zoom in"), QStringLiteral("+"));
+    name(m_fit, tr("Show the whole figure"), QStringLiteral("0"));
+}
+
+void ZoomButtons::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui
