@@ -24,7 +24,9 @@ struct LeastSquaresCircleOptions {
 /// geometric sum with R eliminated: with u_i = (P_i − c)/r_i, f_i = r_i − R̄ and bars for weighted means,
 ///     [mean(u·uᵀ) − ū·ūᵀ]·Δc = mean(u·f) − ū·f̄,    R = mean(r);
 /// a step that would enlarge the sum is halved, none is longer than R, and where steps shrink slowly the
-/// second derivatives, mean(f/r·(1 − u·uᵀ)), are added to the matrix (Newton). Of short arcs with residuals
+/// second derivatives, mean(f/r·(1 − u·uᵀ)), are added to the matrix (Newton). A Newton step that surely ends
+/// at the minimum to the tolerance is the last: for the deviations of machines it is the first, and all takes
+/// three looks at the points (moments, directions, extremes). Of short arcs with residuals
 /// as large as their bend the sum has several minima: steps start from each that a net of centres (36
 /// directions, distances by √2 up to 3 000 extents of the points) shows, and the best circle is taken; where
 /// none leads to one, steps start from the best centre across the line that the points lie along.

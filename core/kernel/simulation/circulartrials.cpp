@@ -395,7 +395,7 @@ std::optional<double> CircularTrials::hysteresisOf(const Workplace &place) const
     if (!m_nearbyHysteresis || !both)
         return std::nullopt;
     return m_nearbyHysteresis->largestDifference(
-        {RaysLook{&m_parts[0].rays, &place.looks[0]}, RaysLook{&m_parts[1].rays, &place.looks[1]}},
+        {RaysLook{&m_parts[0].rays, &place.looks.front()}, RaysLook{&m_parts[1].rays, &place.looks[1]}},
         both->centre);
 }
 

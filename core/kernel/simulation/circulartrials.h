@@ -24,8 +24,9 @@ namespace palmer {
 /// Nearly all that a trial costs is saved by knowing the evaluation without errors: each trial is a little
 /// apart from it. The points stay on their rays (`Rays`: which of them can touch a circle is known without
 /// looking at all); minimum zones begin with its contacts, and are to the last bit those of the plain way;
-/// least squares circles are two steps away (`NearbyCircle`). Where a trial is too far off, or too close to a
-/// tie, the plain way is taken: what it costs is time.
+/// least squares circles are two steps away (`NearbyCircle`); of a hysteresis only the points that can have
+/// it are computed (`NearbyHysteresis`). Where a trial is too far off, or too close to a tie, the plain way
+/// is taken: what it costs is time.
 class CircularTrials {
 public:
     /// `evaluation`: of the test; its parameters with a value and a U by the budget are simulated.
