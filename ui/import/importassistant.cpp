@@ -100,7 +100,7 @@ MeasurementFile readMeasurementFile(const QByteArray &bytes, const QString &file
 }
 
 bool isLargeFile(qint64 bytes) {
-    constexpr qint64 readAtOnce = 256 * 1024;
+    constexpr qint64 readAtOnce = 256LL * 1024;
     return bytes > readAtOnce;
 }
 

@@ -171,8 +171,8 @@ private:
     bool m_outsideAsked = false; ///< the user knows that the file is another
     bool m_fileGone = false;     ///< the file is no longer there
 
-    QWidget *m_centre =
-        nullptr; ///< made first: whatever moves to another parent costs all styles below it anew
+    /// Made first: whatever moves to another parent costs all styles below it anew.
+    QWidget *m_centre = nullptr;
     NoticeBar *m_notice = nullptr;
     ReportBar *m_reportBar = nullptr;
     WorkBar *m_work = nullptr;
