@@ -67,17 +67,20 @@ public:
     Report compose() {
         Report report;
         report.language = m_language.code();
-        report.title = say(REPORT_TEXT("report", "History of %1"), {name().toStdString()});
+        const QString title = say(REPORT_TEXT("report", "History of %1"), {name().toStdString()});
+        const QString &number = m_history.number;
+        report.title = number.isEmpty() ? title : title + u' ' + number;
         report.laboratory = utf8(m_history.laboratory.name);
         report.date = m_history.today.toString(Qt::ISODate);
         report.making.program = m_history.program;
         m_blocks = &report.blocks;
-        addHead(report.title);
+        addHead(title);
         addWatch();
         addFigures();
         addCampaigns();
         addResults();
-        report.footerLeft = report.title;
+        report.footerLeft =
+            number.isEmpty() ? title : say(REPORT_TEXT("report", "History %1"), {number.toStdString()});
         report.footerCentre =
             say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"), {fingerprint().toStdString()});
         report.footerRight = text(REPORT_TEXT("report", "page %1 / %2"));
@@ -142,6 +145,11 @@ private:
         head.laboratory = utf8(m_history.laboratory.name);
         head.address = utf8(m_history.laboratory.address);
         head.accreditation = utf8(m_history.laboratory.accreditation);
+        if (!m_history.number.isEmpty())
+            head.number = say(REPORT_TEXT("report", "History No. %1"), {m_history.number.toStdString()});
+        const auto count = [](std::size_t n) { return Number{static_cast<double>(n), Quantity::count}; };
+        head.numberNotes << say(REPORT_TEXT("report", "Tests: %1, campaigns: %2"),
+                                {count(m_history.tests.size()), count(campaigns().size())});
         head.title = title;
         head.subtitle = say(REPORT_TEXT("report", "How its tests moved, %1"), {period().toStdString()});
         const ListedMachine &machine = m_history.machine;
@@ -275,20 +283,23 @@ private:
             TextSize::small});
     }
 
-    /// Tests of one day, purpose and role.
-    void addCampaigns() {
-        struct Campaign {
-            std::map<std::string, const ListedTest *> tests; ///< by axis
-        };
-        using Key = std::tuple<std::string, TestRole, Purpose>;
-        std::map<Key, Campaign> campaigns;
+    /// Tests of one day, purpose and role, by their axis.
+    using Campaigns =
+        std::map<std::tuple<std::string, TestRole, Purpose>, std::map<std::string, const ListedTest *>>;
+    [[nodiscard]] Campaigns campaigns() const {
+        Campaigns result;
         for (const AxisTrends &axis : m_axes) {
             for (const ListedTest &test : axis.tests) {
                 if (test.test.date)
-                    campaigns[{*test.test.date, test.test.role, test.test.purpose}].tests[axis.axis] = &test;
+                    result[{*test.test.date, test.test.role, test.test.purpose}][axis.axis] = &test;
             }
         }
-        if (campaigns.empty())
+        return result;
+    }
+
+    void addCampaigns() {
+        const Campaigns all = campaigns();
+        if (all.empty())
             return;
         m_blocks->emplace_back(Heading{
             2, text(REPORT_TEXT("report", "Campaigns")),
@@ -308,16 +319,16 @@ private:
                  Alignment::decimal, false, 13});
         }
         table.columns.push_back({text(REPORT_TEXT("report", "Limits")), {}, Alignment::left, false, 24});
-        for (const auto &[key, campaign] : campaigns) {
+        for (const auto &[key, campaign] : all) {
             const auto &[date, role, purpose] = key;
             std::vector<Cell> row{Cell(m_language.shortDate(date)), Cell(text(purposeText(purpose))),
                                   Cell(text(roleText(role)))};
             std::optional<Verdict> verdict;
             bool anyLimit = false;
             for (std::size_t i = 0; i < m_axes.size(); ++i) {
-                const auto test = campaign.tests.find(m_axes[i].axis);
+                const auto test = campaign.find(m_axes[i].axis);
                 Cell cell;
-                if (test != campaign.tests.end()) {
+                if (test != campaign.end()) {
                     const RegisteredTest &one = test->second->test;
                     if (one.verdict)
                         verdict = verdict ? worse(*verdict, *one.verdict) : *one.verdict;
@@ -405,6 +416,7 @@ History historyOf(Database &database, const ListedMachine &machine, const QDate 
         history.due = found->second;
     history.today = today;
     history.program = program;
+    history.number = proposedHistoryNumber(machine, today);
     for (auto test = history.tests.rbegin(); test != history.tests.rend(); ++test) {
         try {
             if (const auto document = documentOfFile(test->places.front().path)) {
@@ -416,6 +428,11 @@ History historyOf(Database &database, const ListedMachine &machine, const QDate 
         }
     }
     return history;
+}
+
+QString proposedHistoryNumber(const ListedMachine &machine, const QDate &today) {
+    const QString serial = machine.serialNumber.simplified().replace(u' ', u'-');
+    return serial.isEmpty() ? QString() : QStringLiteral("HI-%1-%2").arg(today.year()).arg(serial);
 }
 
 Report composeHistory(const History &history, const Language &language) {
