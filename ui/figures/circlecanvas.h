@@ -55,6 +55,8 @@ public:
     [[nodiscard]] const CircleView &view() const { return m_view; }
     void setView(const CircleView &view);
     void fit() { setView({}); }
+    /// The view nearest to one that shows nothing beyond the figure and zooms no deeper than makes sense.
+    [[nodiscard]] static CircleView within(CircleView view, const CircleFigure &figure);
     /// Where a point stands on the canvas; nothing where it is out of view.
     [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &point);
     /// "XY 12,30°  −2,21 µm  0,39 s" of a point; empty where it is not shown.
@@ -88,7 +90,6 @@ private:
     void addSynthetic(const Test &test, const SyntheticPaths &synthetic);
     void zoom(double factor, QPointF about);
     void pan(QPointF by);
-    [[nodiscard]] static CircleView within(CircleView view, const CircleFigure &figure);
     [[nodiscard]] CircleFigure withoutHidden(CircleFigure figure) const;
     [[nodiscard]] bool shows(Sense sense) const;
     [[nodiscard]] QPointF shown(const TracePoint &point) const;
