@@ -8232,5 +8232,57 @@
         <source>unknown language %1; known: fr, en</source>
         <translation>langue inconnue %1&#x202f;; connues&#xa0;: fr, en</translation>
     </message>
+    <message>
+        <source>the diagnosis is printed only where “include” asks for it; take the word out of this list</source>
+        <translation>le diagnostic n’est imprimé que si «&#xa0;include&#xa0;» le demande&#x202f;; retirez ce mot de la liste</translation>
+    </message>
+    <message>
+        <source>the address of a server takes host=FOLDER and sslmode=disable, allow, prefer, require, verify-ca or verify-full after the question mark, and nothing else</source>
+        <translation>après le point d’interrogation, l’adresse d’un serveur admet host=DOSSIER et sslmode=disable, allow, prefer, require, verify-ca ou verify-full, et rien d’autre</translation>
+    </message>
+    <message>
+        <source>History %1</source>
+        <translation>Historique %1</translation>
+    </message>
+    <message>
+        <source>History No. %1</source>
+        <translation>Historique n°&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Tests: %1, campaigns: %2</source>
+        <translation>Essais&#xa0;: %1, campagnes&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>the part of G(b) is what the source would make alone, at the feed where that is most</source>
+        <translation>la part de G(b) est ce que la source ferait seule, à l’avance où c’est le plus</translation>
+    </message>
+    <message>
+        <source>all feeds together</source>
+        <translation>toutes les avances ensemble</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Cercles</translation>
+    </message>
+    <message>
+        <source>Each circle is drawn about its own fitted centre. What grows with the square of the feed is a lag; what stays is radius, scale or squareness.</source>
+        <translation>Chaque cercle est tracé autour de son propre centre ajusté. Ce qui croît avec le carré de l’avance est un retard&#x202f;; ce qui demeure est rayon, échelle ou perpendicularité.</translation>
+    </message>
+    <message>
+        <source>each circle by itself, ± 2 u</source>
+        <translation>chaque cercle seul, ±&#xa0;2&#xa0;u</translation>
+    </message>
+    <message>
+        <source>Diagnosis of plane %1 at several feeds (interpretation)</source>
+        <translation>Diagnostic du plan %1 à plusieurs avances (interprétation)</translation>
+    </message>
+    <message>
+        <source>report: the number of the history; without it one of year and serial number</source>
+        <translation>report&#xa0;: le numéro de l’historique&#x202f;; sans lui, un numéro fait de l’année et du numéro de série</translation>
+    </message>
+    <message>
+        <source>the number of a history has at most %1 characters</source>
+        <translation>le numéro d’un historique a au plus %1 caractères</translation>
+    </message>
 </context>
 </TS>

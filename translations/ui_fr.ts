@@ -1764,8 +1764,8 @@
         <translation>course commune %1 à %2</translation>
     </message>
     <message>
-        <source>largest %1 at %2</source>
-        <translation>maximum %1 à %2</translation>
+        <source>Test</source>
+        <translation>Essai</translation>
     </message>
 </context>
 <context>
@@ -1882,6 +1882,10 @@
         <source>%1: %2 ± %3 %4</source>
         <comment>source, value, u, unit</comment>
         <translation>%1&#xa0;: %2 ± %3 %4</translation>
+    </message>
+    <message>
+        <source>Wheel (after a click, or with Ctrl), plus and minus zoom; dragging and arrows move; a double click or 0 shows the whole</source>
+        <translation>La molette (après un clic, ou avec Ctrl), plus et moins agrandissent et réduisent&#x202f;; glisser et les flèches déplacent&#x202f;; un double clic ou 0 montre l’ensemble</translation>
     </message>
 </context>
 <context>
@@ -2270,11 +2274,26 @@
     </message>
 </context>
 <context>
-    <name>palmer::ui::FoldersDialog</name>
+    <name>palmer::ui::FolderList</name>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>Folders of the register</source>
+        <translation>Dossiers du registre</translation>
+    </message>
+    <message>
+        <source>&amp;Add folder…</source>
+        <translation>&amp;Ajouter un dossier…</translation>
+    </message>
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Retirer</translation>
     </message>
+</context>
+<context>
+    <name>palmer::ui::FoldersDialog</name>
     <message>
         <source>Folders of the register</source>
         <translation>Dossiers du registre</translation>
@@ -2282,14 +2301,6 @@
     <message>
         <source>Palmer reads the test files and reports in these folders and below them, and never writes into them.</source>
         <translation>Palmer lit les fichiers d’essai et les rapports de ces dossiers et de leurs sous-dossiers, et n’y écrit jamais.</translation>
-    </message>
-    <message>
-        <source>&amp;Add folder…</source>
-        <translation>&amp;Ajouter un dossier…</translation>
-    </message>
-    <message>
-        <source>Choose a folder</source>
-        <translation>Choisir un dossier</translation>
     </message>
 </context>
 <context>
@@ -4210,6 +4221,110 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::RegisterFirstUse</name>
+    <message>
+        <source>All tests of all your machines, over the years</source>
+        <translation>Tous les essais de toutes vos machines, au fil des ans</translation>
+    </message>
+    <message>
+        <source>Name the folder in which the tests are kept. Palmer reads the .palmer files in it
+and the PDF reports that contain them, and sorts them by machine.</source>
+        <translation>Indiquez le dossier où sont rangés vos essais. Palmer y lit les fichiers .palmer
+et les rapports PDF qui les contiennent, et les classe par machine.</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>Choisir un dossier…</translation>
+    </message>
+    <message>
+        <source>or drop a folder into the window</source>
+        <translation>ou déposez un dossier dans la fenêtre</translation>
+    </message>
+    <message>
+        <source>Nothing is changed</source>
+        <translation>Rien n’est modifié</translation>
+    </message>
+    <message>
+        <source>Folders below included</source>
+        <translation>Sous-dossiers compris</translation>
+    </message>
+    <message>
+        <source>Always up to date</source>
+        <translation>Toujours à jour</translation>
+    </message>
+    <message>
+        <source>Your files stay the only record; Palmer never writes into them.</source>
+        <translation>Vos fichiers restent la seule preuve&#x202f;; Palmer n’y écrit jamais.</translation>
+    </message>
+    <message>
+        <source>A share, a local disk: as many as you like.</source>
+        <translation>Dossier partagé, disque local&#xa0;: autant que vous voulez.</translation>
+    </message>
+    <message>
+        <source>Watched while you work; the index can be made anew at any time.</source>
+        <translation>Suivi pendant le travail&#x202f;; index refait à tout moment.</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::RegisterSettings</name>
+    <message>
+        <source>The index stands here: %1</source>
+        <translation>L’index se trouve ici&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The address of a server begins with postgresql://</source>
+        <translation>L’adresse d’un serveur commence par postgresql://</translation>
+    </message>
+    <message>
+        <source>The server is being asked…</source>
+        <translation>Le serveur est interrogé…</translation>
+    </message>
+    <message>
+        <source>The server keeps the register now.</source>
+        <translation>Le serveur tient désormais le registre.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed: %1</source>
+        <translation>Rien n’a été modifié&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Folders of the register</source>
+        <translation>Dossiers du registre</translation>
+    </message>
+    <message>
+        <source>Index of the register</source>
+        <translation>Index du registre</translation>
+    </message>
+    <message>
+        <source>In a file of this user</source>
+        <translation>Dans un fichier de cet utilisateur</translation>
+    </message>
+    <message>
+        <source>On a PostgreSQL server that several share</source>
+        <translation>Sur un serveur PostgreSQL partagé</translation>
+    </message>
+    <message>
+        <source>Address of the server</source>
+        <translation>Adresse du serveur</translation>
+    </message>
+    <message>
+        <source>Password, where the server asks for one</source>
+        <translation>Mot de passe, si le serveur en demande un</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Mot de passe</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>Se &amp;connecter</translation>
+    </message>
+    <message>
+        <source>The password is not stored: after the next start it is taken from your password file of PostgreSQL (~/.pgpass), or asked for here again.</source>
+        <translation>Le mot de passe n’est pas enregistré&#xa0;: au prochain démarrage, il est lu dans votre fichier de mots de passe de PostgreSQL (~/.pgpass), ou à saisir de nouveau ici.</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::RegisterWindow</name>
     <message>
         <source>reading %1 of %2 files</source>
@@ -4286,28 +4401,6 @@
     <message>
         <source>Evaluate all under…</source>
         <translation>Évaluer tout sous…</translation>
-    </message>
-    <message>
-        <source>All tests of all your machines, over the years</source>
-        <translation>Tous les essais de toutes vos machines, au fil des ans</translation>
-    </message>
-    <message>
-        <source>Name the folder in which the tests are kept. Palmer reads the .palmer files in it
-and the PDF reports that contain them, and sorts them by machine.</source>
-        <translation>Indiquez le dossier où sont rangés vos essais. Palmer y lit les fichiers .palmer
-et les rapports PDF qui les contiennent, et les classe par machine.</translation>
-    </message>
-    <message>
-        <source>Choose a folder…</source>
-        <translation>Choisir un dossier…</translation>
-    </message>
-    <message>
-        <source>or drop a folder into the window
-
-Nothing is changed: your files stay the only record. Folders below are included. The index can be made anew at any time.</source>
-        <translation>ou déposez un dossier dans la fenêtre
-
-Rien n’est modifié&#xa0;: vos fichiers restent la seule preuve. Sous-dossiers compris. L’index peut être refait à tout moment.</translation>
     </message>
     <message>
         <source>none</source>
@@ -4463,6 +4556,26 @@ Rien n’est modifié&#xa0;: vos fichiers restent la seule preuve. Sous-dossiers
     <message>
         <source>The history was not saved</source>
         <translation>L’historique n’a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>%1 axis</source>
+        <translation>axe %1</translation>
+    </message>
+    <message>
+        <source>Show tests and machines again (Esc)</source>
+        <translation>Montrer de nouveau les essais et les machines (Échap)</translation>
+    </message>
+    <message>
+        <source>Show the trend alone</source>
+        <translation>Montrer la tendance seule</translation>
+    </message>
+    <message>
+        <source>History report</source>
+        <translation>Historique imprimé</translation>
+    </message>
+    <message>
+        <source>Number of the history, printed on every page; may be empty:</source>
+        <translation>Numéro de l’historique, imprimé sur chaque page&#x202f;; peut rester vide&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -4760,6 +4873,18 @@ Rien n’est modifié&#xa0;: vos fichiers restent la seule preuve. Sous-dossiers
         <source>verdict</source>
         <translation>verdict</translation>
     </message>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>après</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>variation</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ResultsPanel</name>
@@ -4792,6 +4917,18 @@ Rien n’est modifié&#xa0;: vos fichiers restent la seule preuve. Sous-dossiers
             <numerusform>%n exigence non déclarée</numerusform>
             <numerusform>%n exigences non déclarées</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>test %1</source>
+        <translation>essai %1</translation>
+    </message>
+    <message>
+        <source>test %1 of %2</source>
+        <translation>essai %1 du %2</translation>
+    </message>
+    <message>
+        <source>Before the adjustment: %1 · after it: %2</source>
+        <translation>Avant réglage&#xa0;: %1 · après réglage&#xa0;: %2</translation>
     </message>
     <message>
         <source>Results copied</source>
@@ -5260,6 +5397,10 @@ Rien n’est modifié&#xa0;: vos fichiers restent la seule preuve. Sous-dossiers
     <message>
         <source>today</source>
         <translation>aujourd’hui</translation>
+    </message>
+    <message>
+        <source>No test with a date and a value to show.</source>
+        <translation>Aucun essai daté ayant une valeur à montrer.</translation>
     </message>
 </context>
 <context>

@@ -24,7 +24,7 @@ QJsonValue asJson(const QVariant &value) {
 }
 
 QVariant fromJson(const QJsonValue &value) {
-    if (value.isObject())
+    if (value.isObject() && value.toObject().contains(bytesKey))
         return QByteArray::fromBase64(value.toObject().value(bytesKey).toString().toLatin1());
     return value.toVariant();
 }

@@ -110,6 +110,8 @@ QStringList reportLanguages(const Invocation &invocation) {
     return result;
 }
 
+constexpr qsizetype longestNumber = 40; ///< one line of the head
+
 } // namespace
 
 int runRegisterReport(const Invocation &invocation) {
@@ -125,8 +127,14 @@ int runRegisterReport(const Invocation &invocation) {
     demandRegister(invocation);
     Register reg(registerAddress(invocation));
     const ListedMachine machine = machineCalled(reg.database(), words);
-    const History history =
+    History history =
         historyOf(reg.database(), machine, QDate::currentDate(), QStringLiteral("Palmer " PALMER_VERSION));
+    if (const auto number = invocation.value(QLatin1StringView("number"))) {
+        if (number->size() > longestNumber)
+            throw UsageError({REPORT_TEXT("report", "the number of a history has at most %1 characters"),
+                              {Number{static_cast<double>(longestNumber), Quantity::count}}});
+        history.number = number->simplified();
+    }
     std::vector<FileToSave> files;
     for (const QString &name : languages) {
         const auto language = Language::fromName(name);

@@ -191,6 +191,11 @@ void check(const ReportHead &report, const Place &place) {
     const Place at(place, "editions");
     for (std::size_t i = 0; i < report.editions.size(); ++i)
         demandEdition(report.editions[i], Place(at, i));
+    const auto left = std::ranges::find(report.leaveOut, ReportPart::diagnosis);
+    if (left != report.leaveOut.end())
+        refuse(Place(Place(place, "leaveOut"), static_cast<std::size_t>(left - report.leaveOut.begin())),
+               REPORT_TEXT("report", "the diagnosis is printed only where “include” asks for it; take the "
+                                     "word out of this list"));
 }
 
 void demandParameter(Kind kind, const std::string &id, const Place &place) {
@@ -594,6 +599,14 @@ QByteArray inUtf8(const QByteArray &bytes) {
 } // namespace
 
 void stateAgreements(json &file) {
+    const auto report = file.find("report");
+    if (report != file.end() && report->is_object() && report->contains("leaveOut") &&
+        (*report)["leaveOut"].is_array()) {
+        auto &words = (*report)["leaveOut"].get_ref<json::array_t &>();
+        const auto diagnosis = std::ranges::find(words, json(fileWord(ReportPart::diagnosis)));
+        if (diagnosis != words.end()) // once: a word that stands here twice is refused
+            words.erase(diagnosis);
+    }
     const auto tests = file.find("tests");
     if (tests == file.end() || !tests->is_array())
         return; // the reader says what is wrong

@@ -292,8 +292,11 @@ CircleFigure feedsFigure(std::span<const DiagnosedTest> tests, std::span<const P
     return figure;
 }
 
-LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId id, PlaneAxis axis,
+LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId source, PlaneAxis axis,
                           const Language &language) {
+    const InfluenceId id = source == InfluenceId::commonLag     ? InfluenceId::radius
+                           : source == InfluenceId::lagMismatch ? InfluenceId::scaleMismatch
+                                                                : source;
     constexpr double mostTicks = 5;
     constexpr double room = 0.06;
     LineFigure figure;
@@ -303,17 +306,17 @@ LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId id, 
     Bounds values;
     Bounds feeds;
     for (const std::size_t i : byFeed(tests)) {
-        const SourceEstimate *source = tests[i].diagnosis.find(id, axis);
+        const SourceEstimate *estimate = tests[i].diagnosis.find(id, axis);
         const double feed = tests[i].measurement().feed.value_or(0);
         feeds.include(feed);
-        if (!source)
+        if (!estimate)
             continue;
         if (figure.title.isEmpty())
-            figure.title = language.sentence(sourceName(*source));
-        if (!source->value || !source->u)
+            figure.title = language.sentence(sourceName(*estimate));
+        if (!estimate->value || !estimate->u)
             continue;
-        const double shown = shownParameter(id, *source->value);
-        const double twice = 2 * shownUncertainty(*source);
+        const double shown = shownParameter(id, *estimate->value);
+        const double twice = 2 * shownUncertainty(*estimate);
         value.points.emplace_back(feed, shown);
         lower.points.emplace_back(feed, shown - twice);
         upper.points.emplace_back(feed, shown + twice);

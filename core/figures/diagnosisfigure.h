@@ -50,7 +50,8 @@ struct DiagnosisFigureOptions {
 
 /// A source over the feed (mm/min), as the circle of each feed tells it by itself, in the unit of the source:
 /// its values, and as lines of their own the ends of value ± 2 u. Feeds that do not tell it are left out.
-[[nodiscard]] LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId id, PlaneAxis axis,
-                                        const Language &language);
+/// What only several feeds tell, a lag, shows in what each of them takes it for: the radius, the scales.
+[[nodiscard]] LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId source,
+                                        PlaneAxis axis, const Language &language);
 
 } // namespace palmer

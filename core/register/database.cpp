@@ -8,6 +8,8 @@
 #include <QSqlError>
 #include <QUrl>
 #include <QUrlQuery>
+#include <algorithm>
+#include <array>
 #include <atomic>
 
 namespace palmer {
@@ -89,12 +91,24 @@ void openFile(QSqlDatabase &database, const QString &path) {
                {}, Error::Kind::unwritable);
 }
 
+bool isSslMode(const QString &word) {
+    constexpr std::array words{"disable", "allow", "prefer", "require", "verify-ca", "verify-full"};
+    return std::ranges::any_of(words, [&](const char *known) { return word == QLatin1StringView(known); });
+}
+
 void openServer(QSqlDatabase &database, const QString &address) {
     const QUrl url(address);
     const QString name = url.path().mid(1);
     if (!url.isValid() || name.isEmpty())
         refuse(REPORT_TEXT("report", "the address of a server reads postgresql://user@host:port/name"));
     const QUrlQuery query(url);
+    for (const auto &[key, value] : query.queryItems()) {
+        if (key == QLatin1StringView("sslmode") ? !isSslMode(value) : key != QLatin1StringView("host"))
+            refuse(REPORT_TEXT("report", "the address of a server takes host=FOLDER and sslmode=disable, "
+                                         "allow, prefer, require, verify-ca or verify-full after the "
+                                         "question mark, and nothing else"));
+    }
+    const QString sslMode = query.queryItemValue(QStringLiteral("sslmode"));
     const QString socket = query.queryItemValue(QStringLiteral("host"), QUrl::FullyDecoded);
     database.setHostName(socket.isEmpty() ? url.host(QUrl::FullyDecoded) : socket);
     if (url.port() > 0)
@@ -102,7 +116,8 @@ void openServer(QSqlDatabase &database, const QString &address) {
     database.setDatabaseName(name);
     database.setUserName(url.userName(QUrl::FullyDecoded));
     database.setPassword(url.password(QUrl::FullyDecoded));
-    database.setConnectOptions(QStringLiteral("connect_timeout=%1").arg(waitForServer));
+    database.setConnectOptions(QStringLiteral("connect_timeout=%1").arg(waitForServer) +
+                               (sslMode.isEmpty() ? QString() : QStringLiteral(";sslmode=") + sslMode));
     if (!database.open())
         refuse(REPORT_TEXT("report", "the server of the register does not answer, or refuses: %1"),
                {database.lastError().databaseText().section(u'\n', 0, 0).trimmed().toStdString()});
@@ -127,7 +142,26 @@ bool isServerAddress(const QString &address) {
 }
 
 QString withoutPassword(const QString &address) {
-    return isServerAddress(address) ? QUrl(address).toString(QUrl::RemovePassword) : address;
+    if (!isServerAddress(address))
+        return address;
+    constexpr QLatin1StringView password("password");
+    QUrl url(address);
+    if (url.isValid() && !url.hasFragment() && url.path().size() > 1 && !url.path().contains(u'@')) {
+        QUrlQuery query(url);
+        if (query.hasQueryItem(password)) {
+            query.removeAllQueryItems(password);
+            url.setQuery(query);
+        }
+        return url.toString(QUrl::RemovePassword);
+    }
+    // A "#" or "/" in the password makes something else of it: nothing of what may be one.
+    QString rest = address;
+    const auto begin = rest.indexOf(QLatin1StringView("//")) + 2;
+    const auto colon = rest.indexOf(u':', begin);
+    const auto at = rest.lastIndexOf(u'@');
+    if (colon >= 0 && colon < at)
+        rest.remove(colon, at - colon);
+    return rest.section(u'?', 0, 0);
 }
 
 Database::Database(const QString &address)

@@ -17,8 +17,9 @@ namespace palmer {
 /// A connection to the database of a register: SQLite in a file, or PostgreSQL. Of the thread that made it.
 class Database {
 public:
-    /// `address`: path of a file, or postgresql://[user[:password]@][host][:port]/name. A file is made where
-    /// there is none. Throws Error where it cannot be opened, or is no register: then it is left as it is.
+    /// `address`: path of a file, or postgresql://[user[:password]@][host][:port]/name[?sslmode=…]. A file is
+    /// made where there is none. Throws Error where it cannot be opened, or is no register: then it is left
+    /// as it is.
     explicit Database(const QString &address);
     ~Database();
     Database(const Database &) = delete;

@@ -67,17 +67,20 @@ public:
     Report compose() {
         Report report;
         report.language = m_language.code();
-        report.title = say(REPORT_TEXT("report", "History of %1"), {name().toStdString()});
+        const QString title = say(REPORT_TEXT("report", "History of %1"), {name().toStdString()});
+        const QString &number = m_history.number;
+        report.title = number.isEmpty() ? title : title + u' ' + number;
         report.laboratory = utf8(m_history.laboratory.name);
         report.date = m_history.today.toString(Qt::ISODate);
         report.making.program = m_history.program;
         m_blocks = &report.blocks;
-        addHead(report.title);
+        addHead(title);
         addWatch();
         addFigures();
         addCampaigns();
         addResults();
-        report.footerLeft = report.title;
+        report.footerLeft =
+            number.isEmpty() ? title : say(REPORT_TEXT("report", "History %1"), {number.toStdString()});
         report.footerCentre =
             say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"), {fingerprint().toStdString()});
         report.footerRight = text(REPORT_TEXT("report", "page %1 / %2"));
@@ -142,6 +145,11 @@ private:
         head.laboratory = utf8(m_history.laboratory.name);
         head.address = utf8(m_history.laboratory.address);
         head.accreditation = utf8(m_history.laboratory.accreditation);
+        if (!m_history.number.isEmpty())
+            head.number = say(REPORT_TEXT("report", "History No. %1"), {m_history.number.toStdString()});
+        const auto count = [](std::size_t n) { return Number{static_cast<double>(n), Quantity::count}; };
+        head.numberNotes << say(REPORT_TEXT("report", "Tests: %1, campaigns: %2"),
+                                {count(m_history.tests.size()), count(campaigns().size())});
         head.title = title;
         head.subtitle = say(REPORT_TEXT("report", "How its tests moved, %1"), {period().toStdString()});
         const ListedMachine &machine = m_history.machine;
@@ -410,6 +418,7 @@ History historyOf(Database &database, const ListedMachine &machine, const QDate 
         history.due = found->second;
     history.today = today;
     history.program = program;
+    history.number = proposedHistoryNumber(machine, today);
     for (auto test = history.tests.rbegin(); test != history.tests.rend(); ++test) {
         try {
             if (const auto document = documentOfFile(test->places.front().path)) {
@@ -421,6 +430,11 @@ History historyOf(Database &database, const ListedMachine &machine, const QDate 
         }
     }
     return history;
+}
+
+QString proposedHistoryNumber(const ListedMachine &machine, const QDate &today) {
+    const QString serial = machine.serialNumber.simplified().replace(u' ', u'-');
+    return serial.isEmpty() ? QString() : QStringLiteral("HI-%1-%2").arg(today.year()).arg(serial);
 }
 
 Report composeHistory(const History &history, const Language &language) {

@@ -20,9 +20,15 @@ struct History {
     Laboratory laboratory; ///< of the newest test; may be empty
     QDate today;
     QString program; ///< "Palmer 0.1.0"
+    QString number;  ///< of the printed history; empty: none
 };
 
-/// Reads what the history of a machine needs. The laboratory is that of the newest test that can be read.
+/// The number a history gets where nobody gives another: "HI-2026-000-017", of year and serial number; empty
+/// for a machine without one.
+[[nodiscard]] QString proposedHistoryNumber(const ListedMachine &machine, const QDate &today);
+
+/// Reads what the history of a machine needs. The laboratory is that of the newest test that can be read, the
+/// number the proposed one.
 [[nodiscard]] History historyOf(Database &database, const ListedMachine &machine, const QDate &today,
                                 const QString &program);
 

@@ -117,6 +117,65 @@ constexpr double barColumn = 20.5; ///< mm
 constexpr std::size_t partsOfStrip = 1500;
 constexpr int decimalsOfWidths = 1;
 
+/// How the table of sources is made.
+struct SourcesOfPage {
+    std::size_t traced = 0; ///< so many of the first are drawn
+    QString zone;           ///< what the part is of
+    bool circle = false;    ///< with radius and centre, that else stand beside the figure
+};
+
+/// Of the scale of their bars, µm.
+double endOfBars(const std::vector<DiagnosisRow> &rows) {
+    double largest = 0;
+    for (const DiagnosisRow &row : rows)
+        largest = std::max(largest, row.contribution.value_or(0) * micrometres);
+    return scaleEnd(largest);
+}
+
+Table sourcesTable(const Writer &write, const std::vector<DiagnosisRow> &rows, const SourcesOfPage &page) {
+    const Language &language = write.language();
+    const double end = endOfBars(rows);
+    Table table;
+    table.unbroken = rows.size() < mostRowsUnbroken;
+    table.columns = {
+        {QString(), {}, Alignment::right, false, 6.5},
+        {write.text(REPORT_TEXT_FOR("report", "Source", "diagnosis")), {}, Alignment::left, false, 38},
+        {write.text(REPORT_TEXT("report", "Value")), {}, Alignment::decimal, false, 14},
+        {Phrase({{QStringLiteral("u"), false, true}}), {}, Alignment::decimal, false, 13.5},
+        {QString(), {}, Alignment::left, false, 10.5},
+        {page.zone, language.unit(Quantity::deviation), Alignment::decimal, false, 8.5},
+        {QString(), {}, Alignment::left, false, barColumn},
+        {write.text(REPORT_TEXT("report", "Meaning, and what to look at on the machine")),
+         {},
+         Alignment::left,
+         true}};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const DiagnosisRow &row = rows[i];
+        const bool isCircle = row.kind == DiagnosisRowKind::fitCircle;
+        if (isCircle && !page.circle)
+            continue;
+        const bool traced = i < page.traced;
+        Cell name(row.name);
+        name.bold = traced;
+        Cell number(counted(language, i + 1));
+        Cell bar = blankCell();
+        if (row.contribution && !isCircle) {
+            bar = Cell();
+            bar.bar = *row.contribution * micrometres / end * barWidth / (barColumn - 2);
+            bar.hollow = !traced;
+        } else {
+            number = blankCell();
+        }
+        Cell unit(row.unit);
+        Cell words(traced && !row.advice.isEmpty() ? row.meaning + u' ' + row.advice : row.meaning);
+        words.pale = name.pale = unit.pale = row.kind == DiagnosisRowKind::notTold;
+        table.rows.push_back({std::move(number), std::move(name), row.value, row.u, std::move(unit),
+                              contributionCell(row, language, decimalsOfWidths), std::move(bar),
+                              std::move(words)});
+    }
+    return table;
+}
+
 class DiagnosisPage {
 public:
     DiagnosisPage(const CircularPart &part, const DiagnosedTest &test)
@@ -249,53 +308,13 @@ private:
     }
 
     void addSources(std::vector<Block> &blocks) const {
-        double largest = 0;
-        for (const DiagnosisRow &row : m_rows)
-            largest = std::max(largest, row.contribution.value_or(0) * micrometres);
-        const double end = scaleEnd(largest);
-        Table table;
-        table.unbroken = m_rows.size() < mostRowsUnbroken;
-        table.columns = {
-            {QString(), {}, Alignment::right, false, 6.5},
-            {m_write.text(REPORT_TEXT_FOR("report", "Source", "diagnosis")), {}, Alignment::left, false, 38},
-            {m_write.text(REPORT_TEXT("report", "Value")), {}, Alignment::decimal, false, 14},
-            {Phrase({{QStringLiteral("u"), false, true}}), {}, Alignment::decimal, false, 13.5},
-            {QString(), {}, Alignment::left, false, 10.5},
-            {zoneName(), language().unit(Quantity::deviation), Alignment::decimal, false, 8.5},
-            {QString(), {}, Alignment::left, false, barColumn},
-            {m_write.text(REPORT_TEXT("report", "Meaning, and what to look at on the machine")),
-             {},
-             Alignment::left,
-             true}};
-        for (std::size_t i = 0; i < m_rows.size(); ++i) {
-            const DiagnosisRow &row = m_rows[i];
-            if (row.kind == DiagnosisRowKind::fitCircle)
-                continue; // stands beside the figure
-            const bool traced = i < m_traced;
-            Cell name(row.name);
-            name.bold = traced;
-            Cell number(counted(language(), i + 1));
-            Cell bar = blankCell();
-            if (row.contribution) {
-                bar = Cell();
-                bar.bar = *row.contribution * micrometres / end * barWidth / (barColumn - 2);
-                bar.hollow = !traced;
-            } else {
-                number = blankCell();
-            }
-            Cell unit(row.unit);
-            Cell words(traced && !row.advice.isEmpty() ? row.meaning + u' ' + row.advice : row.meaning);
-            words.pale = name.pale = unit.pale = row.kind == DiagnosisRowKind::notTold;
-            table.rows.push_back({std::move(number), std::move(name), row.value, row.u, std::move(unit),
-                                  contributionCell(row, language(), decimalsOfWidths), std::move(bar),
-                                  std::move(words)});
-        }
+        const double end = endOfBars(m_rows);
         addHeading(blocks, m_write.text(REPORT_TEXT("report", "Sources")),
                    m_write.say(REPORT_TEXT("report", "the part of %1 is what the source would make alone; "
                                                      "bars from 0 to %2, full where traced"),
                                {zoneName().toStdString(),
                                 language().quantity(end, Quantity::micrometres, -1).toStdString()}));
-        blocks.emplace_back(std::move(table));
+        blocks.emplace_back(sourcesTable(m_write, m_rows, {m_traced, zoneName(), false}));
     }
 
     /// What the program of the instrument says of the same faults.
@@ -366,6 +385,137 @@ private:
     std::vector<std::size_t> m_chosen;
 };
 
+// ---- Several feeds ---------------------------------------------------------------------------------------
+
+/// What circles of one plane at several feeds say together: the page behind that of the last of them.
+class FeedsPage {
+public:
+    FeedsPage(const Writer &write, const std::vector<DiagnosedTest> &tests, const Diagnosis &together)
+        : m_write(write)
+        , m_tests(tests)
+        , m_together(together)
+        , m_rows(diagnosisRows(together, write.language())) {}
+
+    void add(std::vector<Block> &blocks) const {
+        addFigure(blocks);
+        addHeading(blocks, m_write.text(REPORT_TEXT("report", "Sources")),
+                   m_write.text(REPORT_TEXT("report", "the part of G(b) is what the source would make alone, "
+                                                      "at the feed where that is most")));
+        blocks.emplace_back(sourcesTable(m_write, m_rows, {0, QStringLiteral("G(b)"), true}));
+        addOverFeed(blocks);
+        QStringList remarks;
+        for (const Message &remark : m_together.remarks)
+            remarks << language().sentence(remark);
+        if (!remarks.isEmpty())
+            blocks.emplace_back(Paragraph{remarks.join(u' '), TextSize::small});
+    }
+
+private:
+    [[nodiscard]] const Language &language() const { return m_write.language(); }
+
+    void addFigure(std::vector<Block> &blocks) const {
+        CircleFigureOptions options;
+        options.size = {figureWidth, figureHeight};
+        const std::vector<PathProfile> profiles = profilesAtFeeds(m_tests);
+        CircleFigure figure = feedsFigure(m_tests, profiles, language(), options);
+        SideBySide both;
+        both.leftWidth = figureWidth;
+        both.gap = figureGap;
+        both.left.emplace_back(Heading{
+            2, figure.title, m_write.say(REPORT_TEXT("report", "%1 per division"), figure.divisionLabel)});
+        const QSizeF size = printedSize(figure);
+        both.left.emplace_back(FigureBlock{std::move(figure), size.width(), size.height()});
+        both.right.emplace_back(Heading{2, m_write.text(REPORT_TEXT("report", "Fit")),
+                                        m_write.text(REPORT_TEXT("report", "all feeds together"))});
+        KeyValues values;
+        values.narrow = true;
+        values.rows = {{m_write.text(REPORT_TEXT("report", "Circles")), counted(language(), m_tests.size())},
+                       {m_write.text(REPORT_TEXT("report", "Told apart")), ofAll(m_together, language())},
+                       {m_write.text(REPORT_TEXT_FOR("report", "Condition", "of a fit")),
+                        language().number(m_together.condition, Quantity::number, 1)},
+                       {m_write.text(REPORT_TEXT("report", "Rest, std. deviation")),
+                        language().quantity(m_together.residual, Quantity::deviation,
+                                            decimalsOfEstimate(m_together.residual * micrometres))}};
+        both.right.emplace_back(std::move(values));
+        both.right.emplace_back(Paragraph{
+            m_write.text(REPORT_TEXT("report", "Each circle is drawn about its own fitted centre. What grows "
+                                               "with the square of the feed is a lag; what stays is radius, "
+                                               "scale or squareness.")),
+            TextSize::small});
+        blocks.emplace_back(std::move(both));
+    }
+
+    /// A lag that is seen, and the sources that count most, as each circle tells them by itself.
+    void addOverFeed(std::vector<Block> &blocks) const {
+        constexpr double width = 85;
+        constexpr double height = 42;
+        std::vector<LineFigure> figures;
+        const auto add = [&](const DiagnosisRow &row) {
+            const SourceEstimate &source = m_together.sources[row.sources.front()];
+            LineFigure figure = overFeedFigure(m_tests, source.id, source.axis, language());
+            const bool isNew = std::ranges::none_of(
+                figures, [&](const LineFigure &known) { return known.title == figure.title; });
+            if (row.kind == DiagnosisRowKind::source && !figure.lines.empty() && isNew && figures.size() < 2)
+                figures.push_back(std::move(figure));
+        };
+        for (const DiagnosisRow &row : m_rows) { // what only several feeds tell
+            const SourceEstimate &source = m_together.sources[row.sources.front()];
+            const bool isLag = source.id == InfluenceId::commonLag || source.id == InfluenceId::lagMismatch;
+            if (isLag && source.value && source.u && std::abs(*source.value) > 2 * *source.u)
+                add(row);
+        }
+        std::ranges::for_each(m_rows, add);
+        if (figures.empty())
+            return;
+        SideBySide both;
+        both.leftWidth = width;
+        both.gap = figureGap;
+        for (std::size_t i = 0; i < figures.size(); ++i) {
+            std::vector<Part> &half = i == 0 ? both.left : both.right;
+            half.emplace_back(Heading{2, figures[i].title,
+                                      m_write.text(REPORT_TEXT("report", "each circle by itself, ± 2 u"))});
+            for (FigureLine &line : figures[i].lines)
+                line.name.clear();
+            half.emplace_back(FigureBlock{std::move(figures[i]), width, height});
+        }
+        blocks.emplace_back(std::move(both));
+    }
+
+    const Writer &m_write;
+    const std::vector<DiagnosedTest> &m_tests;
+    const Diagnosis &m_together;
+    std::vector<DiagnosisRow> m_rows;
+};
+
+/// Behind the last of the tests at several feeds.
+void addFeeds(std::vector<Block> &blocks, const CircularPart &part) {
+    for (const std::vector<std::size_t> &group : testsAtSeveralFeeds(part.evaluated)) {
+        if (group.back() != part.index)
+            continue;
+        std::vector<DiagnosedTest> tests;
+        std::vector<DiagnosedCircle> circles;
+        for (const std::size_t test : group) {
+            if (auto one = diagnosedTest(part.evaluated, test)) {
+                circles.push_back(one->circle);
+                tests.push_back(std::move(*one));
+            }
+        }
+        if (!areSeveralFeeds(circles))
+            continue;
+        const Diagnosis together = diagnose(circles);
+        if (!together.valid())
+            continue;
+        const Writer &write = part.write;
+        blocks.emplace_back(PageBreak{});
+        blocks.emplace_back(Heading{
+            1,
+            write.say(REPORT_TEXT("report", "Diagnosis of plane %1 at several feeds (interpretation)"),
+                      part.plane()),
+            write.text(REPORT_TEXT("report", "not a result of ISO 230-4"))});
+        FeedsPage(write, tests, together).add(blocks);
+    }
+}
+
 } // namespace
 
 std::vector<Block> diagnosisParts(const Diagnosis &diagnosis, const Language &language) {
@@ -391,6 +541,7 @@ void addDiagnosis(std::vector<Block> &blocks, const CircularPart &part) {
     else
         blocks.emplace_back(Paragraph{
             write.text(REPORT_TEXT("report", "The evaluated points are too few for a diagnosis."))});
+    addFeeds(blocks, part);
     blocks.emplace_back(PageBreak{}); // what follows is no interpretation
 }
 

@@ -15,7 +15,8 @@ namespace palmer {
 [[nodiscard]] std::vector<Block> diagnosisParts(const Diagnosis &diagnosis, const Language &language);
 
 /// The page of a report that says the same with figures: measured and synthetic path, the sources with what
-/// to look at on the machine, what they leave. Nothing unless the report asks for it.
+/// to look at on the machine, what they leave. Behind the last of several tests of a plane at different feeds
+/// a page of what these say together. Nothing unless the report asks for it.
 void addDiagnosis(std::vector<Block> &blocks, const CircularPart &part);
 
 } // namespace palmer

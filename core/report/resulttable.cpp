@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/resulttable.h"
 
+#include "document/testsofverdict.h"
 #include "kernel/evaluation/conformity.h"
 #include "report/printednumbers.h"
 #include "report/wording.h"
@@ -129,9 +130,46 @@ ResultLine lineOf(const Parameter &parameter, const PrintedNumbers &numbers, con
     return line;
 }
 
+/// The test of the other role, in the rows of its quantities.
+void addOtherRole(ResultTable &table, const EvaluatedDocument &evaluated, std::size_t test,
+                  const Language &language) {
+    const auto both = table.view ? std::nullopt : rolesBeside(evaluated, test, language);
+    if (!both)
+        return;
+    table.otherIsFound = both->left == test;
+    const std::size_t place = table.otherIsFound ? both->found : both->left;
+    table.otherTest = place;
+    const Test &other = *evaluated.document->tests[place];
+    const std::optional<double> resolution = finestResolution(*evaluated.document, other);
+    for (const QuantityOfRoles &quantity : both->quantities) {
+        const Parameter &parameter = table.otherIsFound ? *quantity.found : *quantity.left;
+        const auto line =
+            std::ranges::find(table.lines, QString::fromStdString(parameterId(parameter)), &ResultLine::id);
+        if (line == table.lines.end())
+            continue;
+        const PrintedNumbers numbers = printedNumbers(parameter, other.decisionRule, resolution, language);
+        line->other = numbers.value;
+        line->otherUncertainty = numbers.uncertainty;
+        line->otherVerdict = parameter.verdict;
+        if (parameter.verdict)
+            line->otherVerdictWord = language.text(limitText(*parameter.verdict));
+        line->change = quantity.change;
+    }
+}
+
 struct Head {
     QString symbol, name, value, uncertainty, limit, verdict;
+    QStringList others; ///< of the other role: value, U, change; none where there is no other
 };
+
+QStringList othersOf(const ResultTable &table, const Language &language) {
+    if (!table.otherTest)
+        return {};
+    const QString unit = QStringLiteral(" (") + table.unit + u')';
+    const QString role = language.text(roleText(table.otherIsFound ? TestRole::asFound : TestRole::asLeft));
+    return {role + unit, QStringLiteral("U, ") + role + unit,
+            language.text(REPORT_TEXT("report", "Change")) + unit};
+}
 
 Head head(const ResultTable &table, const Language &language) {
     const auto withUnit = [&](const Text &text) {
@@ -140,9 +178,13 @@ Head head(const ResultTable &table, const Language &language) {
     QString uncertainty = QStringLiteral("U (") + table.unit;
     if (!table.coverage.isEmpty())
         uncertainty += QStringLiteral(", ") + table.coverage;
-    return {language.text(REPORT_TEXT("report", "Symbol")), language.text(REPORT_TEXT("report", "Result")),
-            withUnit(REPORT_TEXT("report", "Value")),       uncertainty + u')',
-            withUnit(REPORT_TEXT("report", "Limit")),       language.text(REPORT_TEXT("report", "Verdict"))};
+    return {language.text(REPORT_TEXT("report", "Symbol")),
+            language.text(REPORT_TEXT("report", "Result")),
+            withUnit(REPORT_TEXT("report", "Value")),
+            uncertainty + u')',
+            withUnit(REPORT_TEXT("report", "Limit")),
+            language.text(REPORT_TEXT("report", "Verdict")),
+            othersOf(table, language)};
 }
 
 } // namespace
@@ -224,7 +266,41 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         family = own;
         table.lines.push_back(std::move(line));
     }
+    addOtherRole(table, evaluated, test, language);
     return table;
+}
+
+std::optional<RolesBeside> rolesBeside(const EvaluatedDocument &evaluated, std::size_t test,
+                                       const Language &language) {
+    const Document &document = *evaluated.document;
+    RolesBeside both{test, test, {}};
+    if (document.tests[test]->role == TestRole::asLeft) {
+        const auto found = testAsFound(document, test);
+        if (!found)
+            return std::nullopt;
+        both.found = *found;
+    } else { // the last state that was left
+        for (std::size_t i = 0; i < document.tests.size(); ++i)
+            both.left = testAsFound(document, i) == test ? i : both.left;
+    }
+    const auto counts = [&](std::size_t i) {
+        return !evaluated.isPending(i) && evaluated.tests[i]->edition && !evaluated.tests[i]->view;
+    };
+    if (both.found == both.left || !counts(both.found) || !counts(both.left))
+        return std::nullopt;
+    constexpr int decimals = 1;
+    const auto &found = evaluated.tests[both.found]->parameters;
+    for (const Parameter &left : evaluated.tests[both.left]->parameters) {
+        const auto same = std::ranges::find_if(
+            found, [&](const Parameter &parameter) { return parameterId(parameter) == parameterId(left); });
+        if (!isPrinted(left, document.report) || same == found.end())
+            continue;
+        both.quantities.push_back({&*same, &left,
+                                   same->value && left.value ? language.number(*left.value - *same->value,
+                                                                               left.term.quantity, decimals)
+                                                             : QString()});
+    }
+    return both;
 }
 
 QString asTabSeparated(const ResultTable &table, const Language &language) {
@@ -232,6 +308,8 @@ QString asTabSeparated(const ResultTable &table, const Language &language) {
     QStringList rows{QStringList{titles.symbol, titles.name, titles.value, titles.uncertainty, titles.limit,
                                  titles.verdict}
                          .join(u'\t')};
+    if (!titles.others.isEmpty())
+        rows.front() += u'\t' + titles.others.join(u'\t');
     const auto cell = [](const QString &text) {
         return text == QStringLiteral("–") ? QString() : plainNumber(text);
     };
@@ -239,6 +317,10 @@ QString asTabSeparated(const ResultTable &table, const Language &language) {
         rows << QStringList{line.symbol.plain(),    line.fullName,    cell(line.value),
                             cell(line.uncertainty), cell(line.limit), line.verdictWord}
                     .join(u'\t');
+        if (!titles.others.isEmpty())
+            rows.back() +=
+                u'\t' +
+                QStringList{cell(line.other), cell(line.otherUncertainty), cell(line.change)}.join(u'\t');
     }
     return rows.join(u'\n') + u'\n';
 }
@@ -246,8 +328,9 @@ QString asTabSeparated(const ResultTable &table, const Language &language) {
 QString asHtml(const ResultTable &table, const Language &language) {
     const Head titles = head(table, language);
     QString html = QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n<tr>");
-    for (const QString &title :
-         {titles.symbol, titles.name, titles.value, titles.uncertainty, titles.limit, titles.verdict})
+    for (const QString &title : QStringList{titles.symbol, titles.name, titles.value, titles.uncertainty,
+                                            titles.limit, titles.verdict} +
+                                    titles.others)
         html += QStringLiteral("<th>") + title.toHtmlEscaped() + QStringLiteral("</th>");
     html += QStringLiteral("</tr>\n");
     for (const ResultLine &line : table.lines) {
@@ -259,7 +342,12 @@ QString asHtml(const ResultTable &table, const Language &language) {
         html += QStringLiteral("</td><td>") + line.fullName.toHtmlEscaped() + QStringLiteral("</td>");
         for (const QString &number : {line.value, line.uncertainty, line.limit})
             html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");
-        html += QStringLiteral("<td>") + line.verdictWord.toHtmlEscaped() + QStringLiteral("</td></tr>\n");
+        html += QStringLiteral("<td>") + line.verdictWord.toHtmlEscaped() + QStringLiteral("</td>");
+        for (const QString &number : titles.others.isEmpty()
+                                         ? QStringList()
+                                         : QStringList{line.other, line.otherUncertainty, line.change})
+            html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");
+        html += QStringLiteral("</tr>\n");
     }
     return html + QStringLiteral("</table>\n");
 }

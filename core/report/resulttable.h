@@ -45,6 +45,12 @@ struct ResultLine {
     std::optional<DecisionScale> scale;
     bool main = true;    ///< bidirectional, G or D; else a detail
     bool isFirst = true; ///< of those that belong together: with a rule above
+    /// The same of the test of the other role, where the table has one; empty: not known there.
+    QString other = {};
+    QString otherUncertainty = {};
+    std::optional<Verdict> otherVerdict = {};
+    QString otherVerdictWord = {};
+    QString change = {}; ///< as left − as found, signed
 
     bool operator==(const ResultLine &) const = default;
 };
@@ -62,7 +68,28 @@ struct ResultTable {
     QString viewNote;         ///< says so
     bool provisional = false; ///< readings are still to come, or an outdated simulation decides
     QString edition;
+    std::optional<std::size_t> otherTest; ///< of the other role; null: none
+    bool otherIsFound = true;             ///< that one is as found, this one as left
 };
+
+/// A quantity of a test as found and of the same as left. Points into the evaluations it was made from.
+struct QuantityOfRoles {
+    const Parameter *found = nullptr;
+    const Parameter *left = nullptr;
+    QString change; ///< left − found, signed; empty where one has no value
+};
+
+/// A test as found and the one as left, side by side.
+struct RolesBeside {
+    std::size_t found = 0;
+    std::size_t left = 0;
+    std::vector<QuantityOfRoles> quantities; ///< that both have and the report prints
+};
+
+/// `test` is one of the two; null where it has no other (see testAsFound), or one of them is not evaluated
+/// under its own edition.
+[[nodiscard]] std::optional<RolesBeside> rolesBeside(const EvaluatedDocument &evaluated, std::size_t test,
+                                                     const Language &language);
 
 /// What a result is called in a few words where it stands alone: "unidirectional accuracy"; of a path its
 /// sense.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sharedparts.h"
 
-#include "document/testsofverdict.h"
 #include "report/conditionparts.h"
 #include "report/dataparts.h"
 #include "report/printednumbers.h"
@@ -349,18 +348,13 @@ void addInHalves(std::vector<Block> &blocks, Table table) {
 /// What two tests of the same gave, quantity by quantity.
 class BeforeAndAfter {
 public:
-    BeforeAndAfter(const TestPart &before, const TestPart &after)
+    BeforeAndAfter(const TestPart &before, const TestPart &after, const RolesBeside &roles)
         : m_before(before)
         , m_after(after)
         , m_write(after.write) {
         addColumns();
-        for (const Parameter &parameter : after.evaluation.parameters) {
-            const auto &others = before.evaluation.parameters;
-            const auto same = std::ranges::find_if(
-                others, [&](const Parameter &p) { return parameterId(p) == parameterId(parameter); });
-            if (isPrinted(parameter, after.head()) && same != others.end())
-                addRow(*same, parameter);
-        }
+        for (const QuantityOfRoles &quantity : roles.quantities)
+            addRow(quantity);
     }
 
     [[nodiscard]] Table take() { return std::move(m_table); }
@@ -399,17 +393,13 @@ private:
         row.push_back(verdictCell(m_write, parameter));
     }
 
-    void addRow(const Parameter &before, const Parameter &after) {
-        Cell symbol(symbolPhrase(after.term.symbol, after.index));
+    void addRow(const QuantityOfRoles &quantity) {
+        Cell symbol(symbolPhrase(quantity.left->term.symbol, quantity.left->index));
         symbol.bold = true;
-        std::vector<Cell> row{symbol, m_write.text(briefName(after, m_after.evaluation))};
-        addSide(row, m_before, before);
-        addSide(row, m_after, after);
-        constexpr int decimals = 1;
-        row.emplace_back(
-            before.value && after.value
-                ? m_write.language().number(*after.value - *before.value, after.term.quantity, decimals)
-                : QString());
+        std::vector<Cell> row{symbol, m_write.text(briefName(*quantity.left, m_after.evaluation))};
+        addSide(row, m_before, *quantity.found);
+        addSide(row, m_after, *quantity.left);
+        row.emplace_back(quantity.change);
         m_table.rows.push_back(std::move(row));
     }
 
@@ -543,12 +533,13 @@ void addBeforeAndAfter(std::vector<Block> &blocks, const std::vector<TestPart> &
     const Writer &write = parts.front().write;
     bool any = false;
     for (const TestPart &after : parts) {
-        const auto found = testAsFound(after.document(), after.index);
-        const auto before =
-            std::ranges::find_if(parts, [&](const TestPart &part) { return found == part.index; });
-        if (!found || before == parts.end())
+        const auto roles = rolesBeside(after.evaluated, after.index, write.language());
+        if (!roles || roles->left != after.index)
             continue;
-        Table table = BeforeAndAfter(*before, after).take();
+        const auto before = std::ranges::find(parts, roles->found, &TestPart::index);
+        if (before == parts.end())
+            continue;
+        Table table = BeforeAndAfter(*before, after, *roles).take();
         if (table.rows.empty())
             continue;
         if (!any) {

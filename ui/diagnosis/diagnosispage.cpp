@@ -405,13 +405,10 @@ void DiagnosisPage::fillChart() {
         const auto row = currentRow();
         if (!row)
             return;
-        // What only several feeds tell shows in what each of them takes it for.
         const SourceEstimate &source = diagnosis()->sources[m_rows[*row].sources.front()];
-        const InfluenceId id = source.id == InfluenceId::commonLag     ? InfluenceId::radius
-                               : source.id == InfluenceId::lagMismatch ? InfluenceId::scaleMismatch
-                                                                       : source.id;
         m_chart->setReadOut({});
-        m_chart->setFigure(overFeedFigure(shown->atFeeds, id, source.axis, m_language), m_language, none);
+        m_chart->setFigure(overFeedFigure(shown->atFeeds, source.id, source.axis, m_language), m_language,
+                           none);
         return;
     }
     const DiagnosedTest &test = *shown->test;
@@ -531,6 +528,11 @@ void DiagnosisPage::retranslate() {
     m_chart->setAccessibleDescription(
         tr("Plus and minus zoom, arrows move, 0 shows the whole; a rectangle drawn with the mouse is zoomed "
            "into; the wheel zooms"));
+    const QString zooming =
+        tr("Wheel (after a click, or with Ctrl), plus and minus zoom; dragging and arrows "
+           "move; a double click or 0 shows the whole");
+    m_overlay->setAccessibleDescription(zooming);
+    m_overlay->setToolTip(zooming);
     for (QToolButton *button : {m_circle, m_feeds, m_trace, m_rest, m_spectrum})
         button->setAccessibleName(button->text());
     refresh();

@@ -2,11 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/diagnosis/feedsview.h"
 
+#include "figures/circlefigure.h"
+#include "ui/figures/circlecanvas.h"
 #include "ui/figures/drawfigure.h"
 #include "ui/theme.h"
 
 #include <QEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -14,6 +22,8 @@ namespace {
 
 constexpr double millimetresPerPixel = 25.4 / 96;
 constexpr int keyHeight = 22;
+constexpr double zoomStep = 1.25;
+constexpr double panStep = 40; ///< pixels
 
 } // namespace
 
@@ -21,42 +31,168 @@ FeedsView::FeedsView(QWidget *parent)
     : QWidget(parent) {
     setObjectName(QStringLiteral("feedsView"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setFocusPolicy(Qt::StrongFocus);
 }
 
 void FeedsView::show(std::span<const DiagnosedTest> tests, std::span<const PathProfile> paths,
                      const Language &language) {
+    const bool same = tests.data() == m_tests.data() && tests.size() == m_tests.size();
     m_tests = tests;
     m_paths = paths;
     m_language = language;
+    m_whole.reset();
+    if (!same)
+        m_view = {};
     m_drawn = {};
     update();
 }
 
-CircleFigure FeedsView::figure() const {
+void FeedsView::makeWhole() {
     CircleFigureOptions options;
     options.size = QSizeF(width(), height() - keyHeight) * millimetresPerPixel;
     options.pointStep = millimetresPerPixel / devicePixelRatioF();
-    return feedsFigure(m_tests, m_paths, m_language, options);
+    if (m_whole && m_whole->size == options.size && m_whole->pointStep == options.pointStep)
+        return;
+    const double before = m_whole ? m_whole->figureRadius : 0;
+    m_whole = feedsFigure(m_tests, m_paths, m_language, options);
+    if (before > 0) { // the same place stays in the middle
+        m_view.x *= m_whole->figureRadius / before;
+        m_view.y *= m_whole->figureRadius / before;
+    }
+    m_drawn = {};
+}
+
+CircleFigure FeedsView::figure() {
+    makeWhole();
+    m_view = CircleCanvas::within(m_view, *m_whole);
+    return m_view == CircleView{} ? *m_whole : withView(*m_whole, m_paths, m_view, m_language);
+}
+
+void FeedsView::setView(const CircleView &view) {
+    const CircleView next = m_whole ? CircleCanvas::within(view, *m_whole) : view;
+    if (next == m_view)
+        return;
+    m_view = next;
+    m_drawn = {};
+    update();
+}
+
+void FeedsView::zoom(double factor, const QPointF &about) {
+    drawAnew();
+    if (!m_whole)
+        return;
+    const QPointF at = m_transform.toData(about);
+    CircleView wanted = m_view;
+    wanted.zoom = m_view.zoom / factor;
+    const double zoomed = CircleCanvas::within(wanted, *m_whole).zoom;
+    const double shrink = m_view.zoom / zoomed; // what is under the pointer stays there
+    setView({at.x() + (m_view.x - at.x()) * shrink, at.y() + (m_view.y - at.y()) * shrink, zoomed});
+}
+
+void FeedsView::pan(const QPointF &by) {
+    drawAnew();
+    if (!m_whole)
+        return;
+    const QPointF moved = m_transform.toData(QPointF(0, 0)) - m_transform.toData(by);
+    setView({m_view.x + moved.x(), m_view.y + moved.y(), m_view.zoom});
+}
+
+void FeedsView::drawAnew() {
+    if (m_tests.empty())
+        return;
+    makeWhole();
+    const double ratio = devicePixelRatioF();
+    const QSize wanted = (QSizeF(size()) * ratio).toSize();
+    if (m_drawn.size() == wanted)
+        return;
+    CircleFigure circles = figure();
+    const std::vector<CircleLegendEntry> key = std::exchange(circles.legend, {});
+    m_drawn = QPixmap(wanted);
+    m_drawn.setDevicePixelRatio(ratio);
+    QPainter drawing(&m_drawn);
+    drawing.fillRect(rect(), palette().color(QPalette::Base));
+    const Medium medium = isDark(palette()) ? Medium::screenDark : Medium::screenLight;
+    m_transform = drawFigure(drawing, QRectF(0, 0, width(), height() - keyHeight), circles, medium);
+    drawKey(drawing, key, medium);
 }
 
 void FeedsView::paintEvent(QPaintEvent *) {
+    drawAnew();
     QPainter painter(this);
     if (m_tests.empty())
         return painter.fillRect(rect(), palette().color(QPalette::Base));
-    const double ratio = devicePixelRatioF();
-    const QSize wanted = (QSizeF(size()) * ratio).toSize();
-    if (m_drawn.size() != wanted) {
-        m_drawn = QPixmap(wanted);
-        m_drawn.setDevicePixelRatio(ratio);
-        QPainter drawing(&m_drawn);
-        drawing.fillRect(rect(), palette().color(QPalette::Base));
-        CircleFigure circles = figure();
-        const std::vector<CircleLegendEntry> key = std::exchange(circles.legend, {});
-        const Medium medium = isDark(palette()) ? Medium::screenDark : Medium::screenLight;
-        drawFigure(drawing, QRectF(0, 0, width(), height() - keyHeight), circles, medium);
-        drawKey(drawing, key, medium);
-    }
     painter.drawPixmap(0, 0, m_drawn);
+    if (hasFocus()) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(token(Token::accent, palette()), 2));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
+    }
+}
+
+// ---- Pointer and keys ------------------------------------------------------------------------------------
+
+void FeedsView::mousePressEvent(QMouseEvent *event) {
+    if (event->button() == Qt::LeftButton)
+        m_drag = event->position();
+}
+
+void FeedsView::mouseMoveEvent(QMouseEvent *event) {
+    if (!m_drag || !(event->buttons() & Qt::LeftButton))
+        return;
+    const QPointF from = std::exchange(*m_drag, event->position());
+    pan(event->position() - from);
+}
+
+void FeedsView::mouseReleaseEvent(QMouseEvent *) {
+    m_drag.reset();
+}
+
+void FeedsView::mouseDoubleClickEvent(QMouseEvent *) {
+    fit();
+}
+
+void FeedsView::wheelEvent(QWheelEvent *event) {
+    // Passing over a figure while scrolling must not change it.
+    if (!hasFocus() && !(event->modifiers() & Qt::ControlModifier)) {
+        event->ignore();
+        return;
+    }
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps != 0)
+        zoom(std::pow(zoomStep, -steps), event->position());
+    event->accept();
+}
+
+void FeedsView::keyPressEvent(QKeyEvent *event) {
+    const QPointF centre = QRectF(0, 0, width(), height() - keyHeight).center();
+    switch (event->key()) {
+    case Qt::Key_Plus:
+        return zoom(1 / zoomStep, centre);
+    case Qt::Key_Minus:
+        return zoom(zoomStep, centre);
+    case Qt::Key_0:
+        return fit();
+    case Qt::Key_Left:
+        return pan({panStep, 0});
+    case Qt::Key_Right:
+        return pan({-panStep, 0});
+    case Qt::Key_Up:
+        return pan({0, panStep});
+    case Qt::Key_Down:
+        return pan({0, -panStep});
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void FeedsView::focusInEvent(QFocusEvent *event) {
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void FeedsView::focusOutEvent(QFocusEvent *event) {
+    QWidget::focusOutEvent(event);
+    update();
 }
 
 /// Below the circles, side by side.

@@ -4,15 +4,18 @@
 
 #include "figures/diagnosisfigure.h"
 #include "language/language.h"
+#include "ui/figures/drawfigure.h"
 #include "ui/figures/style.h"
 
 #include <QPixmap>
 #include <QWidget>
+#include <optional>
 #include <span>
 
 namespace palmer::ui {
 
-/// The circles of several feeds over one another, as large as there is room.
+/// The circles of several feeds over one another, as large as there is room: zooms and pans as the figure of
+/// a test does.
 class FeedsView : public QWidget {
     Q_OBJECT
 
@@ -23,7 +26,10 @@ public:
     void show(std::span<const DiagnosedTest> tests, std::span<const PathProfile> paths,
               const Language &language);
     /// As it is drawn.
-    [[nodiscard]] CircleFigure figure() const;
+    [[nodiscard]] CircleFigure figure();
+    [[nodiscard]] const CircleView &view() const { return m_view; }
+    void setView(const CircleView &view);
+    void fit() { setView({}); }
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {180, 150}; }
     [[nodiscard]] QSize sizeHint() const override { return {240, 220}; }
@@ -31,14 +37,30 @@ public:
 protected:
     void paintEvent(QPaintEvent *event) override;
     void changeEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
 
 private:
+    void makeWhole();
+    void drawAnew();
+    void zoom(double factor, const QPointF &about);
+    void pan(const QPointF &by);
     void drawKey(QPainter &painter, const std::vector<CircleLegendEntry> &entries, Medium medium) const;
 
     std::span<const DiagnosedTest> m_tests;
     std::span<const PathProfile> m_paths;
     Language m_language{Language::Id::english};
-    QPixmap m_drawn; ///< null: to be drawn
+    std::optional<CircleFigure> m_whole; ///< for the size of the widget; null: to be made
+    CircleView m_view;
+    FigureTransform m_transform;
+    std::optional<QPointF> m_drag; ///< where the pointer was
+    QPixmap m_drawn;               ///< null: to be drawn
 };
 
 } // namespace palmer::ui

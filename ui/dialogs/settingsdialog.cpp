@@ -3,6 +3,8 @@
 #include "ui/dialogs/settingsdialog.h"
 
 #include "ui/dialogs/formrows.h"
+#include "ui/register/registerservice.h"
+#include "ui/register/registersettings.h"
 #include "ui/settings.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -55,6 +57,7 @@ SettingsDialog::SettingsDialog(QWidget *parent)
     layout->addLayout(form);
     layout->addWidget(m_autosave);
     layout->addWidget(m_backup);
+    layout->addWidget(new RegisterSettings(RegisterService::instance(), this));
     layout->addStretch();
     layout->addWidget(m_buttons);
     retranslate();

@@ -13,8 +13,8 @@ class QLabel;
 
 namespace palmer::ui {
 
-/// What holds for all windows: their language, their look, the units they show, how changes are kept. Each
-/// choice holds at once.
+/// What holds for all windows: their language, their look, the units they show, how changes are kept,
+/// what the register is made of. Each choice holds at once.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 

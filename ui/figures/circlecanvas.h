@@ -57,6 +57,8 @@ public:
     void fit() { setView({}); }
     /// In by so many steps of the wheel about the middle, out where negative.
     void zoomBy(int steps);
+    /// The view nearest to one that shows nothing beyond the figure and zooms no deeper than makes sense.
+    [[nodiscard]] static CircleView within(CircleView view, const CircleFigure &figure);
     /// Where a point stands on the canvas; nothing where it is out of view.
     [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &point);
     /// "XY 12,30°  −2,21 µm  0,39 s" of a point; empty where it is not shown.
@@ -90,7 +92,6 @@ private:
     void addSynthetic(const Test &test, const SyntheticPaths &synthetic);
     void zoom(double factor, QPointF about);
     void pan(QPointF by);
-    [[nodiscard]] static CircleView within(CircleView view, const CircleFigure &figure);
     [[nodiscard]] CircleFigure withoutHidden(CircleFigure figure) const;
     [[nodiscard]] bool shows(Sense sense) const;
     [[nodiscard]] QPointF shown(const TracePoint &point) const;

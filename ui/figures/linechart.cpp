@@ -104,6 +104,7 @@ void LineChart::build() {
     for (QCategoryAxis *axis : {m_x, m_y}) {
         axis->setVisible(!m_figure.lines.empty());
         axis->setLabelsFont(themeFont(TextSize::tiny));
+        axis->setTruncateLabels(false); // "…" says nothing: in a low chart some are left out
         axis->setLabelsColor(text);
         axis->setTitleFont(themeFont(TextSize::tiny));
         axis->setTitleBrush(text);

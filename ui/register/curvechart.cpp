@@ -6,10 +6,13 @@
 #include "register/listing.h"
 #include "register/machinetrend.h"
 #include "report/wording.h"
+#include "ui/figures/canvaslabel.h"
+#include "ui/register/numbertag.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
 #include <QAreaSeries>
+#include <QBuffer>
 #include <QButtonGroup>
 #include <QChart>
 #include <QComboBox>
@@ -20,6 +23,7 @@
 #include <QLegend>
 #include <QLineSeries>
 #include <QLocale>
+#include <QPainter>
 #include <QScatterSeries>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -38,20 +42,6 @@ void clear(QChart &chart) {
         chart.removeAxis(axis);
         delete axis;
     }
-}
-
-QChartView *makeView(const char *name) {
-    auto *view = new QChartView;
-    view->setObjectName(QString::fromLatin1(name));
-    view->setRenderHint(QPainter::Antialiasing);
-    view->setFrameShape(QFrame::NoFrame);
-    view->setRubberBand(QChartView::RectangleRubberBand);
-    view->chart()->legend()->hide();
-    view->chart()->layout()->setContentsMargins(0, 0, 0, 0);
-    view->chart()->setMargins(QMargins(0, 4, 8, 0));
-    view->chart()->setBackgroundRoundness(0);
-    view->setMinimumHeight(90);
-    return view;
 }
 
 /// Axes that hold all points, with round ticks.
@@ -90,6 +80,7 @@ void addAxes(QChart &chart, const QPalette &palette, const QString &title, const
         axis->setLabelFormat(range.step < 1 ? QStringLiteral("%.1f") : QStringLiteral("%.0f"));
         axis->setLabelsColor(token(Token::secondaryText, palette));
         axis->setLabelsFont(themeFont(TextSize::tiny));
+        axis->setTruncateLabels(false); // "…" says nothing: in a low chart some are left out
         axis->setTitleFont(themeFont(TextSize::tiny));
         axis->setTitleBrush(token(Token::secondaryText, palette));
         axis->setTitleText(name);
@@ -103,14 +94,125 @@ void addAxes(QChart &chart, const QPalette &palette, const QString &title, const
     add(y, Qt::AlignLeft, title + u' ' + unit);
 }
 
+QScatterSeries::MarkerShape markerOf(std::size_t curve) {
+    constexpr std::array shapes{QScatterSeries::MarkerShapeCircle, QScatterSeries::MarkerShapeRectangle,
+                                QScatterSeries::MarkerShapeRotatedRectangle};
+    return shapes.at(curve % shapes.size());
+}
+
+bool isFilled(std::size_t curve) {
+    return markerOf(curve) == QScatterSeries::MarkerShapeCircle;
+}
+
+/// Number, line and marker of a curve, as they stand in the charts, as an image of a rich text.
+QString sampleOf(std::size_t curve, const QPen &pen, const QPalette &palette, double ratio) {
+    constexpr QSize size(54, 18);
+    constexpr double half = 3.5;
+    QPixmap sample(size * ratio);
+    sample.setDevicePixelRatio(ratio);
+    sample.fill(Qt::transparent);
+    QPainter painter(&sample);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double middle = size.height() / 2.0;
+    drawNumberTag(painter, QPointF(tagRadius + 0.5, middle), static_cast<int>(curve) + 1, palette);
+    painter.setPen(pen);
+    painter.drawLine(QPointF(20, middle), QPointF(52, middle));
+    painter.setPen(QPen(pen.color(), 1.5));
+    painter.setBrush(isFilled(curve) ? pen.color() : palette.color(QPalette::Base));
+    painter.translate(36, middle);
+    if (isFilled(curve))
+        painter.drawEllipse(QPointF(), half, half);
+    if (markerOf(curve) == QScatterSeries::MarkerShapeRotatedRectangle)
+        painter.rotate(45);
+    if (!isFilled(curve))
+        painter.drawRect(QRectF(-half, -half, 2 * half, 2 * half));
+    painter.end();
+    QByteArray png;
+    QBuffer buffer(&png);
+    sample.save(&buffer, "PNG");
+    return QStringLiteral("<img width='%1' height='%2' src='data:image/png;base64,%3'>")
+        .arg(size.width())
+        .arg(size.height())
+        .arg(QString::fromLatin1(png.toBase64()));
+}
+
 } // namespace
+
+TaggedChart::TaggedChart(const char *name) {
+    constexpr int roomForTags = 24;
+    setObjectName(QString::fromLatin1(name));
+    setRenderHint(QPainter::Antialiasing);
+    setFrameShape(QFrame::NoFrame);
+    setRubberBand(QChartView::RectangleRubberBand);
+    setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // tags are drawn over the whole
+    chart()->legend()->hide();
+    chart()->layout()->setContentsMargins(0, 0, 0, 0);
+    chart()->setMargins(QMargins(0, 4, roomForTags, 0));
+    chart()->setBackgroundRoundness(0);
+    setMinimumHeight(90);
+}
+
+void TaggedChart::setTags(std::vector<Tag> tags) {
+    m_tags = std::move(tags);
+    viewport()->update();
+}
+
+void TaggedChart::setBox(const QPointF &at, const QString &text, const QColor &colour) {
+    m_boxAt = at;
+    m_box = text;
+    m_boxColour = colour;
+    viewport()->update();
+}
+
+std::vector<QPointF> TaggedChart::tagPlaces() const {
+    constexpr double away = 13;
+    const QRectF plot = chart()->plotArea();
+    std::vector<QPointF> places;
+    std::vector<std::size_t> order;
+    for (const Tag &tag : m_tags) {
+        order.push_back(places.size());
+        const QPointF end = chart()->mapToPosition(tag.end);
+        places.emplace_back(std::clamp(end.x(), plot.left(), plot.right()) + away,
+                            std::clamp(end.y(), plot.top(), plot.bottom()));
+    }
+    // From above to below each keeps its distance from the one before; what has come too low goes up again.
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places[i].y(); });
+    double next = plot.top() + tagRadius;
+    for (const std::size_t i : order) {
+        places[i].setY(std::max(places[i].y(), next));
+        next = places[i].y() + leastTagDistance;
+    }
+    double last = plot.bottom();
+    for (auto i = order.rbegin(); i != order.rend(); ++i) {
+        places[*i].setY(std::min(places[*i].y(), last));
+        last = places[*i].y() - leastTagDistance;
+    }
+    return places;
+}
+
+void TaggedChart::drawForeground(QPainter *painter, const QRectF &rect) {
+    QChartView::drawForeground(painter, rect);
+    const std::vector<QPointF> places = tagPlaces();
+    for (std::size_t i = 0; i < places.size(); ++i)
+        drawNumberTag(*painter, places[i], m_tags[i].number, palette());
+    if (m_box.isEmpty())
+        return;
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QPointF at = chart()->mapToPosition(m_boxAt);
+    painter->setPen(QPen(m_boxColour, 1.5));
+    painter->setBrush(palette().color(QPalette::Base));
+    painter->drawEllipse(at, 4, 4);
+    paintCanvasLabel(*painter, *viewport(), at, m_box, m_boxColour);
+    painter->restore();
+}
 
 CurveComparison::CurveComparison(QWidget *parent)
     : QWidget(parent)
     , m_title(new QLabel)
     , m_list(new QLabel)
-    , m_curves(makeView("curves"))
-    , m_differences(makeView("curveDifference"))
+    , m_curves(new TaggedChart("curves"))
+    , m_differences(new TaggedChart("curveDifference"))
     , m_differenceTitle(new QLabel)
     , m_first(new QComboBox)
     , m_second(new QComboBox)
@@ -193,10 +295,7 @@ QString CurveComparison::unit() const {
 }
 
 QPen CurveComparison::penOf(std::size_t curve) const {
-    const std::array colours{palette().color(QPalette::Text), token(Token::explanation, palette()),
-                             token(Token::accent, palette()), token(Token::downText, palette()),
-                             token(Token::ok, palette()),     token(Token::secondaryText, palette())};
-    QPen pen(colours.at(curve % colours.size()), 1.8);
+    QPen pen(curveColour(curve, palette()), 1.8);
     if (curve % 2 == 1)
         pen.setDashPattern({5, 3});
     return pen;
@@ -225,7 +324,7 @@ void CurveComparison::rebuild() {
     QChart &chart = *m_curves->chart();
     clear(chart);
     chart.setBackgroundBrush(palette().color(QPalette::Base));
-    QStringList names;
+    std::vector<TaggedChart::Tag> tags;
     for (std::size_t i = 0; i < m_tests.size(); ++i) {
         const RegisteredTest &test = m_tests[i].test;
         const QPen pen = penOf(i);
@@ -249,25 +348,50 @@ void CurveComparison::rebuild() {
         end();
         delete line;
         marks->setMarkerSize(7);
-        marks->setMarkerShape(i % 3 == 0   ? QScatterSeries::MarkerShapeCircle
-                              : i % 3 == 1 ? QScatterSeries::MarkerShapeRectangle
-                                           : QScatterSeries::MarkerShapeRotatedRectangle);
-        marks->setColor(i % 3 == 0 ? pen.color() : palette().color(QPalette::Base));
+        marks->setMarkerShape(markerOf(i));
+        marks->setColor(isFilled(i) ? pen.color() : palette().color(QPalette::Base));
         marks->setBorderColor(pen.color());
+        if (marks->count() > 0)
+            tags.push_back({static_cast<int>(i) + 1, marks->points().last()});
         chart.addSeries(marks);
-        QStringList words{test.date ? windowLanguage().shortDate(*test.date) : QString()};
+    }
+    addAxes(chart, palette(), QStringLiteral("x̄"), unit());
+    m_curves->setTags(std::move(tags));
+    showList();
+    rebuildDifference();
+}
+
+/// What the numbers stand for, with the main results.
+void CurveComparison::showList() {
+    const std::vector<std::string> parameters = mainParametersOf(m_tests);
+    const QString cell = QStringLiteral("<td align='%1' style='padding:1px 8px 1px 0'>%2</td>");
+    QString html = QStringLiteral("<table width='100%'><tr>") + cell.arg(QStringLiteral("left"), tr("Test")) +
+                   cell.arg(QStringLiteral("left"), QString()) + cell.arg(QStringLiteral("right"), unit());
+    for (const std::string &parameter : parameters)
+        html += cell.arg(QStringLiteral("right"), plainSymbolOf(parameter).toHtmlEscaped());
+    html += QStringLiteral("</tr>");
+    for (std::size_t i = 0; i < m_tests.size(); ++i) {
+        const RegisteredTest &test = m_tests[i].test;
+        QStringList words;
         for (const Text &word : {purposeText(test.purpose), roleText(test.role)}) {
             if (!word.empty())
                 words << windowLanguage().text(word);
         }
-        names << QStringLiteral("<b style='color:%1'>%2</b>&nbsp; %3")
-                     .arg(pen.color().name())
-                     .arg(i + 1)
-                     .arg(words.join(QStringLiteral(" · ")).toHtmlEscaped());
+        html += QStringLiteral("<tr>") +
+                cell.arg(QStringLiteral("left"), sampleOf(i, penOf(i), palette(), devicePixelRatioF())) +
+                cell.arg(QStringLiteral("left"),
+                         (test.date ? windowLanguage().shortDate(*test.date) : QString()).toHtmlEscaped()) +
+                cell.arg(QStringLiteral("left"), words.join(QStringLiteral(" · ")).toHtmlEscaped());
+        for (const std::string &parameter : parameters) {
+            const auto result = std::ranges::find(test.results, parameter, &RegisteredResult::id);
+            html += cell.arg(QStringLiteral("right"),
+                             result == test.results.end()
+                                 ? QStringLiteral("–")
+                                 : shownResult(*result, test.angular, windowLanguage()).value);
+        }
+        html += QStringLiteral("</tr>");
     }
-    addAxes(chart, palette(), QStringLiteral("x̄"), unit());
-    m_list->setText(names.join(QStringLiteral("<br>")));
-    rebuildDifference();
+    m_list->setText(html + QStringLiteral("</table>"));
 }
 
 void CurveComparison::rebuildDifference() {
@@ -275,6 +399,7 @@ void CurveComparison::rebuildDifference() {
     clear(chart);
     chart.setBackgroundBrush(palette().color(QPalette::Base));
     m_difference.reset();
+    m_differences->setBox({}, {}, {});
     const int first = m_first->currentIndex();
     const int second = m_second->currentIndex();
     if (first < 0 || second < 0)
@@ -319,13 +444,15 @@ void CurveComparison::rebuildDifference() {
     QString text = tr("common travel %1 to %2")
                        .arg(windowLanguage().number(m_difference->from, position, 0),
                             windowLanguage().quantity(m_difference->to, position, 0));
-    if (m_difference->largest)
-        text =
-            tr("largest %1 at %2")
-                .arg(windowLanguage().quantity(*m_difference->largest->value,
-                                               angular ? Quantity::angularDeviation : Quantity::deviation, 1),
-                     windowLanguage().quantity(m_difference->largest->position, position, 0)) +
-            QStringLiteral(" · ") + text;
+    if (m_difference->largest) {
+        const PlacedValue &largest = *m_difference->largest;
+        const QString where =
+            windowLanguage().quantity(*largest.value,
+                                      angular ? Quantity::angularDeviation : Quantity::deviation, 1) +
+            QStringLiteral(" · ") + windowLanguage().quantity(largest.position, position, 0);
+        m_differences->setBox({largest.position, *largest.value * scale()},
+                              *largest.value > 0 ? u'+' + where : where, pen.color());
+    }
     m_travel->setText(text);
 }
 

@@ -11,9 +11,36 @@
 
 class QComboBox;
 class QLabel;
-class QButtonGroup;
 
 namespace palmer::ui {
+
+/// A chart with the numbers of its curves at their ends, and a boxed word at a point.
+class TaggedChart : public QChartView {
+    Q_OBJECT
+
+public:
+    explicit TaggedChart(const char *name);
+
+    struct Tag {
+        int number = 0; ///< of the curve, from 1
+        QPointF end;    ///< of the curve, in the units of the axes
+    };
+    void setTags(std::vector<Tag> tags);
+    /// Empty text: none.
+    void setBox(const QPointF &at, const QString &text, const QColor &colour);
+    /// The middles of the tags in the chart, px, in the order of the curves.
+    [[nodiscard]] std::vector<QPointF> tagPlaces() const;
+    [[nodiscard]] const QString &box() const { return m_box; }
+
+protected:
+    void drawForeground(QPainter *painter, const QRectF &rect) override;
+
+private:
+    std::vector<Tag> m_tags;
+    QPointF m_boxAt;
+    QString m_box;
+    QColor m_boxColour;
+};
 
 /// The mean deviations of several tests of one axis over each other, and below the difference of two.
 class CurveComparison : public QWidget {
@@ -38,6 +65,7 @@ private:
     void rebuild();
     void rebuildDifference();
     void retranslate();
+    void showList();
     [[nodiscard]] QPen penOf(std::size_t curve) const;
     [[nodiscard]] double scale() const;
     [[nodiscard]] QString unit() const;
@@ -47,8 +75,8 @@ private:
     std::optional<CurveDifference> m_difference;
     QLabel *m_title;
     QLabel *m_list;
-    QChartView *m_curves;
-    QChartView *m_differences;
+    TaggedChart *m_curves;
+    TaggedChart *m_differences;
     QLabel *m_differenceTitle;
     QComboBox *m_first;
     QComboBox *m_second;

@@ -5,10 +5,9 @@
 #include <QDialog>
 #include <QStringList>
 
-class QListWidget;
-class QPushButton;
-
 namespace palmer::ui {
+
+class FolderList;
 
 /// Which folders the register is made of.
 class FoldersDialog : public QDialog {
@@ -21,8 +20,7 @@ public:
     void addFolder(const QString &folder);
 
 private:
-    QListWidget *m_list;
-    QPushButton *m_remove;
+    FolderList *m_list;
 };
 
 } // namespace palmer::ui

@@ -14,16 +14,16 @@ namespace palmer::ui {
 namespace {
 
 /// In a window that is there, or a new one where all were closed.
-void openFromRegister(const QString &path) {
+void openFromRegister(const QString &path, std::size_t test) {
     for (QWidget *widget : QApplication::topLevelWidgets()) {
         if (auto *window = qobject_cast<MainWindow *>(widget)) {
-            window->openFile(path);
+            window->openFile(path, test);
             return;
         }
     }
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();
-    window->openFile(path);
+    window->openFile(path, test);
 }
 
 } // namespace

@@ -17,9 +17,10 @@ namespace palmer::ui {
 namespace {
 
 const QString foldersKey = QStringLiteral("register/folders");
-constexpr int soon = 1500;       ///< ms: changes come in swarms
-constexpr int later = 120'000;   ///< ms, without any sign of a change
-constexpr int mostWatched = 400; ///< folders; the rest is scanned after the pause
+const QString serverKey = QStringLiteral("register/server"); ///< its address without password
+constexpr int soon = 1500;                                   ///< ms: changes come in swarms
+constexpr int later = 120'000;                               ///< ms, without any sign of a change
+constexpr int mostWatched = 400;                             ///< folders; the rest is scanned after the pause
 
 struct Scanned {
     ScanResult result;
@@ -42,8 +43,10 @@ QStringList watchable(const QStringList &folders, const std::stop_token &stop) {
 RegisterService &RegisterService::instance() {
     // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): one for all windows
     static RegisterService *const service = [] {
-        auto *made =
-            new RegisterService(Register::standardPath(), QSettings().value(foldersKey).toStringList(), qApp);
+        const QSettings settings;
+        const QString server = settings.value(serverKey).toString();
+        auto *made = new RegisterService(isServerAddress(server) ? server : Register::standardPath(),
+                                         settings.value(foldersKey).toStringList(), qApp);
         made->m_keepsFolders = true;
         return made;
     }();
@@ -80,6 +83,22 @@ void RegisterService::setFolders(const QStringList &folders) {
         m_later.stop();
     else
         m_later.start();
+    rescan();
+}
+
+void RegisterService::setAddress(const QString &address) {
+    if (m_keepsFolders) {
+        if (isServerAddress(address))
+            QSettings().setValue(serverKey, withoutPassword(address));
+        else
+            QSettings().remove(serverKey);
+    }
+    m_lane.cancel();
+    m_address = address;
+    m_result = {};
+    m_trouble.clear();
+    m_scannedAt = {};
+    emit changed();
     rescan();
 }
 

@@ -30,6 +30,9 @@ public:
     [[nodiscard]] const QString &address() const { return m_address; }
     [[nodiscard]] const QStringList &folders() const { return m_folders; }
     void setFolders(const QStringList &folders);
+    /// Keeps the register elsewhere from now on: the path of a file, or a server that was reached. Kept in
+    /// the settings without a password.
+    void setAddress(const QString &address);
 
     [[nodiscard]] bool isScanning() const { return m_lane.isBusy(); }
     [[nodiscard]] const ScanResult &result() const { return m_result; } ///< of the last scan of all folders
@@ -51,7 +54,7 @@ private:
 
     QString m_address;
     QStringList m_folders;
-    bool m_keepsFolders = false;
+    bool m_keepsFolders = false; ///< and the address
     ScanResult m_result;
     QString m_trouble;
     QDateTime m_scannedAt;

@@ -17,6 +17,7 @@
 #include "ui/figures/zoombuttons.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/register/curvechart.h"
+#include "ui/register/firstuse.h"
 #include "ui/register/foldersdialog.h"
 #include "ui/register/registerservice.h"
 #include "ui/register/testtable.h"
@@ -38,6 +39,7 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -47,6 +49,7 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
@@ -58,6 +61,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <set>
+#include <variant>
 
 namespace palmer::ui {
 
@@ -100,15 +104,18 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     setObjectName(QStringLiteral("registerWindow"));
     setAcceptDrops(true);
     makeActions();
+    auto *firstUse = new RegisterFirstUse;
+    connect(firstUse, &RegisterFirstUse::folderWanted, this, &RegisterWindow::addFolder);
     m_stack = new QStackedWidget;
-    m_stack->addWidget(makeFirstUse());
+    m_stack->addWidget(firstUse);
+    m_stack->addWidget(makeRight());
+    m_side = makeLeft();
     auto *splitter = new ThinSplitter(Qt::Horizontal);
-    splitter->addWidget(makeLeft());
-    splitter->addWidget(makeRight());
+    splitter->addWidget(m_side);
+    splitter->addWidget(m_stack);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({listWidth, usual.width() - listWidth});
-    m_stack->addWidget(splitter);
-    setCentralWidget(m_stack);
+    setCentralWidget(splitter);
     m_total = new QLabel;
     m_total->setObjectName(QStringLiteral("total"));
     m_state = new QLabel;
@@ -191,38 +198,6 @@ void RegisterWindow::makeActions() {
     connect(m_historyAction, &QAction::triggered, this, &RegisterWindow::writeHistory);
 }
 
-QWidget *RegisterWindow::makeFirstUse() {
-    auto *page = new QWidget;
-    page->setObjectName(QStringLiteral("registerFirstUse"));
-    page->setAutoFillBackground(true);
-    page->setBackgroundRole(QPalette::Base);
-    m_welcomeTitle = made("registerWelcome", TextSize::title);
-    m_welcomeTitle->setAlignment(Qt::AlignCenter);
-    QFont large = themeFont(TextSize::title);
-    large.setPixelSize(20);
-    m_welcomeTitle->setFont(large);
-    m_welcomeText = made("registerExplanation", TextSize::base);
-    m_welcomeText->setAlignment(Qt::AlignCenter);
-    m_welcomeFacts = made("registerFacts", TextSize::small);
-    m_welcomeFacts->setAlignment(Qt::AlignCenter);
-    m_welcomeButton = new QPushButton;
-    m_welcomeButton->setObjectName(QStringLiteral("chooseFolder"));
-    m_welcomeButton->setFixedSize(208, 36);
-    m_welcomeButton->setDefault(true);
-    auto *layout = new QVBoxLayout(page);
-    layout->addStretch(3);
-    layout->addWidget(m_welcomeTitle);
-    layout->addSpacing(8);
-    layout->addWidget(m_welcomeText);
-    layout->addSpacing(20);
-    layout->addWidget(m_welcomeButton, 0, Qt::AlignCenter);
-    layout->addSpacing(40);
-    layout->addWidget(m_welcomeFacts);
-    layout->addStretch(4);
-    connect(m_welcomeButton, &QPushButton::clicked, this, &RegisterWindow::addFolder);
-    return page;
-}
-
 QWidget *RegisterWindow::makeLeft() {
     auto *side = new QWidget;
     side->setMinimumWidth(200);
@@ -257,6 +232,7 @@ QWidget *RegisterWindow::makeLeft() {
     m_noMachine->setWordWrap(true);
     auto *above = new QVBoxLayout;
     above->setContentsMargins(margin, 10, margin, 8);
+    above->setSpacing(8);
     above->addWidget(m_machinesTitle);
     above->addWidget(m_search);
     above->addLayout(switches);
@@ -266,6 +242,9 @@ QWidget *RegisterWindow::makeLeft() {
     layout->setSpacing(0);
     layout->addLayout(above);
     layout->addWidget(m_machineList, 1);
+    m_ghosts = new GhostRows;
+    m_ghosts->setObjectName(QStringLiteral("ghostRows"));
+    layout->addWidget(m_ghosts, 1);
     const auto filter = [this] {
         const int before = m_machine;
         m_machines->setFilter(m_search->text(), m_toDo->isChecked());
@@ -284,8 +263,8 @@ QWidget *RegisterWindow::makeRight() {
     auto *side = new QWidget;
     side->setAutoFillBackground(true);
     side->setBackgroundRole(QPalette::Base);
-    auto *head = new QWidget;
-    head->setFixedHeight(headHeight);
+    m_head = new QWidget;
+    m_head->setFixedHeight(headHeight);
     m_name = made("machineName", TextSize::title);
     m_facts = made("machineFacts", TextSize::small);
     m_intervalLabel = made("intervalLabel", TextSize::small);
@@ -297,7 +276,7 @@ QWidget *RegisterWindow::makeRight() {
     names->setSpacing(2);
     names->addWidget(m_name);
     names->addWidget(m_facts);
-    auto *row = new QHBoxLayout(head);
+    auto *row = new QHBoxLayout(m_head);
     row->setContentsMargins(margin, 4, margin, 4);
     row->addLayout(names, 1);
     row->addWidget(m_intervalLabel);
@@ -305,13 +284,14 @@ QWidget *RegisterWindow::makeRight() {
     row->addWidget(m_due);
     connect(m_interval, &QComboBox::activated, this, &RegisterWindow::setMonths);
     auto *splitter = new ThinSplitter(Qt::Vertical);
-    splitter->addWidget(makeTests());
+    m_testsPart = makeTests();
+    splitter->addWidget(m_testsPart);
     splitter->addWidget(makeTrend());
     splitter->setSizes({280, 360});
     auto *layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(head);
+    layout->addWidget(m_head);
     layout->addWidget(splitter, 1);
     return side;
 }
@@ -339,7 +319,7 @@ QWidget *RegisterWindow::makeTests() {
     m_shownCount = made("shownCount", TextSize::small);
     m_clear = new QPushButton;
     m_clear->setObjectName(QStringLiteral("clearFilters"));
-    m_clear->setFlat(true);
+    m_clear->setProperty("link", true);
     row->addWidget(m_shownCount);
     row->addWidget(m_clear);
     connect(m_clear, &QPushButton::clicked, this, [this] {
@@ -362,6 +342,8 @@ QWidget *RegisterWindow::makeTests() {
     m_table->setShowGrid(false);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->viewport()->installEventFilter(this);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
     m_table->horizontalHeader()->setFixedHeight(tableHead);
@@ -380,6 +362,14 @@ QWidget *RegisterWindow::makeTests() {
     framed->addWidget(m_table);
     layout->addLayout(framed, 1);
     return part;
+}
+
+QToolButton *RegisterWindow::makeTrendButton(const char *name, const char *icon) {
+    auto *button = new QToolButton;
+    button->setObjectName(QString::fromLatin1(name));
+    button->setIcon(lineIcon(QString::fromLatin1(icon)));
+    button->setProperty("iconOnly", true);
+    return button;
 }
 
 QWidget *RegisterWindow::makeTrend() {
@@ -406,16 +396,18 @@ QWidget *RegisterWindow::makeTrend() {
                     [this, word = std::string(edition->word)] { evaluateUnder(word); });
         }
     });
-    auto *copy = new QToolButton;
-    copy->setObjectName(QStringLiteral("copyTrend"));
-    copy->setIcon(lineIcon(QStringLiteral("copy")));
-    copy->setAutoRaise(true);
-    copy->setToolTip(tr("Copy the chart"));
-    copy->setAccessibleName(tr("Copy the chart"));
-    connect(copy, &QToolButton::clicked, this, [this] {
+    m_copy = makeTrendButton("copyTrend", "copy");
+    connect(m_copy, &QToolButton::clicked, this, [this] {
         if (!m_trend->panel().values.empty())
             QGuiApplication::clipboard()->setPixmap(m_trend->grab());
     });
+    m_maximise = makeTrendButton("maximiseTrend", "maxi");
+    m_maximise->setCheckable(true);
+    connect(m_maximise, &QToolButton::toggled, this, &RegisterWindow::maximiseTrend);
+    auto *restore = new QAction(this);
+    restore->setShortcut(Qt::Key_Escape);
+    addAction(restore);
+    connect(restore, &QAction::triggered, m_maximise, [this] { m_maximise->setChecked(false); });
     auto *head = new QHBoxLayout;
     head->addWidget(m_trendTitle);
     head->addStretch();
@@ -426,7 +418,8 @@ QWidget *RegisterWindow::makeTrend() {
     connect(zoom, &ZoomButtons::zoomWanted, m_trend, &TrendChart::zoomBy);
     connect(zoom, &ZoomButtons::fitWanted, m_trend, &TrendChart::showAll);
     head->addWidget(zoom);
-    head->addWidget(copy);
+    head->addWidget(m_copy);
+    head->addWidget(m_maximise);
     m_legend = made("trendLegend", TextSize::tiny);
     m_legend->setAlignment(Qt::AlignCenter);
     m_legend->setWordWrap(true);
@@ -446,8 +439,16 @@ QWidget *RegisterWindow::makeTrend() {
     m_statement->setAlignment(Qt::AlignTop);
     m_statement->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto *facts = new QVBoxLayout(m_factsColumn);
-    facts->setContentsMargins(margin, 12, margin, 8);
-    facts->addWidget(m_statement, 1);
+    facts->setContentsMargins(margin, 12, 4, 8);
+    auto *area = new QScrollArea; // a low window has no room for the method
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(m_statement);
+    m_statement->setContentsMargins(0, 0, margin - 4, 0);
+    area->viewport()->setAutoFillBackground(false);
+    m_statement->setAutoFillBackground(false);
+    facts->addWidget(area, 1);
     m_comparison = new CurveComparison;
     m_comparison->hide();
     connect(m_comparison, &CurveComparison::closed, this, [this] { m_compareAction->setChecked(false); });
@@ -485,14 +486,9 @@ void RegisterWindow::retranslate() {
     m_interval->setAccessibleName(tr("Interval"));
     m_clear->setText(tr("Clear filters"));
     m_under->setText(tr("Evaluate all under…"));
-    m_welcomeTitle->setText(tr("All tests of all your machines, over the years"));
-    m_welcomeText->setText(
-        tr("Name the folder in which the tests are kept. Palmer reads the .palmer files in it\n"
-           "and the PDF reports that contain them, and sorts them by machine."));
-    m_welcomeButton->setText(tr("Choose a folder…"));
-    m_welcomeFacts->setText(
-        tr("or drop a folder into the window\n\nNothing is changed: your files stay the only "
-           "record. Folders below are included. The index can be made anew at any time."));
+    m_copy->setToolTip(tr("Copy the chart"));
+    m_copy->setAccessibleName(tr("Copy the chart"));
+    maximiseTrend(m_maximise->isChecked());
     {
         const QSignalBlocker blocker(m_interval);
         const int before = m_interval->currentIndex();
@@ -799,10 +795,12 @@ void RegisterWindow::showTests() {
 
 void RegisterWindow::fitColumns() {
     constexpr int markWidth = 30;
-    constexpr int resultWidth = 88;
-    constexpr int limitsWidth = 110;
-    constexpr int padding = 14;
-    constexpr int wide = 1250; ///< of the table: all results find room
+    constexpr int resultWidth = 80;
+    constexpr int limitsWidth = 104;
+    constexpr int accordanceWidth = 110;
+    constexpr int padding = 10;
+    constexpr int leastWord = 64; ///< of a column that gives way; what it says is elided
+    constexpr int wide = 1250;    ///< of the table: all results find room
     constexpr int fewResults = 3;
     m_table->resizeColumnsToContents();
     for (int i = TestTableModel::dateColumn; i < TestTableModel::firstResult; ++i)
@@ -818,17 +816,39 @@ void RegisterWindow::fitColumns() {
     m_table->setColumnHidden(TestTableModel::firstResult + results + 1, false);
     const int limits = TestTableModel::firstResult + results;
     m_table->setColumnWidth(limits, std::max(limitsWidth, m_table->columnWidth(limits) + padding));
+    m_table->setColumnWidth(limits + 1, accordanceWidth);
+    int tooWide = accordanceWidth - m_table->viewport()->width(); // what is left the last one takes
+    for (int i = 0; i <= limits; ++i)
+        tooWide += m_table->isColumnHidden(i) ? 0 : m_table->columnWidth(i);
+    for (const int column : {TestTableModel::purposeColumn, TestTableModel::roleColumn}) {
+        const int before = m_table->columnWidth(column);
+        const int after = std::clamp(before - tooWide, std::min(before, leastWord), before);
+        m_table->setColumnWidth(column, after);
+        tooWide -= before - after;
+    }
+    // A narrow window shows the first quantity; the others stand in the trend.
+    for (int i = std::min(results, fewResults) - 1; i > 0 && tooWide > 0; --i) {
+        m_table->setColumnHidden(TestTableModel::firstResult + i, true);
+        tooWide -= resultWidth;
+    }
 }
 
-void RegisterWindow::resizeEvent(QResizeEvent *event) {
-    QMainWindow::resizeEvent(event);
-    fitColumns();
+bool RegisterWindow::eventFilter(QObject *watched, QEvent *event) {
+    if (watched == m_table->viewport() && event->type() == QEvent::Resize)
+        fitColumns();
+    return QMainWindow::eventFilter(watched, event);
 }
 
 QString RegisterWindow::trendAxis() const {
     if (!m_filters[byAxis].chosen.isEmpty())
         return m_filters[byAxis].chosen;
     return m_allTests.empty() ? QString() : QString::fromStdString(m_allTests.back().test.axis);
+}
+
+/// "X axis", "XY": of a plane its name alone.
+QString RegisterWindow::axisName(const std::vector<ListedTest> &list) const {
+    const bool isAxis = !list.empty() && list.front().test.kind == Kind::positioning;
+    return isAxis ? tr("%1 axis").arg(trendAxis()) : trendAxis();
 }
 
 void RegisterWindow::showTrend() {
@@ -868,7 +888,7 @@ void RegisterWindow::showTrend() {
     m_trend->setTrend(trend, QDate::currentDate());
     m_trendTitle->setText(m_parameter.empty()
                               ? tr("Trend")
-                              : tr("Trend of %1, %2").arg(plainSymbolOf(m_parameter), axis) +
+                              : tr("Trend of %1, %2").arg(plainSymbolOf(m_parameter), axisName(list)) +
                                     (m_edition.empty()
                                          ? QString()
                                          : QStringLiteral(" · ") + QString::fromStdString(m_edition)));
@@ -948,6 +968,15 @@ void RegisterWindow::compareCurves(bool compare) {
     showChosen();
 }
 
+/// The trend alone, below the name of the machine; or with the tests and the machines again.
+void RegisterWindow::maximiseTrend(bool maximise) {
+    m_side->setVisible(!maximise);
+    m_testsPart->setVisible(!maximise);
+    const QString does = maximise ? tr("Show tests and machines again (Esc)") : tr("Show the trend alone");
+    m_maximise->setToolTip(does);
+    m_maximise->setAccessibleName(does);
+}
+
 void RegisterWindow::chooseByDigest(const QString &digest) {
     for (int row = 0; row < m_sorted->rowCount(); ++row) {
         if (m_tests->test(m_sorted->mapToSource(m_sorted->index(row, 0)).row()).test.digest == digest) {
@@ -959,8 +988,10 @@ void RegisterWindow::chooseByDigest(const QString &digest) {
 
 void RegisterWindow::openChosen() {
     const auto chosen = chosenTests();
-    if (chosen.size() == 1)
-        emit openAsked(chosen.front()->places.front().path);
+    if (chosen.size() != 1)
+        return;
+    const TestPlace &place = chosen.front()->places.front();
+    emit openAsked(place.path, static_cast<std::size_t>(std::max(place.test - 1, 0)));
 }
 
 void RegisterWindow::evaluateUnder(const std::string &edition) {
@@ -990,14 +1021,21 @@ void RegisterWindow::showState() {
     const bool hasFolders = !m_service.folders().isEmpty();
     const bool isEmpty = !hasFolders && m_machines->machineCount() == 0;
     m_stack->setCurrentIndex(isEmpty ? 0 : 1);
+    if (isEmpty)
+        m_maximise->setChecked(false);
     m_rescanAction->setEnabled(hasFolders);
     m_historyAction->setEnabled(m_machine != 0);
     const int count = m_machines->machineCount();
-    m_machinesTitle->setText(tr("Machines") + QStringLiteral("  %1").arg(count));
+    m_machinesTitle->setText(tr("Machines") + (count == 0 ? QString() : QStringLiteral("  %1").arg(count)));
     m_all->setText(tr("All"));
     m_toDo->setText(tr("To do %1").arg(m_machines->toDoCount()));
     m_noMachine->setText(m_service.isScanning() ? tr("The folders are being read…") : tr("No machine yet"));
     m_noMachine->setVisible(count == 0);
+    m_ghosts->setVisible(count == 0);
+    m_machineList->setVisible(count > 0);
+    m_search->setEnabled(count > 0);
+    m_all->setVisible(count > 0);
+    m_toDo->setVisible(count > 0);
     const ScanResult &result = m_service.result();
     m_total->setText(count == 0 ? QString()
                                 : tr("%n machine(s)", nullptr, count) + QStringLiteral(" · ") +
@@ -1087,22 +1125,40 @@ void RegisterWindow::writeHistory() {
     if (row < 0)
         return;
     const ListedMachine machine = m_machines->row(row).machine;
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the history"), machine.title() + QStringLiteral(".pdf"), tr("PDF documents (*.pdf)"));
+    QInputDialog ask(this);
+    ask.setObjectName(QStringLiteral("historyNumber"));
+    ask.setWindowTitle(tr("History report"));
+    ask.setLabelText(tr("Number of the history, printed on every page; may be empty:"));
+    ask.setTextValue(proposedHistoryNumber(machine, QDate::currentDate()));
+    if (ask.exec() != QDialog::Accepted)
+        return;
+    const QString number = ask.textValue().simplified();
+    QString name = number.isEmpty() ? machine.title() : number;
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the history"),
+                                                      name.replace(u'/', u'-') + QStringLiteral(".pdf"),
+                                                      tr("PDF documents (*.pdf)"));
     if (path.isEmpty())
         return;
     m_historyLane.start(
-        [address = m_service.address(), machine, language = windowLanguage()](const Background::Job &) {
-            Register reg(address);
-            return composeHistory(historyOf(reg.database(), machine, QDate::currentDate(),
-                                            QStringLiteral("Palmer " PALMER_VERSION)),
-                                  language);
-        },
-        [this, path](const Report &report) {
+        [address = m_service.address(), machine, number,
+         language = windowLanguage()](const Background::Job &) -> std::variant<Report, Error> {
             try {
+                Register reg(address);
+                History history = historyOf(reg.database(), machine, QDate::currentDate(),
+                                            QStringLiteral("Palmer " PALMER_VERSION));
+                history.number = number;
+                return composeHistory(history, language);
+            } catch (const Error &error) { // the server is gone, perhaps
+                return error;
+            }
+        },
+        [this, path](const std::variant<Report, Error> &composed) {
+            try {
+                if (const auto *error = std::get_if<Error>(&composed))
+                    throw *error;
                 QBuffer pdf;
                 pdf.open(QIODevice::WriteOnly);
-                writePdf(report, pdf);
+                writePdf(std::get<Report>(composed), pdf);
                 saveBytes(pdf.data(), path);
             } catch (const Error &error) {
                 QMessageBox::warning(this, tr("The history was not saved"),

@@ -30,6 +30,7 @@ namespace palmer::ui {
 
 class Chip;
 class CurveComparison;
+class GhostRows;
 class RegisterService;
 class TestTableModel;
 class TrendChart;
@@ -49,13 +50,13 @@ public:
     [[nodiscard]] bool isQuiet() const;
 
 signals:
-    void openAsked(const QString &path); ///< the file of a test
+    void openAsked(const QString &path, std::size_t test); ///< a test of a file, from 0
 
 protected:
     void changeEvent(QEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     struct FilterButton {
@@ -64,12 +65,12 @@ private:
     };
     enum Filter { byAxis, bySince, byEdition, byPurpose, byRole, byLimits, byAccordance, filterCount };
 
-    QWidget *makeFirstUse();
     QWidget *makeLeft();
     QWidget *makeRight();
     QWidget *makeTests();
     QWidget *makeTrend();
     void makeActions();
+    QToolButton *makeTrendButton(const char *name, const char *icon);
     void retranslate();
 
     void loadMachines();
@@ -90,10 +91,12 @@ private:
     void showChosen();
     void showState();
     [[nodiscard]] QString trendAxis() const;
+    [[nodiscard]] QString axisName(const std::vector<ListedTest> &list) const;
     [[nodiscard]] std::vector<const ListedTest *> chosenTests() const;
     void chooseByDigest(const QString &digest);
     void openChosen();
     void compareCurves(bool compare);
+    void maximiseTrend(bool maximise);
     void evaluateUnder(const std::string &edition);
     void chooseFolders();
     void addFolder();
@@ -101,7 +104,7 @@ private:
     void setMonths(int index);
 
     RegisterService &m_service;
-    QStackedWidget *m_stack = nullptr;
+    QStackedWidget *m_stack = nullptr; ///< first use, or what the register says
     MachineModel *m_machines = nullptr;
     QListView *m_machineList = nullptr;
     QLineEdit *m_search = nullptr;
@@ -124,15 +127,17 @@ private:
     QHBoxLayout *m_parameterRow = nullptr;
     QButtonGroup *m_parameterButtons = nullptr;
     QPushButton *m_under = nullptr;
+    QToolButton *m_copy = nullptr;
+    QToolButton *m_maximise = nullptr;
     TrendChart *m_trend = nullptr;
     QLabel *m_legend = nullptr;
     QLabel *m_statement = nullptr;
     QWidget *m_factsColumn = nullptr;
     CurveComparison *m_comparison = nullptr;
-    QLabel *m_welcomeTitle = nullptr;
-    QLabel *m_welcomeText = nullptr;
-    QPushButton *m_welcomeButton = nullptr;
-    QLabel *m_welcomeFacts = nullptr;
+    QWidget *m_side = nullptr;
+    QWidget *m_head = nullptr;
+    QWidget *m_testsPart = nullptr;
+    GhostRows *m_ghosts = nullptr;
     QLabel *m_total = nullptr;
     QLabel *m_state = nullptr;
     QLabel *m_unreadable = nullptr;

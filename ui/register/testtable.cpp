@@ -5,6 +5,7 @@
 #include "register/listing.h"
 #include "register/machinetrend.h"
 #include "report/wording.h"
+#include "ui/register/numbertag.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -147,6 +148,8 @@ QVariant TestTableModel::data(const QModelIndex &index, int role) const {
     if (column == firstResult + results + 1)
         return accordanceData(test, role);
     if (column == markColumn) {
+        if (role == asLeftRole)
+            return test.role == TestRole::asLeft;
         const auto number = m_numbers.find(listed.id);
         return role == numberRole && number != m_numbers.end() ? QVariant(number->second) : QVariant();
     }
@@ -219,16 +222,12 @@ void TestDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
     if (index.column() == TestTableModel::markColumn) {
         const QPointF centre = QRectF(option.rect).center();
         const QVariant number = index.data(TestTableModel::numberRole);
-        const auto *model = qobject_cast<const TestTableModel *>(index.model());
-        const bool asLeft = model && model->test(index.row()).test.role == TestRole::asLeft;
-        const QColor accent = token(Token::accent, palette);
-        painter->setPen(QPen(accent, 1.5));
         if (number.isValid()) {
-            painter->setBrush(accent);
-            painter->drawEllipse(centre, 8, 8);
-            painter->setPen(palette.color(QPalette::Base));
-            painter->drawText(option.rect, Qt::AlignCenter, number.toString());
+            drawNumberTag(*painter, centre, number.toInt(), palette);
         } else {
+            const QColor accent = token(Token::accent, palette);
+            const bool asLeft = index.data(TestTableModel::asLeftRole).toBool();
+            painter->setPen(QPen(accent, 1.5));
             painter->setBrush(asLeft ? accent : palette.color(QPalette::Base));
             painter->drawEllipse(centre, 4.2, 4.2);
         }

@@ -19,7 +19,7 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     enum Column { markColumn, dateColumn, axisColumn, editionColumn, purposeColumn, roleColumn, firstResult };
-    enum Role { sortRole = Qt::UserRole + 1, uncertaintyRole, iconRole, tokenRole, numberRole };
+    enum Role { sortRole = Qt::UserRole + 1, uncertaintyRole, iconRole, tokenRole, numberRole, asLeftRole };
 
     void setTests(std::vector<ListedTest> tests);
     [[nodiscard]] const ListedTest &test(int row) const { return m_tests[static_cast<std::size_t>(row)]; }

@@ -5,6 +5,7 @@
 #include "register/listing.h"
 #include "register/trendfigure.h"
 #include "report/wording.h"
+#include "ui/register/numbertag.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -116,6 +117,7 @@ void TrendChart::rebuild() {
                                               : QStringLiteral("%.0f"));
         made->setLabelsColor(token(Token::secondaryText, look));
         made->setLabelsFont(themeFont(TextSize::tiny));
+        made->setTruncateLabels(false); // "…" says nothing: in a low chart some are left out
         made->setGridLineColor(token(Token::line, look));
         made->setLinePenColor(text);
         chart()->addAxis(made, side);
@@ -123,6 +125,8 @@ void TrendChart::rebuild() {
     };
     m_x = axis(Qt::AlignBottom, m_panel.x, true);
     m_y = axis(Qt::AlignLeft, m_panel.y, false);
+    for (QValueAxis *one : {m_x, m_y})
+        one->setVisible(!m_panel.values.empty());
     if (!m_panel.band.empty()) {
         auto *upper = new QLineSeries(this);
         auto *lower = new QLineSeries(this);
@@ -188,7 +192,7 @@ QString TrendChart::label(std::size_t value) const {
 void TrendChart::drawForeground(QPainter *painter, const QRectF &rect) {
     QChartView::drawForeground(painter, rect);
     if (!m_x || m_panel.values.empty())
-        return;
+        return drawEmpty(*painter);
     const QRectF plot = chart()->plotArea();
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
@@ -206,47 +210,81 @@ void TrendChart::drawForeground(QPainter *painter, const QRectF &rect) {
         painter->drawText(QPointF(fits ? today + 5 : today - 5 - width, plot.top() + 14), tr("today"));
     }
     drawInterventions(*painter, plot);
+    drawInterventionNames(*painter, plot);
+    drawForbidden(*painter, plot);
     painter->setClipRect(plot.adjusted(-chosenRadius, -chosenRadius, chosenRadius, chosenRadius));
     drawValues(*painter, plot);
+    drawTags(*painter, plot);
     drawNotBefore(*painter, plot);
     drawLabel(*painter, plot);
     painter->restore();
 }
 
 void TrendChart::drawInterventions(QPainter &painter, const QRectF &plot) const {
-    const QPalette look = palette();
-    const QColor colour = token(Token::explanation, look);
+    const QColor colour = token(Token::explanation, palette());
     QColor pale = colour;
     pale.setAlphaF(0.55F);
-    painter.setFont(themeFont(TextSize::tiny));
-    double free = plot.left() - 40;
     for (const TrendIntervention &one : m_panel.interventions) {
         const double at = place({one.x, 0}).x();
         if (at < plot.left() || at > plot.right())
             continue;
         painter.setPen(QPen(pale, 1, Qt::DashLine));
         painter.drawLine(QPointF(at, plot.top()), QPointF(at, plot.bottom()));
-        const double width = painter.fontMetrics().horizontalAdvance(one.name);
-        const double left = std::min(at - width / 2, plot.right() - width);
-        painter.setPen(colour);
-        if (left > free) {
-            painter.drawText(QPointF(left, plot.top() - 8), one.name);
-            free = left + width + 6;
-        }
-        if (one.found && one.left) {
-            const QPointF from = place(*one.found);
-            const QPointF to = place(*one.left);
-            painter.setPen(QPen(colour, 1.4));
-            painter.drawLine(from, to);
-            const double turn = std::atan2(to.y() - from.y(), to.x() - from.x());
-            for (const double side : {-0.45, 0.45})
-                painter.drawLine(to, to - 6 * QPointF(std::cos(turn + side), std::sin(turn + side)));
-        }
+        if (!one.found || !one.left)
+            continue;
+        const QPointF from = place(*one.found);
+        const QPointF to = place(*one.left);
+        painter.setPen(QPen(colour, 1.4));
+        painter.drawLine(from, to);
+        const double turn = std::atan2(to.y() - from.y(), to.x() - from.x());
+        for (const double side : {-0.45, 0.45})
+            painter.drawLine(to, to - 6 * QPointF(std::cos(turn + side), std::sin(turn + side)));
     }
-    // The side of the limit that is not allowed.
+}
+
+/// In the strip above the plot, at their lines: where two stand close, left of the first and right of the
+/// second; without a word where there is no room.
+void TrendChart::drawInterventionNames(QPainter &painter, const QRectF &plot) const {
+    constexpr double icon = 14;
+    constexpr double gap = 4;
+    const QColor colour = token(Token::explanation, palette());
+    painter.setFont(themeFont(TextSize::tiny));
+    const QString unit = m_panel.symbol + u' ' + m_panel.y.unit;
+    painter.setPen(token(Token::secondaryText, palette()));
+    painter.drawText(QPointF(2, plot.top() - 8), unit);
+    double free = 2 + painter.fontMetrics().horizontalAdvance(unit) + gap;
+    const auto widthOf = [&](std::size_t i) {
+        return icon + painter.fontMetrics().horizontalAdvance(m_panel.interventions[i].name);
+    };
+    painter.setPen(colour);
+    for (std::size_t i = 0; i < m_panel.interventions.size(); ++i) {
+        const double at = place({m_panel.interventions[i].x, 0}).x();
+        if (at < plot.left() || at > plot.right())
+            continue;
+        const double width = widthOf(i);
+        const bool isCrowded =
+            i + 1 < m_panel.interventions.size() &&
+            place({m_panel.interventions[i + 1].x, 0}).x() - at < (width + widthOf(i + 1)) / 2 + gap;
+        double left = isCrowded ? at - width + icon / 2 : at - width / 2;
+        if (left < free)
+            left = at - icon / 2; // right of its line
+        left = std::min(left, plot.right() - width);
+        if (left < free)
+            continue;
+        const bool isCollision =
+            i < m_trend.interventions.size() && m_trend.interventions[i].kind == InterventionKind::collision;
+        drawLineIcon(painter, QRect(static_cast<int>(left), static_cast<int>(plot.top()) - 19, 12, 14),
+                     isCollision ? QStringLiteral("bolt") : QStringLiteral("wrench"), colour);
+        painter.drawText(QPointF(left + icon, plot.top() - 8), m_panel.interventions[i].name);
+        free = left + width + gap;
+    }
+}
+
+/// The side of the limit that is not allowed.
+void TrendChart::drawForbidden(QPainter &painter, const QRectF &plot) const {
     painter.save();
     painter.setClipRect(plot);
-    painter.setPen(QPen(token(Token::secondaryText, look), 0.8));
+    painter.setPen(QPen(token(Token::secondaryText, palette()), 0.8));
     const double above = m_trend.bound == Bound::lower ? -1 : 1;
     for (const auto &limit : m_panel.limits) {
         for (std::size_t i = 0; i + 1 < limit.size(); ++i) {
@@ -261,6 +299,35 @@ void TrendChart::drawInterventions(QPainter &painter, const QRectF &plot) const 
         }
     }
     painter.restore();
+}
+
+void TrendChart::drawEmpty(QPainter &painter) const {
+    painter.setFont(themeFont(TextSize::small));
+    painter.setPen(token(Token::secondaryText, palette()));
+    painter.drawText(QRectF(viewport()->rect()), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("No test with a date and a value to show."));
+}
+
+/// The numbers of the chosen tests left of their points, apart from each other.
+void TrendChart::drawTags(QPainter &painter, const QRectF &plot) const {
+    if (m_chosen.size() < 2)
+        return;
+    constexpr double away = 18;
+    constexpr double cross = 18; ///< the mark of an exceeded limit
+    std::vector<QPointF> drawn;
+    for (std::size_t i = 0; i < m_panel.values.size(); ++i) {
+        const auto chosen = m_chosen.find(m_entries[i]->digest);
+        const QPointF at = place({m_panel.values[i].x, m_panel.values[i].y});
+        if (chosen == m_chosen.end() || at.x() < plot.left() || at.x() > plot.right())
+            continue;
+        QPointF centre = at - QPointF(away + (m_panel.values[i].exceeds ? cross : 0), 0);
+        for (const QPointF &other : drawn) {
+            if (std::hypot(centre.x() - other.x(), centre.y() - other.y()) < leastTagDistance)
+                centre.setY(other.y() - leastTagDistance);
+        }
+        drawn.push_back(centre);
+        drawNumberTag(painter, centre, chosen->second, palette());
+    }
 }
 
 void TrendChart::drawValues(QPainter &painter, const QRectF &plot) const {
@@ -299,10 +366,6 @@ void TrendChart::drawValues(QPainter &painter, const QRectF &plot) const {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(token(Token::accent, look), 1.5));
         painter.drawEllipse(at, chosenRadius, chosenRadius);
-        if (m_chosen.size() > 1) {
-            painter.setFont(themeFont(TextSize::tiny));
-            painter.drawText(at + QPointF(chosenRadius + 2, -4), QString::number(chosen->second));
-        }
     }
 }
 

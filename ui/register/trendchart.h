@@ -54,6 +54,10 @@ private:
     [[nodiscard]] QPointF place(const QPointF &value) const;
     [[nodiscard]] std::optional<std::size_t> valueAt(const QPointF &position) const;
     void drawInterventions(QPainter &painter, const QRectF &plot) const;
+    void drawInterventionNames(QPainter &painter, const QRectF &plot) const;
+    void drawForbidden(QPainter &painter, const QRectF &plot) const;
+    void drawEmpty(QPainter &painter) const;
+    void drawTags(QPainter &painter, const QRectF &plot) const;
     void drawValues(QPainter &painter, const QRectF &plot) const;
     void drawLabel(QPainter &painter, const QRectF &plot) const;
     void drawNotBefore(QPainter &painter, const QRectF &plot) const;

@@ -128,17 +128,20 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
         break;
     }
     const QString shown = index.data(Qt::DisplayRole).toString();
-    const bool isNumber = index.column() != ResultsModel::name;
     const bool strong = index.column() == ResultsModel::value && line.main;
     const bool quiet = (!line.main && index.column() == ResultsModel::name) ||
-                       index.column() == ResultsModel::uncertainty || shown == QStringLiteral("–");
+                       index.column() == ResultsModel::uncertainty ||
+                       index.column() == ResultsModel::otherUncertainty || shown == QStringLiteral("–");
+    const bool exceeded =
+        index.column() == ResultsModel::other && line.otherVerdict == Verdict::doesNotConform;
     if (strong)
         font.setWeight(QFont::DemiBold);
     painter->setFont(font);
-    painter->setPen(quiet ? secondary : text);
+    painter->setPen(exceeded ? token(Token::bad, palette) : quiet ? secondary : text);
     const QRect room = cell.adjusted(2, 0, -4, 0);
-    painter->drawText(room, (isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-                      QFontMetrics(font).elidedText(shown, Qt::ElideRight, room.width()));
+    painter->drawText(
+        room, (ResultsModel::isNumber(index.column()) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
+        QFontMetrics(font).elidedText(shown, Qt::ElideRight, room.width()));
 }
 
 } // namespace palmer::ui

@@ -34,13 +34,13 @@ QVariant ResultsModel::data(const QModelIndex &index, int role) const {
     if (!index.isValid())
         return {};
     const ResultLine &shown = line(index.row());
+    if (role == Qt::ToolTipRole && (index.column() == other || index.column() == otherUncertainty))
+        return shown.otherVerdictWord;
     if (role == Qt::ToolTipRole)
         return index.column() == name || index.column() == symbol ? QVariant(shown.fullName) : QVariant();
-    if (role == Qt::TextAlignmentRole) {
-        const bool number =
-            index.column() == value || index.column() == uncertainty || index.column() == limit;
-        return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    }
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>((isNumber(index.column()) ? Qt::AlignRight : Qt::AlignLeft) |
+                                Qt::AlignVCenter);
     if (role == Qt::AccessibleTextRole && index.column() == symbol)
         return QStringLiteral("%1, %2: %3 %4 %5")
             .arg(shown.symbol.plain(), shown.fullName, shown.value, m_table.unit, shown.verdictWord)
@@ -52,10 +52,16 @@ QVariant ResultsModel::data(const QModelIndex &index, int role) const {
         return shown.symbol.plain();
     case name:
         return shown.name;
+    case other:
+        return shown.other;
+    case otherUncertainty:
+        return shown.otherUncertainty;
     case value:
         return shown.value;
     case uncertainty:
         return shown.uncertainty;
+    case change:
+        return shown.change;
     case limit:
         return shown.limit;
     case verdict:
@@ -65,14 +71,23 @@ QVariant ResultsModel::data(const QModelIndex &index, int role) const {
     }
 }
 
+bool ResultsModel::isNumber(int column) {
+    return column >= other && column <= limit;
+}
+
 QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
     switch (section) {
     case name:
         return tr("quantity");
+    case other:
+        return m_table.otherIsFound ? tr("before") : tr("after");
     case value:
-        return tr("value");
+        return !m_table.otherTest ? tr("value") : m_table.otherIsFound ? tr("after") : tr("before");
+    case change:
+        return tr("change");
+    case otherUncertainty:
     case uncertainty:
         return QStringLiteral("± U");
     case limit:

@@ -8,12 +8,26 @@
 
 namespace palmer::ui {
 
-/// The results of a test as rows: symbol, name, value, ± U, limit, decision scale, verdict.
+/// The results of a test as rows: symbol, name, value, ± U, limit, decision scale, verdict; beside them those
+/// of the same test before or after an adjustment, where there is one.
 class ResultsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { symbol, name, value, uncertainty, limit, scale, verdict, columns };
+    enum Column {
+        symbol,
+        name,
+        other, ///< of the other role; with the next and `change` only where the table has one
+        otherUncertainty,
+        value,
+        uncertainty,
+        change,
+        limit,
+        scale,
+        verdict,
+        columns
+    };
+    [[nodiscard]] static bool isNumber(int column);
 
     using QAbstractTableModel::QAbstractTableModel;
 

@@ -54,7 +54,7 @@ protected:
         for (int column = 0; column < count(); ++column) {
             if (isSectionHidden(column))
                 continue;
-            const bool right = column >= ResultsModel::value && column <= ResultsModel::limit;
+            const bool right = ResultsModel::isNumber(column);
             const QRect room = QRect(sectionViewportPosition(column), 0, sectionSize(column), height())
                                    .adjusted(2, 0, -4, -2);
             painter.setPen(token(Token::secondaryText, palette()));
@@ -186,7 +186,7 @@ void ResultsPanel::setLanguage(const Language &language) {
 
 void ResultsPanel::setNarrow(bool narrow) {
     m_narrow = narrow;
-    m_table->setColumnHidden(ResultsModel::scale, narrow);
+    fitColumns();
 }
 
 void ResultsPanel::refresh() {
@@ -200,8 +200,8 @@ void ResultsPanel::refresh() {
         rule << table.coverage;
     rule.removeAll(QString());
     m_rule->setText(rule.join(QStringLiteral(" · ")));
-    m_viewNote->setText(table.viewNote);
-    m_viewNote->setVisible(table.view);
+    m_viewNote->setText(table.otherTest ? rolesNote() : table.viewNote);
+    m_viewNote->setVisible(table.view || table.otherTest);
     showVerdict();
     m_copy->setEnabled(!table.lines.empty());
     static_cast<ResultsTable *>(m_table)->setRows(std::min(mostRows, m_model.rowCount()));
@@ -258,8 +258,9 @@ void ResultsPanel::fitColumns() {
         symbols = std::max(symbols, formulaWidth(m_model.line(row).symbol, bold) + symbolMargin);
     m_table->setColumnWidth(ResultsModel::symbol, static_cast<int>(std::ceil(symbols)));
     m_table->setColumnWidth(ResultsModel::scale, scaleWidth);
-    for (const int column :
-         {ResultsModel::value, ResultsModel::uncertainty, ResultsModel::limit, ResultsModel::verdict}) {
+    for (int column = ResultsModel::other; column < ResultsModel::columns; ++column) {
+        if (column == ResultsModel::scale)
+            continue;
         int width =
             QFontMetrics(themeFont(TextSize::small))
                 .horizontalAdvance(m_model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
@@ -270,7 +271,35 @@ void ResultsPanel::fitColumns() {
         }
         m_table->setColumnWidth(column, width + cellMargin);
     }
-    m_table->setColumnHidden(ResultsModel::scale, m_narrow);
+    const auto &other = m_model.table().otherTest;
+    m_table->setColumnHidden(ResultsModel::scale, m_narrow || other);
+    for (const int column : {ResultsModel::other, ResultsModel::otherUncertainty, ResultsModel::change})
+        m_table->setColumnHidden(column, !other);
+    // What was before stands left of what is after, whichever of the two is in view.
+    QHeaderView *header = m_table->horizontalHeader();
+    const bool isFirst = m_model.table().otherIsFound;
+    const int first = isFirst ? ResultsModel::other : ResultsModel::value;
+    const int second = isFirst ? ResultsModel::otherUncertainty : ResultsModel::uncertainty;
+    constexpr int place = ResultsModel::name + 1;
+    if (header->visualIndex(first) != place) {
+        header->moveSection(header->visualIndex(first), place);
+        header->moveSection(header->visualIndex(second), place + 1);
+    }
+}
+
+/// Which tests stand beside each other.
+QString ResultsPanel::rolesNote() const {
+    const ResultTable &table = m_model.table();
+    const auto name = [&](std::size_t test) {
+        const std::string date = m_evaluated.document->tests[test]->date.value_or(std::string());
+        const QString number = m_language.number(static_cast<double>(test) + 1, Quantity::count, 0);
+        return date.empty() ? tr("test %1").arg(number)
+                            : tr("test %1 of %2").arg(number, m_language.shortDate(date));
+    };
+    const QString own = name(m_test);
+    const QString other = name(*table.otherTest);
+    return tr("Before the adjustment: %1 · after it: %2")
+        .arg(table.otherIsFound ? other : own, table.otherIsFound ? own : other);
 }
 
 void ResultsPanel::explain(const QModelIndex &index) {

@@ -18,7 +18,8 @@ namespace palmer::ui {
 class ResultsDelegate;
 class Chip;
 
-/// The results of the test in view: numbers, decision scale, verdicts. Arrows move, Enter or a click
+/// The results of the test in view: numbers, decision scale, verdicts; where it was measured before and after
+/// an adjustment, both beside each other in place of the scale. Arrows move, Enter or a click
 /// explains.
 class ResultsPanel : public QWidget {
     Q_OBJECT
@@ -48,6 +49,7 @@ private:
     void showExplained();
     void fitColumns();
     void showVerdict();
+    [[nodiscard]] QString rolesNote() const;
     void retranslate();
 
     Selection &m_selection;

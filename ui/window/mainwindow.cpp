@@ -466,7 +466,7 @@ void MainWindow::connectParts() {
     connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
     connect(m_importAction, &QAction::triggered, this, &MainWindow::chooseMeasurements);
     connect(m_importClipboardAction, &QAction::triggered, this, &MainWindow::importClipboard);
-    connect(m_welcome, &WelcomePage::fileChosen, this, &MainWindow::openFile);
+    connect(m_welcome, &WelcomePage::fileChosen, this, [this](const QString &path) { openFile(path); });
     connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
     connect(&m_model, &DocumentModel::fileChanged, this, &MainWindow::showState);
     connect(&m_evaluator, &Evaluator::evaluated, this, [this](const EvaluatedDocument &evaluated) {
@@ -614,7 +614,7 @@ void MainWindow::takeImport(const ImportAssistant &assistant) {
     take(std::move(document), {}, true)->m_workplace->showPage(Page::readings);
 }
 
-void MainWindow::openFile(const QString &path) {
+void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) {
     if (isMeasurement(path)) {
         importFiles({path});
         return;
@@ -626,13 +626,15 @@ void MainWindow::openFile(const QString &path) {
             (other->m_model.path() == whole || other->m_reportPath == whole)) {
             other->raise();
             other->activateWindow();
+            if (test)
+                other->m_workplace->showTest(*test);
             return;
         }
     }
-    read(whole);
+    read(whole, test);
 }
 
-void MainWindow::read(const QString &path) {
+void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
     using Outcome = std::variant<std::monostate, Document, OpenedReport, Error>;
     const auto open = [path](const std::stop_token &stop) -> Outcome {
         try {
@@ -646,13 +648,16 @@ void MainWindow::read(const QString &path) {
             return error;
         }
     };
-    const auto finish = [this, path](Outcome outcome) {
+    const auto finish = [this, path, test](Outcome outcome) {
+        MainWindow *window = nullptr;
         if (auto *error = std::get_if<Error>(&outcome))
             showError(tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), path, *error);
         else if (auto *report = std::get_if<OpenedReport>(&outcome))
-            takeReport(*report, path);
-        else if (auto *document = std::get_if<Document>(&outcome))
-            take(std::move(*document), isUtf8FileName(path) ? path : QString()); // to be saved under another
+            window = takeReport(*report, path);
+        else if (auto *document = std::get_if<Document>(&outcome)) // other names: to be saved under another
+            window = take(std::move(*document), isUtf8FileName(path) ? path : QString());
+        if (window && test)
+            window->m_workplace->showTest(*test);
     };
     const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulations
     if (!isLargeFile(QFileInfo(path).size()) && !mayTakeLong) {
@@ -691,7 +696,7 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
     return this;
 }
 
-void MainWindow::takeReport(const OpenedReport &report, const QString &path) {
+MainWindow *MainWindow::takeReport(const OpenedReport &report, const QString &path) {
     MainWindow *window = take(*report.evaluated.document, {}, false, path);
     const auto verify = [window, report] {
         try {
@@ -701,6 +706,7 @@ void MainWindow::takeReport(const OpenedReport &report, const QString &path) {
         }
     };
     QMetaObject::invokeMethod(window, verify, Qt::QueuedConnection); // the document is seen before
+    return window;
 }
 
 std::optional<Test> MainWindow::askForTest(Kind kind, bool ofThisFile) {

@@ -17,6 +17,7 @@
 #include <QPointer>
 #include <functional>
 #include <memory>
+#include <optional>
 
 class QLabel;
 class QMenu;
@@ -48,8 +49,9 @@ public:
     /// brought to the front. What cannot be opened is said in one sentence, and nothing changes.
     /// A report (PDF) opens as a copy of the test file inside it, with a bar that says whether it follows.
     /// A file that is no test file is a measurement: it goes to the import assistant, several one after the
-    /// other.
-    void openFile(const QString &path);
+    /// other. `test`: of a test file the one that is brought into view, from 0; null: the first of a file
+    /// that was not open.
+    void openFile(const QString &path, std::optional<std::size_t> test = std::nullopt);
 
     /// Shows measurement files in the import assistant, one after the other; what is accepted goes into the
     /// open document as one step to undo, or makes a new one. A file that cannot be read is refused with one
@@ -112,9 +114,9 @@ private:
     [[nodiscard]] bool isReadOnly() const;
     bool mayForget(const QStringList &refused);
     [[nodiscard]] static QString notTaken(const QStringList &refused);
-    void read(const QString &path);
+    void read(const QString &path, std::optional<std::size_t> test);
     /// Opens what a report was made from, and verifies the report.
-    void takeReport(const OpenedReport &report, const QString &path);
+    MainWindow *takeReport(const OpenedReport &report, const QString &path);
     MainWindow *take(Document document, const QString &path, bool modified = false,
                      const QString &reportPath = {});
     /// `ofThisFile`: the statements of the test in view may be taken over.

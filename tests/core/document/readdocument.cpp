@@ -351,6 +351,10 @@ private slots:
             "unknown word “%1”; expected one of: %2");
         row("unknown word in a list", head + R"(, "report": {"leaveOut": ["readings", "all"]}})", content,
             "report.leaveOut[1]", "unknown word “%1”; expected one of: %2");
+        row("a diagnosis that is left out",
+            R"({"format": "palmer test report", "version": 2, "report": {"leaveOut": ["findings", "diagnosis"]}})",
+            content, "report.leaveOut[1]",
+            "the diagnosis is printed only where “include” asks for it; take the word out of this list");
         row("word twice in a list", head + R"(, "report": {"languages": ["fr", "fr"]}})", content,
             "report.languages[1]", "“%1” stands here twice; expected it once");
         row("number instead of a word", positioningFile(noReadings + R"(, "cycle": 1)"), content,
@@ -512,6 +516,12 @@ private slots:
             positioningFile(noReadings + R"(, "id": "x", "uncertainty": {"driftTest": "x"})"), content,
             "tests[0].uncertainty.driftTest", "expected the id of a drift test of this file; “%1” is none");
     }
+    void aDiagnosisLeftOutOfAnOlderFileMeantNothing() {
+        const Document document =
+            readDocument(head + R"(, "report": {"leaveOut": ["diagnosis", "findings", "readings"]}})");
+        QCOMPARE(document.report.leaveOut, (std::vector{ReportPart::findings, ReportPart::readings}));
+    }
+
     void errorsNamePlaceAndExpectation() {
         QFETCH(QByteArray, file);
         QFETCH(Error::Kind, kind);

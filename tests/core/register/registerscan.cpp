@@ -46,6 +46,62 @@ class RegisterScanTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void noPasswordIsShown_data() {
+        QTest::addColumn<QString>("address");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("a file") << "/a/b:c@d.sqlite"
+                                << "/a/b:c@d.sqlite";
+        QTest::newRow("none") << "postgresql://u@h:5432/db"
+                              << "postgresql://u@h:5432/db";
+        QTest::newRow("one") << "postgresql://u:s3cret@h:5432/db"
+                             << "postgresql://u@h:5432/db";
+        QTest::newRow("empty") << "postgresql://u:@h/db"
+                               << "postgresql://u@h/db";
+        QTest::newRow("with @") << "postgresql://u:s3@cret@h/db"
+                                << "postgresql://u@h/db";
+        QTest::newRow("with #") << "postgresql://u:s3cret#1@h/db"
+                                << "postgresql://u@h/db";
+        QTest::newRow("with /") << "postgresql://u:s3cret/1@h/db"
+                                << "postgresql://u@h/db";
+        QTest::newRow("digits and /") << "postgresql://u:12/s3cret@h/db"
+                                      << "postgresql://u@h/db";
+        QTest::newRow("digits and #") << "postgresql://u:12#s3cret@h/db"
+                                      << "postgresql://u@h/db";
+        QTest::newRow("with ?") << "postgresql://u:12?s3cret@h/db"
+                                << "postgresql://u@h/db";
+        QTest::newRow("behind the ?") << "postgresql://u@h/db?password=s3cret&sslmode=require"
+                                      << "postgresql://u@h/db?sslmode=require";
+        QTest::newRow("alone behind the ?") << "postgresql://u@h/db?password=s3cret"
+                                            << "postgresql://u@h/db";
+        QTest::newRow("a socket") << "postgresql:///db?host=/run/p"
+                                  << "postgresql:///db?host=/run/p";
+    }
+    void noPasswordIsShown() {
+        QFETCH(QString, address);
+        QFETCH(QString, shown);
+        QCOMPARE(withoutPassword(address), shown);
+    }
+
+    void anAddressTakesNoOtherOptions() {
+        for (const char *options : {"password=s3cret", "sslmode=none", "connect_timeout=1", "sslmode"}) {
+            try {
+                const Database database(QString("postgresql://u@127.0.0.1:1/db?") + options);
+                QFAIL("opened");
+            } catch (const Error &error) {
+                const QString said = Language(Language::Id::english).sentence(error.message);
+                QVERIFY2(said.contains("question mark"), qPrintable(said));
+                QVERIFY(!said.contains("s3cret"));
+            }
+        }
+        try { // known ones lead to the server, where nobody listens
+            const Database database(QString("postgresql://u@127.0.0.1:1/db?sslmode=require"));
+            QFAIL("opened");
+        } catch (const Error &error) {
+            const QString said = Language(Language::Id::english).sentence(error.message);
+            QVERIFY2(said.contains("does not answer") || said.contains("not installed"), qPrintable(said));
+        }
+    }
+
     void init() {
         m_dir = std::make_unique<QTemporaryDir>();
         m_folder = m_dir->filePath("files");

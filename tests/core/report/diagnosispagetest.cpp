@@ -144,6 +144,53 @@ private slots:
         QVERIFY(notTold >= 2);
     }
 
+    void severalFeedsHaveAPageOfTheirOwn() {
+        Document document = *madeCircles(threeFeeds());
+        document.report.include.push_back(ReportExtra::diagnosis);
+        const auto pagesOf = [](const Report &report, const QString &begin) {
+            std::vector<std::size_t> places;
+            for (std::size_t i = 0; i < report.blocks.size(); ++i) {
+                const auto *heading = std::get_if<Heading>(&report.blocks[i]);
+                if (heading && heading->level == 1 && heading->text.startsWith(begin))
+                    places.push_back(i);
+            }
+            return places;
+        };
+        const Report report = composed(document, Language::Id::english);
+        const auto places = pagesOf(report, "Diagnosis of plane XY at several feeds (interpretation)");
+        QCOMPARE(places.size(), std::size_t(1));
+        QVERIFY(places[0] > pagesOf(report, "Diagnosis of the circle").back()); // behind the last of them
+        QVERIFY(std::holds_alternative<PageBreak>(report.blocks[places[0] - 1]));
+        QCOMPARE(std::get<Heading>(report.blocks[places[0]]).note.plain(),
+                 QString("not a result of ISO 230-4"));
+        const std::vector<Block> page(report.blocks.begin() + std::ptrdiff_t(places[0]), report.blocks.end());
+        const Table *table = sourcesTable(page);
+        QVERIFY(table);
+        // What a single circle cannot tell: the lag apart from the radius.
+        double lag = 0;
+        double radius = 0;
+        for (const auto &row : table->rows) {
+            if (row[1].text.plain() == "Common lag X–Y")
+                lag = row[2].text.plain().toDouble();
+            if (row[1].text.plain().startsWith("Radius"))
+                radius = QString(row[2].text.plain()).remove('+').toDouble();
+        }
+        QVERIFY2(std::abs(lag - 20) < 0.5, qPrintable(QString::number(lag))); // ms
+        QVERIFY2(std::abs(radius - 30) < 0.5, qPrintable(QString::number(radius)));
+        const auto *over =
+            std::get_if<SideBySide>(&*std::find_if(page.begin() + 2, page.end(), [](const Block &block) {
+                return std::holds_alternative<SideBySide>(block);
+            }));
+        QVERIFY(over && !over->left.empty() && !over->right.empty());
+        const QString french = pageText(composed(document, Language::Id::french));
+        QVERIFY(french.contains("Diagnostic du plan XY à plusieurs avances (interprétation)"));
+        // Of one feed there is none.
+        Document one = circleFile(mixedCircle(), true);
+        QVERIFY(pagesOf(composed(one, Language::Id::english), "Diagnosis of plane").empty());
+        document.report.include.clear();
+        QVERIFY(pagesOf(composed(document, Language::Id::english), "Diagnosis").empty());
+    }
+
     void tooFewPointsAreSaid() {
         CircularSynthesis asked = mixedCircle();
         asked.points = 8;

@@ -46,11 +46,101 @@ const ResultLine &line(const ResultTable &table, const QString &id) {
 
 } // namespace
 
+/// A test before and after an adjustment that halves the deviations.
+std::vector<Test> adjusted() {
+    Test found = decided();
+    found.role = TestRole::asFound;
+    Test left = found;
+    left.role = TestRole::asLeft;
+    for (Run &run : measurement(left).runs) {
+        for (auto &deviation : run.deviations) {
+            if (deviation)
+                *deviation /= 2;
+        }
+    }
+    return {found, left};
+}
+
+EvaluatedDocument evaluatedTests(const std::vector<Test> &tests, const char *edition = "") {
+    auto document = std::make_shared<Document>();
+    for (const Test &test : tests)
+        document->tests.push_back(std::make_shared<const Test>(test));
+    return evaluate(std::move(document), nullptr, edition);
+}
+
 /// Results as the window lists and copies them.
 class ResultTableTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void beforeAndAfterStandBesideEachOther() {
+        const std::vector<Test> tests = adjusted();
+        const Language english(Language::Id::english);
+        const EvaluatedDocument both = evaluatedTests(tests);
+        const ResultTable found = resultTable(both, 0, english);
+        const ResultTable left = resultTable(both, 1, english);
+        QVERIFY(left.otherTest == std::size_t(0) && left.otherIsFound);
+        QVERIFY(found.otherTest == std::size_t(1) && !found.otherIsFound);
+        QVERIFY(!left.lines.empty());
+        for (std::size_t i = 0; i < left.lines.size(); ++i) {
+            const ResultLine &after = left.lines[i];
+            const ResultLine &before = found.lines[i];
+            // Each side as by itself.
+            QCOMPARE(after.other, before.value);
+            QCOMPARE(before.other, after.value);
+            QVERIFY(after.otherVerdict == before.verdict);
+            QVERIFY(before.otherVerdict == after.verdict);
+            QCOMPARE(after.otherVerdictWord, before.verdictWord);
+            QCOMPARE(after.change, before.change); // left − found, whichever is in view
+            const auto valueIn = [&](std::size_t test) {
+                for (const Parameter &parameter : both.tests[test]->parameters) {
+                    if (QString::fromStdString(parameterId(parameter)) == after.id)
+                        return *parameter.value;
+                }
+                return 0.0;
+            };
+            QVERIFY(valueIn(0) != 0);
+            QVERIFY(std::abs(valueIn(1) - valueIn(0) / 2) < 1e-12); // half of it: so was it made
+            const double change = QString(after.change).replace(u'−', u'-').toDouble();
+            QVERIFY(std::abs(change + valueIn(0) / 2 * 1000) < 0.0501); // one decimal is printed
+        }
+        const QString copied = asTabSeparated(left, english);
+        const QStringList head = copied.section(u'\n', 0, 0).split(u'\t');
+        QCOMPARE(head.mid(6), (QStringList{u"as found (µm)"_s, u"U, as found (µm)"_s, u"Change (µm)"_s}));
+        for (const QString &row : copied.split(u'\n', Qt::SkipEmptyParts))
+            QCOMPARE(row.count(u'\t'), qsizetype(8));
+        QVERIFY(asHtml(left, english).contains(u"Change"_s));
+    }
+
+    void whatHasNoOtherStandsAlone() {
+        const Language english(Language::Id::english);
+        const auto standsAlone = [&](const std::vector<Test> &tests, const char *edition = "") {
+            const EvaluatedDocument evaluated = evaluatedTests(tests, edition);
+            for (std::size_t i = 0; i < tests.size(); ++i) {
+                const ResultTable table = resultTable(evaluated, i, english);
+                if (table.otherTest || asTabSeparated(table, english).section(u'\n', 0, 0).count(u'\t') != 5)
+                    return false;
+            }
+            return true;
+        };
+        std::vector<Test> tests = adjusted();
+        QVERIFY(!standsAlone(tests));
+        QVERIFY(standsAlone(tests, "ISO 230-2:2014")); // a view
+        tests[1].role = TestRole::notStated;
+        QVERIFY(standsAlone(tests));
+        tests = adjusted();
+        measurement(tests[1]).axis.name = "Y";
+        QVERIFY(standsAlone(tests));
+        tests = adjusted();
+        tests[1].edition = "ISO 230-2:2014";
+        QVERIFY(standsAlone(tests));
+        QVERIFY(standsAlone({adjusted()[1]}));
+        // Adjusted twice: beside what was found stands the last that was left.
+        tests = adjusted();
+        tests.push_back(tests[1]);
+        QVERIFY(resultTable(evaluatedTests(tests), 0, english).otherTest == std::size_t(2));
+    }
+
     void order() {
         QStringList ids;
         QStringList main;

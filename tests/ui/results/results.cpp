@@ -11,6 +11,7 @@
 #include <QAbstractItemModelTester>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QLabel>
 #include <QListView>
 #include <QMimeData>
@@ -102,6 +103,59 @@ private slots:
         auto *table = panel.findChild<QTableView *>(u"results"_s);
         for (int row = 0; row < table->model()->rowCount(); ++row)
             QVERIFY(table->model()->index(row, ResultsModel::verdict).data().toString().isEmpty());
+    }
+
+    void beforeStandsLeftOfAfter() {
+        Test found = decidedExample();
+        found.role = TestRole::asFound;
+        Test left = found;
+        left.role = TestRole::asLeft;
+        found.date = "2026-03-12";
+        for (Run &run : measurement(left).runs) {
+            for (auto &deviation : run.deviations)
+                *deviation /= 2;
+        }
+        auto document = std::make_shared<Document>();
+        for (const Test &test : {found, left})
+            document->tests.push_back(std::make_shared<const Test>(test));
+        const EvaluatedDocument evaluated = evaluate(std::shared_ptr<const Document>(document));
+        Selection selection;
+        ResultsPanel panel(selection);
+        panel.resize(496, 400);
+        panel.setVisible(true);
+        auto *table = panel.findChild<QTableView *>(u"results"_s);
+        /// What is read from left to right: heads and the numbers of A.
+        const auto read = [&] {
+            QStringList heads;
+            QStringList numbers;
+            for (int place = 0; place < ResultsModel::columns; ++place) {
+                const int column = table->horizontalHeader()->logicalIndex(place);
+                if (table->isColumnHidden(column) || !ResultsModel::isNumber(column))
+                    continue;
+                heads << table->model()->headerData(column, Qt::Horizontal).toString();
+                numbers << table->model()->index(0, column).data().toString();
+            }
+            return std::pair(heads, numbers);
+        };
+        const QStringList heads{u"before"_s, u"± U"_s, u"after"_s, u"± U"_s, u"change"_s, u"limit"_s};
+        for (const std::size_t test : {std::size_t(1), std::size_t(0), std::size_t(1)}) {
+            panel.show(evaluated, test);
+            QCOMPARE(read().first, heads);
+            const auto numbers = read().second;
+            const Language english(Language::Id::english);
+            QCOMPARE(numbers[0], resultTable(evaluated, 0, english).lines[0].value);
+            QCOMPARE(numbers[2], resultTable(evaluated, 1, english).lines[0].value);
+            QVERIFY(numbers[4].startsWith(u'−'));
+            QVERIFY(table->isColumnHidden(ResultsModel::scale));
+            QCOMPARE(panel.findChild<QLabel *>(u"viewNote"_s)->text(),
+                     u"Before the adjustment: test 1 of 12\u00A0Mar\u00A02026 · after it: test 2"_s);
+            // Nothing is cut off but the name of the quantity.
+            QVERIFY(table->columnWidth(ResultsModel::name) >= 40);
+        }
+        panel.show(evaluatedDocument(decidedExample()), 0); // one without another
+        QCOMPARE(read().first, (QStringList{u"value"_s, u"± U"_s, u"limit"_s}));
+        QVERIFY(!table->isColumnHidden(ResultsModel::scale));
+        QVERIFY(!panel.findChild<QLabel *>(u"viewNote"_s)->isVisibleTo(&panel));
     }
 
     void unfinishedIsProvisional() {

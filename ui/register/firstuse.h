@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+class QLabel;
+class QPushButton;
+
+namespace palmer::ui {
+
+/// What stands in place of tests and trend before a folder is chosen: what the register is for, the one
+/// button, and what it does to the files.
+class RegisterFirstUse : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RegisterFirstUse(QWidget *parent = nullptr);
+
+signals:
+    void folderWanted();
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    struct Fact {
+        QLabel *mark = nullptr;
+        QLabel *title = nullptr;
+        QLabel *text = nullptr;
+    };
+
+    QWidget *makeFacts();
+    void retranslate();
+    void colour();
+
+    QWidget *m_picture;
+    QLabel *m_title;
+    QLabel *m_text;
+    QPushButton *m_choose;
+    QLabel *m_drop;
+    std::array<Fact, 3> m_facts;
+};
+
+/// Rows of machines that are not there yet, the lower the paler.
+class GhostRows : public QWidget {
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+};
+
+} // namespace palmer::ui

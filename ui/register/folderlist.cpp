@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/register/folderlist.h"
+
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace palmer::ui {
+
+FolderList::FolderList(const QStringList &folders, QWidget *parent)
+    : QWidget(parent)
+    , m_list(new QListWidget)
+    , m_add(new QPushButton)
+    , m_remove(new QPushButton) {
+    m_list->setObjectName(QStringLiteral("folders"));
+    m_list->addItems(folders);
+    m_add->setObjectName(QStringLiteral("addFolder"));
+    m_remove->setObjectName(QStringLiteral("removeFolder"));
+    m_remove->setEnabled(false);
+    auto *row = new QHBoxLayout;
+    row->addWidget(m_add);
+    row->addWidget(m_remove);
+    row->addStretch();
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_list);
+    layout->addLayout(row);
+    retranslate();
+    connect(m_list, &QListWidget::itemSelectionChanged, this,
+            [this] { m_remove->setEnabled(!m_list->selectedItems().isEmpty()); });
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose a folder"));
+        if (!folder.isEmpty())
+            addFolder(folder);
+    });
+    connect(m_remove, &QPushButton::clicked, this, [this] {
+        qDeleteAll(m_list->selectedItems());
+        emit changed();
+    });
+}
+
+QStringList FolderList::folders() const {
+    QStringList result;
+    for (int i = 0; i < m_list->count(); ++i)
+        result << m_list->item(i)->text();
+    return result;
+}
+
+void FolderList::addFolder(const QString &folder) {
+    if (!m_list->findItems(folder, Qt::MatchExactly).isEmpty())
+        return;
+    m_list->addItem(folder);
+    emit changed();
+}
+
+void FolderList::retranslate() {
+    m_list->setAccessibleName(tr("Folders of the register"));
+    m_add->setText(tr("&Add folder…"));
+    m_remove->setText(tr("&Remove"));
+}
+
+void FolderList::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace palmer::ui

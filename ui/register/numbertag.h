@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <QPointF>
+
+class QPainter;
+
+namespace palmer::ui {
+
+/// The number of a chosen test, the same in table, trend and curves: a filled circle in the colour of its
+/// curve.
+inline constexpr double tagRadius = 8;
+inline constexpr double leastTagDistance = 19; ///< between the middles of two, px
+
+/// The colour of a curve, from 0.
+[[nodiscard]] QColor curveColour(std::size_t curve, const QPalette &palette);
+
+/// `number` from 1.
+void drawNumberTag(QPainter &painter, const QPointF &centre, int number, const QPalette &palette);
+
+} // namespace palmer::ui

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/model/background.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace palmer::ui {
+
+class FolderList;
+class RegisterService;
+
+/// The settings of the register: its folders, and where its index stands: in a file of this user, or on a
+/// PostgreSQL server that several share. A server is taken only after it was reached; its password is kept
+/// for this run of the program alone.
+class RegisterSettings : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RegisterSettings(RegisterService &service, QWidget *parent = nullptr);
+
+    [[nodiscard]] bool isBusy() const { return m_lane.isBusy(); }
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void showPlace();
+    void choosePlace(int place);
+    void tryServer();
+    void retranslate();
+
+    RegisterService &m_service;
+    QLabel *m_foldersTitle;
+    FolderList *m_folders;
+    QLabel *m_placeTitle;
+    QComboBox *m_place;
+    QLabel *m_index; ///< where the index stands
+    QWidget *m_server;
+    QLineEdit *m_address;
+    QLineEdit *m_password;
+    QPushButton *m_connect;
+    QLabel *m_note;
+    QLabel *m_outcome;
+    Background m_lane;
+};
+
+} // namespace palmer::ui
