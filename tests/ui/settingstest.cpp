@@ -44,6 +44,7 @@ private slots:
             settings.setValue("a/bytes", QByteArray("\x00\x80z", 3));
             settings.setValue("a/number", 281);
             settings.setValue("a/yes", true);
+            settings.setValue("a/months", QVariantMap{{"maker 17", 6}, {"maker 18", 12}});
             settings.beginWriteArray("list", 2);
             for (int i = 0; i < 2; ++i) {
                 settings.setArrayIndex(i);
@@ -56,6 +57,7 @@ private slots:
         QCOMPARE(again.value("a/bytes").toByteArray(), QByteArray("\x00\x80z", 3));
         QCOMPARE(again.value("a/number").toInt(), 281);
         QVERIFY(again.value("a/yes").toBool());
+        QCOMPARE(again.value("a/months").toMap(), (QVariantMap{{"maker 17", 6}, {"maker 18", 12}}));
         QCOMPARE(again.value("list/size").toInt(), 2);
         QCOMPARE(again.value("list/2/path").toString(), "1");
     }

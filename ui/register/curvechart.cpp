@@ -149,7 +149,7 @@ TaggedChart::TaggedChart(const char *name) {
     chart()->layout()->setContentsMargins(0, 0, 0, 0);
     chart()->setMargins(QMargins(0, 4, roomForTags, 0));
     chart()->setBackgroundRoundness(0);
-    setMinimumHeight(90);
+    setMinimumHeight(120); // room for the words of its axes
 }
 
 void TaggedChart::setTags(std::vector<Tag> tags) {

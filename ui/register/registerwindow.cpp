@@ -14,6 +14,7 @@
 #include "register/trendoutput.h"
 #include "report/accordancetext.h"
 #include "report/wording.h"
+#include "ui/elidedlabel.h"
 #include "ui/figures/zoombuttons.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/register/curvechart.h"
@@ -316,7 +317,10 @@ QWidget *RegisterWindow::makeTests() {
                 [this, i] { fillFilterMenu(static_cast<Filter>(i)); });
     }
     row->addStretch();
-    m_shownCount = made("shownCount", TextSize::small);
+    m_shownCount = new ElidedLabel; // gives way in a narrow window
+    m_shownCount->setObjectName(QStringLiteral("shownCount"));
+    m_shownCount->setFont(themeFont(TextSize::small));
+    m_shownCount->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_clear = new QPushButton;
     m_clear->setObjectName(QStringLiteral("clearFilters"));
     m_clear->setProperty("link", true);

@@ -238,6 +238,48 @@ private slots:
         QCOMPARE(shown.chart().figure().title, QString("Radius, mean scale"));
     }
 
+    void theOverlayOfFeedsIsLookedInto() {
+        Shown shown(threeFeeds());
+        shown.open();
+        shown.find<QToolButton>("diagnosisOfFeeds")->click();
+        auto *view = shown.find<FeedsView>("feedsView");
+        view->resize(400, 330);
+        view->grab(); // draws it
+        const CircleFigure whole = view->figure();
+        QVERIFY(view->view() == CircleView{});
+        const QPointF at(300, 100);
+        const auto wheel = [&](int steps, Qt::KeyboardModifiers keys) {
+            QWheelEvent event(at, view->mapToGlobal(at), {}, {0, 120 * steps}, Qt::NoButton, keys,
+                              Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(view, &event);
+        };
+        wheel(3, Qt::NoModifier); // passing over it while scrolling changes nothing
+        QVERIFY(view->view() == CircleView{});
+        wheel(3, Qt::ControlModifier);
+        QVERIFY2(std::abs(view->view().zoom - std::pow(1.25, 3)) < 1e-9,
+                 qPrintable(QString::number(view->view().zoom)));
+        QVERIFY(view->view().x != 0 && view->view().y != 0); // about the pointer
+        const CircleFigure zoomed = view->figure();
+        QVERIFY(!(zoomed == whole)); // other rings and another scale
+        QCOMPARE(zoomed.legend.size(), std::size_t(3));
+        const CircleView before = view->view();
+        QTest::mousePress(view, Qt::LeftButton, {}, {200, 150});
+        QMouseEvent move(QEvent::MouseMove, QPointF(190, 150), view->mapToGlobal(QPointF(190, 150)),
+                         Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(view, &move);
+        QTest::mouseRelease(view, Qt::LeftButton, {}, {190, 150});
+        QVERIFY(view->view().x > before.x); // dragged to the left: what is right of it comes into view
+        QCOMPARE(view->view().y, before.y);
+        QTest::keyClick(view, Qt::Key_0);
+        QVERIFY(view->view() == CircleView{});
+        QTest::keyClick(view, Qt::Key_Plus);
+        QVERIFY(view->view().zoom > 1);
+        QTest::mouseDClick(view, Qt::LeftButton, {}, {100, 100});
+        QVERIFY(view->view() == CircleView{});
+        wheel(-5, Qt::ControlModifier); // no farther than the whole
+        QVERIFY(view->view() == CircleView{});
+    }
+
     void oneFeedHasNoSuchView() {
         Shown shown({mixedCircle()});
         shown.open();

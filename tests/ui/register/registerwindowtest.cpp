@@ -3,19 +3,25 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "ui/register/registerwindow.h"
+#include "core/register/postgresqlserver.h"
 #include "core/register/registerdata.h"
 #include "ui/register/curvechart.h"
+#include "ui/register/folderlist.h"
 #include "ui/register/foldersdialog.h"
+#include "ui/register/numbertag.h"
 #include "ui/register/registerservice.h"
+#include "ui/register/registersettings.h"
 #include "ui/register/testtable.h"
 #include "ui/register/trendchart.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
+#include <QGraphicsTextItem>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -23,6 +29,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -78,6 +85,13 @@ private slots:
         QVERIFY(!m_window->findChild<QAction *>("compareCurves")->isEnabled());
         QVERIFY(!m_window->findChild<QAction *>("history")->isEnabled());
         QVERIFY(find<QLabel>("scanState")->text().contains("No folder"));
+        QVERIFY(find<QWidget>("ghostRows")->isVisible());
+        QVERIFY(!find<QLineEdit>("machineSearch")->isEnabled());
+        QVERIFY(!find<QListView>("machines")->isVisible());
+        scan();
+        QVERIFY(!find<QPushButton>("chooseFolder")->isVisible());
+        QVERIFY(!find<QWidget>("ghostRows")->isVisible());
+        QVERIFY(find<QLineEdit>("machineSearch")->isEnabled());
     }
 
     void machinesAndTheirTests() {
@@ -219,6 +233,223 @@ private slots:
         m_window->findChild<QAction *>("openTest")->trigger();
         QCOMPARE(opened.size(), 1);
         QVERIFY(opened.front().front().toString().startsWith(folder()));
+        QCOMPARE(opened.front().at(1).toULongLong(), 0ULL);
+    }
+
+    void theTestIsOpenedAndNotOnlyItsFile() {
+        Sample sample;
+        sample.machine = "Machine 9";
+        sample.serial = "Machine 9";
+        Document document = readDocument(fileOf(sample));
+        sample.axis = "Z";
+        Test second = *readDocument(fileOf(sample)).tests[0];
+        second.id = "second";
+        document.tests.push_back(std::make_shared<const Test>(second));
+        writeFile(folder() + "/two.palmer", writeDocument(document));
+        scan();
+        auto *machines = find<QListView>("machines");
+        machines->setCurrentIndex(machines->model()->index(2, 0));
+        settle();
+        choose("filterAxis", "Z");
+        QSignalSpy opened(m_window.get(), &RegisterWindow::openAsked);
+        auto *tests = find<QTableView>("tests");
+        QCOMPARE(tests->model()->rowCount(), 1);
+        tests->selectRow(0);
+        m_window->findChild<QAction *>("openTest")->trigger();
+        QCOMPARE(opened.size(), 1);
+        QCOMPARE(opened.front().at(1).toULongLong(), 1ULL);
+        // The window of the file shows it, also where the file is open already.
+        const QString path = opened.front().front().toString();
+        ShownWindow other;
+        for (const std::size_t test : {std::size_t(1), std::size_t(0), std::size_t(1)}) {
+            other.window->openFile(path, test);
+            QTRY_COMPARE_WITH_TIMEOUT(other.window->workplace().selection().test(), test, 60'000);
+        }
+        other.window->openFile(path); // as it was looked at
+        QCOMPARE(other.window->workplace().selection().test(), std::size_t(1));
+    }
+
+    void theTrendIsMaximisedAndRestored() {
+        scan();
+        auto *button = find<QToolButton>("maximiseTrend");
+        const int before = find<TrendChart>("trendChart")->height();
+        button->click();
+        QCoreApplication::processEvents();
+        QVERIFY(!find<QTableView>("tests")->isVisible());
+        QVERIFY(!find<QListView>("machines")->isVisible());
+        QVERIFY(find<QLabel>("machineName")->isVisible());
+        QVERIFY(find<TrendChart>("trendChart")->height() > before + 100);
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QCoreApplication::processEvents();
+        QVERIFY(find<QTableView>("tests")->isVisible());
+        QVERIFY(find<QListView>("machines")->isVisible());
+        QCOMPARE(find<TrendChart>("trendChart")->height(), before);
+        QVERIFY(!button->isChecked());
+    }
+
+    void theMarkTellsTheRole() {
+        scan();
+        const auto *model = find<QTableView>("tests")->model(); // sorted: through another model
+        for (int row = 0; row < model->rowCount(); ++row)
+            QCOMPARE(model->index(row, TestTableModel::markColumn).data(TestTableModel::asLeftRole).toBool(),
+                     model->index(row, TestTableModel::roleColumn).data().toString() == "as left");
+    }
+
+    void numbersOfCurvesKeepApart() {
+        scan();
+        auto *tests = find<QTableView>("tests");
+        QItemSelection some;
+        for (const int row : {0, 1, 2, 3}) // much alike: their ends stand close
+            some.select(tests->model()->index(row, 0),
+                        tests->model()->index(row, tests->model()->columnCount() - 1));
+        tests->selectionModel()->select(some, QItemSelectionModel::ClearAndSelect);
+        m_window->findChild<QAction *>("compareCurves")->trigger();
+        auto *curves = find<TaggedChart>("curves");
+        curves->grab(); // lays it out
+        const std::vector<QPointF> places = curves->tagPlaces();
+        QCOMPARE(places.size(), std::size_t(4));
+        std::vector<double> heights;
+        for (const QPointF &place : places) {
+            QVERIFY(place.x() > curves->chart()->plotArea().right());
+            QVERIFY(place.x() + tagRadius <= curves->width());
+            heights.push_back(place.y());
+        }
+        std::ranges::sort(heights);
+        for (std::size_t i = 1; i < heights.size(); ++i)
+            QVERIFY2(heights[i] - heights[i - 1] >= leastTagDistance - 1e-9, qPrintable(QString::number(i)));
+        QVERIFY(find<TaggedChart>("curveDifference")->box().contains("µm"));
+    }
+
+    void lowChartsCutNoLabelsOff() {
+        scan();
+        m_window->resize(1100, 560);
+        auto *tests = find<QTableView>("tests");
+        QItemSelection both;
+        for (const int row : {0, 1})
+            both.select(tests->model()->index(row, 0),
+                        tests->model()->index(row, tests->model()->columnCount() - 1));
+        tests->selectionModel()->select(both, QItemSelectionModel::ClearAndSelect);
+        m_window->findChild<QAction *>("compareCurves")->trigger();
+        QCoreApplication::processEvents();
+        for (const char *name : {"trendChart", "curves", "curveDifference"}) {
+            auto *chart = find<QChartView>(name);
+            for (const int height : {120, 135, 150, 180}) {
+                chart->resize(chart->width(), height);
+                chart->grab(); // lays it out
+                for (const QGraphicsItem *item : chart->scene()->items()) {
+                    const auto *label = qgraphicsitem_cast<const QGraphicsTextItem *>(item);
+                    const QString text = label ? label->toPlainText() : QString();
+                    QVERIFY2(!text.contains("...") && !text.contains(u'…'),
+                             qPrintable(QString("%1 at %2: %3").arg(name).arg(height).arg(text)));
+                }
+            }
+        }
+    }
+
+    void allColumnsFindRoom() {
+        scan();
+        auto *tests = find<QTableView>("tests");
+        for (const int width : {1024, 1280, 1600, 1024}) {
+            setWindowLanguage(width == 1024 ? Language::Id::french : Language::Id::english);
+            m_window->resize(width, 768);
+            QCoreApplication::processEvents();
+            int used = 0;
+            for (int column = 0; column < tests->model()->columnCount(); ++column)
+                used += tests->isColumnHidden(column) ? 0 : tests->columnWidth(column);
+            QVERIFY2(
+                used <= tests->viewport()->width() + 1,
+                qPrintable(QString("%1: %2 of %3").arg(width).arg(used).arg(tests->viewport()->width())));
+            QVERIFY(!tests->isColumnHidden(tests->model()->columnCount() - 1));
+            QVERIFY(!tests->isColumnHidden(TestTableModel::firstResult));
+        }
+    }
+
+    void foldersInTheSettings() {
+        QTemporaryDir second;
+        m_service->setFolders({folder(), second.path()});
+        RegisterSettings settings(*m_service);
+        QVERIFY(settings.findChild<QLabel *>("registerIndex")->text().contains(m_service->address()));
+        auto *list = settings.findChild<QListWidget *>("folders");
+        QCOMPARE(list->count(), 2);
+        list->setCurrentRow(1);
+        settings.findChild<QPushButton *>("removeFolder")->click();
+        QCOMPARE(m_service->folders(), QStringList(folder()));
+        settings.findChild<FolderList *>()->addFolder(second.path());
+        QCOMPARE(m_service->folders(), (QStringList{folder(), second.path()}));
+        settle();
+    }
+
+    void aServerThatIsNotThereChangesNothing_data() {
+        QTest::addColumn<QString>("address");
+        QTest::addColumn<QString>("password");
+        QTest::newRow("nobody listens") << "postgresql://someone@127.0.0.1:1/tests"
+                                        << "s3cret";
+        QTest::newRow("password in the address") << "postgresql://someone:s3cret@127.0.0.1:1/tests"
+                                                 << "";
+        QTest::newRow("a # in it") << "postgresql://someone:x#s3cret@127.0.0.1:1/tests"
+                                   << "";
+        QTest::newRow("no name") << "postgresql://someone@127.0.0.1:1"
+                                 << "s3cret";
+        QTest::newRow("another scheme") << "mysql://someone@127.0.0.1/tests"
+                                        << "s3cret";
+    }
+    void aServerThatIsNotThereChangesNothing() {
+        QFETCH(QString, address);
+        QFETCH(QString, password);
+        const QString before = m_service->address();
+        RegisterSettings settings(*m_service);
+        auto *place = settings.findChild<QComboBox *>("registerPlace");
+        place->setCurrentIndex(1);
+        emit place->activated(1);
+        settings.findChild<QLineEdit *>("registerServer")->setText(address);
+        settings.findChild<QLineEdit *>("registerPassword")->setText(password);
+        settings.findChild<QPushButton *>("registerConnect")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!settings.isBusy(), 60'000);
+        const QString said = settings.findChild<QLabel *>("registerOutcome")->text();
+        QVERIFY(!said.isEmpty() && !said.contains(u'\n'));
+        QVERIFY2(!said.contains("s3cret"), qPrintable(said));
+        QCOMPARE(m_service->address(), before);
+    }
+
+    void theRegisterMovesToAnotherPlace() {
+        scan();
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 2);
+        const QString other = m_dir->filePath("other.sqlite");
+        QSignalSpy changed(m_service.get(), &RegisterService::changed);
+        m_service->setAddress(other);
+        QCOMPARE(m_service->address(), other);
+        QTRY_VERIFY_WITH_TIMEOUT(m_service->scannedAt().isValid(), 60'000);
+        settle();
+        QVERIFY(!changed.isEmpty());
+        QVERIFY(QFileInfo::exists(other));
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 2); // made anew from the files
+    }
+
+    void aServerThatIsThereKeepsTheRegister() {
+        const testdata::PostgresqlServer server;
+        if (!server.problem().isEmpty())
+            QSKIP(qPrintable("no PostgreSQL server to try with: " + server.problem()));
+        scan();
+        {
+            RegisterSettings settings(*m_service);
+            settings.findChild<QLineEdit *>("registerServer")->setText(server.address());
+            settings.findChild<QLineEdit *>("registerPassword")
+                ->setText("s3cret"); // which it does not ask for
+            settings.findChild<QPushButton *>("registerConnect")->click();
+            QTRY_VERIFY_WITH_TIMEOUT(!settings.isBusy(), 60'000);
+            QVERIFY2(m_service->address().startsWith("postgresql://"),
+                     qPrintable(settings.findChild<QLabel *>("registerOutcome")->text()));
+            QVERIFY(!settings.findChild<QLabel *>("registerIndex")->text().contains("s3cret"));
+            QVERIFY(!settings.findChild<QLineEdit *>("registerServer")->text().contains("s3cret"));
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(m_service->scannedAt().isValid(), 60'000);
+        settle();
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 2);
+        QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 1"));
+        m_window.reset(); // before the server goes
+        m_service.reset();
     }
 
     void anIntervalIsKept() {
