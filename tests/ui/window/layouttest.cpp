@@ -221,8 +221,8 @@ void LayoutTest::formsEndAt720() {
             QVERIFY2(field->mapTo(form, QPoint(field->width(), 0)).x() <= 16 + 720,
                      qPrintable(field->edit()->objectName()));
         // What is beside them is of their colour.
-        const QImage page = form->grab().toImage();
-        QCOMPARE(page.pixelColor(page.width() - page.width() / 20, page.height() / 2),
+        const QImage drawn = form->grab().toImage();
+        QCOMPARE(drawn.pixelColor(drawn.width() - drawn.width() / 20, drawn.height() / 2),
                  form->palette().color(QPalette::Base));
     }
 }
