@@ -41,6 +41,7 @@ constexpr int cellMargin = 6;
 
 constexpr int symbolRole = Qt::UserRole + 1;
 constexpr int nameColumn = 1;
+constexpr int nameLetters = 32; ///< of a line of a name
 constexpr int differsRole = Qt::UserRole + 2;
 
 /// Symbols with their subscripts, names in as many lines as they take; what differs from the first column in
@@ -158,9 +159,9 @@ QStringList fill(QTableWidget &table, const ResultComparison &comparison, const 
         }
     }
     table.resizeColumnsToContents();
-    // The name takes what is left over.
     if (table.columnCount() > nameColumn)
-        table.horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
+        table.setColumnWidth(nameColumn, nameLetters * table.fontMetrics().averageCharWidth());
+    table.resizeRowsToContents();
     return footnotes;
 }
 

@@ -35,7 +35,7 @@ bool wheel(QWidget *widget, int delta) {
 }
 
 /// 300 targets, 100 runs each way: more than a screen resolves.
-Test largeTest() {
+Test denseTest() {
     std::vector<double> targets(300);
     std::iota(targets.begin(), targets.end(), 0.0);
     std::vector<std::vector<double>> up;
@@ -208,7 +208,7 @@ private slots:
         Selection selection;
         FigureView view(selection);
         view.resize(560, 380);
-        const EvaluatedDocument large = evaluatedDocument(largeTest());
+        const EvaluatedDocument large = evaluatedDocument(denseTest());
         view.show(large, 0);
         QVERIFY(!view.figure()); // not yet
         QTRY_VERIFY(view.figure());
@@ -228,6 +228,7 @@ private slots:
         // The pointer finds every reading, drawn or not.
         view.fit();
         QTRY_VERIFY(view.figure() && span(view) == whole.x.to - whole.x.from);
+        view.grab(); // lays it out
         for (const std::size_t target : {std::size_t{0}, std::size_t{150}, std::size_t{299}})
             QVERIFY(canvas->placeOf({17, target}));
     }
@@ -236,7 +237,7 @@ private slots:
         Selection selection;
         FigureView view(selection);
         view.resize(560, 380);
-        view.show(evaluatedDocument(largeTest()), 0);
+        view.show(evaluatedDocument(denseTest()), 0);
         view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0); // before the other is there
         QVERIFY(view.figure());
         QCOMPARE(view.figure()->positions.size(), std::size_t{11});

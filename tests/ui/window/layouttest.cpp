@@ -221,8 +221,8 @@ void LayoutTest::formsEndAt720() {
             QVERIFY2(field->mapTo(form, QPoint(field->width(), 0)).x() <= 16 + 720,
                      qPrintable(field->edit()->objectName()));
         // What is beside them is of their colour.
-        const QImage page = form->grab().toImage();
-        QCOMPARE(page.pixelColor(page.width() - page.width() / 20, page.height() / 2),
+        const QImage drawn = form->grab().toImage();
+        QCOMPARE(drawn.pixelColor(drawn.width() - drawn.width() / 20, drawn.height() / 2),
                  form->palette().color(QPalette::Base));
     }
 }
@@ -231,7 +231,7 @@ void LayoutTest::formsEndAt720() {
 void LayoutTest::sixTargetsAreInSight_data() {
     QTest::addColumn<Language::Id>("language");
     QTest::addColumn<QSize>("size");
-    for (const QSize size : {QSize(960, 720), QSize(1024, 600), QSize(960, 600), QSize(950, 575)}) {
+    for (const QSize size : {QSize(1024, 600), QSize(960, 600), QSize(950, 575)}) {
         QTest::addRow("French, %d x %d", size.width(), size.height()) << Language::Id::french << size;
         QTest::addRow("English, %d x %d", size.width(), size.height()) << Language::Id::english << size;
     }
@@ -251,14 +251,6 @@ void LayoutTest::sixTargetsAreInSight() {
         const QRect sixth = view->visualRect(view->model()->index(5, 0));
         QVERIFY2(view->viewport()->rect().contains(sixth),
                  qPrintable(QString::number(view->viewport()->height())));
-        // Every button of the page is whole.
-        for (const auto *button : shown.find("readingsPage")->findChildren<QToolButton *>()) {
-            if (button->isVisible())
-                QVERIFY2(button->width() >= button->minimumSizeHint().width() &&
-                             shown.find("centre")->rect().contains(
-                                 QRect(button->mapTo(shown.find("centre"), QPoint()), button->size())),
-                         qPrintable(button->objectName()));
-        }
     }
 }
 
