@@ -512,7 +512,7 @@ private slots:
         huge.close();
         const ShownWindow shown;
         shown.window->importFiles({huge.fileName()});
-        QVERIFY(shown.window->findChild<QMessageBox *>("errorBox"));
+        QTRY_VERIFY(shown.window->findChild<QMessageBox *>("errorBox"));
         QVERIFY(!shown.window->hasDocument());
     }
 
