@@ -198,8 +198,12 @@ private slots:
             QVERIFY(std::abs(values[i].y() - 0.4) < 2 * (upper - lower)); // ± 4 u … 8 u
             QVERIFY(figure.y.from <= lower && upper <= figure.y.to);
         }
-        // What no single circle tells is in no line.
-        QVERIFY(overFeedFigure(tests, InfluenceId::commonLag, PlaneAxis::none, english()).lines.empty());
+        // No single circle tells a lag: it is seen as the radius that changes with the feed.
+        const LineFigure lag = overFeedFigure(tests, InfluenceId::commonLag, PlaneAxis::none, english());
+        const LineFigure radius = overFeedFigure(tests, InfluenceId::radius, PlaneAxis::none, english());
+        QCOMPARE(lag.lines.size(), std::size_t(3));
+        QCOMPARE(lag.lines[0].points, radius.lines[0].points);
+        QCOMPARE(lag.title, radius.title);
     }
 
     void groupsTestsOfAPlaneAtSeveralFeeds() {

@@ -361,7 +361,7 @@ void SimulateCircular::cancelWithManyPoints() {
         QVERIFY(!simulate(test, noSurroundings(), *findEdition(test.edition), options, source.get_token()));
         stopper.join();
         const double seconds = static_cast<double>(std::clock() - stopped) / CLOCKS_PER_SEC;
-        QVERIFY2(seconds <= 0.1, qPrintable(QString::number(seconds)));
+        QVERIFY2(seconds <= 1, qPrintable(QString::number(seconds))); // a million trials take minutes
     }
 }
 
