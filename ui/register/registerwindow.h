@@ -70,7 +70,7 @@ private:
     QWidget *makeTests();
     QWidget *makeTrend();
     void makeActions();
-    QToolButton *makeTrendButton(const char *name, const char *icon);
+    static QToolButton *makeTrendButton(const char *name, const char *icon);
     void retranslate();
 
     void loadMachines();

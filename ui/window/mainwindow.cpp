@@ -578,7 +578,7 @@ void MainWindow::cancelReading() {
 void MainWindow::importClipboard() {
     if (m_assistant || !m_importing.isEmpty())
         return;
-    const QByteArray bytes = QGuiApplication::clipboard()->text().toUtf8();
+    QByteArray bytes = QGuiApplication::clipboard()->text().toUtf8();
     readToImport([bytes] { return bytes; }, tr("clipboard"), bytes.size());
 }
 

@@ -98,11 +98,11 @@ private:
     };
     /// The columns that `outermost` compares.
     struct Compared {
-        const double *farthest;
-        const double *nearest;
-        const double *wx;
-        const double *wy;
-        const double *spread;
+        const double *farthest = nullptr;
+        const double *nearest = nullptr;
+        const double *wx = nullptr;
+        const double *wy = nullptr;
+        const double *spread = nullptr;
         Bound bound;
     };
     template <class Register>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/circles/circlespage.h"
 #include "ui/figures/circlecanvas.h"
+#include "ui/results/resultsmodel.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractButton>
@@ -26,7 +27,7 @@ QTableView *results(const ShownWindow &shown) {
 }
 
 QString valueOf(const ShownWindow &shown, int row) {
-    return results(shown)->model()->index(row, 2).data().toString();
+    return results(shown)->model()->index(row, ResultsModel::value).data().toString();
 }
 
 } // namespace
