@@ -1884,8 +1884,8 @@
         <translation>%1&#xa0;: %2 ± %3 %4</translation>
     </message>
     <message>
-        <source>Wheel (after a click, or with Ctrl), plus and minus zoom; dragging and arrows move; a double click or 0 shows the whole</source>
-        <translation>La molette (après un clic, ou avec Ctrl), plus et moins agrandissent et réduisent&#x202f;; glisser et les flèches déplacent&#x202f;; un double clic ou 0 montre l’ensemble</translation>
+        <source>Wheel, plus and minus zoom; dragging and arrows move; a double click or 0 shows the whole</source>
+        <translation>La molette, plus et moins agrandissent et réduisent&#x202f;; glisser et les flèches déplacent&#x202f;; un double clic ou 0 montre l’ensemble</translation>
     </message>
 </context>
 <context>

@@ -529,8 +529,7 @@ void DiagnosisPage::retranslate() {
         tr("Plus and minus zoom, arrows move, 0 shows the whole; a rectangle drawn with the mouse is zoomed "
            "into; the wheel zooms"));
     const QString zooming =
-        tr("Wheel (after a click, or with Ctrl), plus and minus zoom; dragging and arrows "
-           "move; a double click or 0 shows the whole");
+        tr("Wheel, plus and minus zoom; dragging and arrows move; a double click or 0 shows the whole");
     m_overlay->setAccessibleDescription(zooming);
     m_overlay->setToolTip(zooming);
     for (QToolButton *button : {m_circle, m_feeds, m_trace, m_rest, m_spectrum})

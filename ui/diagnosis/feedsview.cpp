@@ -5,6 +5,7 @@
 #include "figures/circlefigure.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/drawfigure.h"
+#include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -22,8 +23,6 @@ namespace {
 
 constexpr double millimetresPerPixel = 25.4 / 96;
 constexpr int keyHeight = 22;
-constexpr double zoomStep = 1.25;
-constexpr double panStep = 40; ///< pixels
 
 } // namespace
 
@@ -152,11 +151,6 @@ void FeedsView::mouseDoubleClickEvent(QMouseEvent *) {
 }
 
 void FeedsView::wheelEvent(QWheelEvent *event) {
-    // Passing over a figure while scrolling must not change it.
-    if (!hasFocus() && !(event->modifiers() & Qt::ControlModifier)) {
-        event->ignore();
-        return;
-    }
     const double steps = event->angleDelta().y() / 120.0;
     if (steps != 0)
         zoom(std::pow(zoomStep, -steps), event->position());
@@ -164,25 +158,13 @@ void FeedsView::wheelEvent(QWheelEvent *event) {
 }
 
 void FeedsView::keyPressEvent(QKeyEvent *event) {
-    const QPointF centre = QRectF(0, 0, width(), height() - keyHeight).center();
-    switch (event->key()) {
-    case Qt::Key_Plus:
-        return zoom(1 / zoomStep, centre);
-    case Qt::Key_Minus:
-        return zoom(zoomStep, centre);
-    case Qt::Key_0:
-        return fit();
-    case Qt::Key_Left:
-        return pan({panStep, 0});
-    case Qt::Key_Right:
-        return pan({-panStep, 0});
-    case Qt::Key_Up:
-        return pan({0, panStep});
-    case Qt::Key_Down:
-        return pan({0, -panStep});
-    default:
+    const bool isTaken = takeZoomKey(*event, {[this](int steps) {
+                                                  zoom(std::pow(zoomStep, -steps),
+                                                       QRectF(0, 0, width(), height() - keyHeight).center());
+                                              },
+                                              [this](QPointF by) { pan(by); }, [this] { fit(); }});
+    if (!isTaken)
         QWidget::keyPressEvent(event);
-    }
 }
 
 void FeedsView::focusInEvent(QFocusEvent *event) {

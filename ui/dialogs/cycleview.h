@@ -8,8 +8,9 @@
 
 namespace palmer::ui {
 
-/// A picture of the measuring cycle over its axis: positions from left to right, time from top to bottom. A dot
-/// wherever the axis rests and a reading is taken; both directions in their colours and with their arrows.
+/// A picture of the measuring cycle over its axis: positions from left to right, time from top to bottom. A
+/// dot wherever the axis rests and a reading is taken; both directions in their colours and with their
+/// arrows.
 class CycleView : public QWidget {
     Q_OBJECT
 

@@ -3,6 +3,7 @@
 #include "ui/figures/circlecanvas.h"
 
 #include "ui/figures/canvaslabel.h"
+#include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 
 #include <QApplication>
@@ -20,8 +21,6 @@ namespace {
 
 constexpr double reach = 14; ///< of the pointer, pixels
 constexpr double ring = 6.5;
-constexpr double zoomStep = 1.25;
-constexpr double panStep = 40;      ///< of the arrow keys, pixels
 constexpr double deepestZoom = 500; ///< times
 constexpr double millimetresPerPixel = 25.4 / 96;
 constexpr int angleDecimals = 2;
@@ -407,24 +406,10 @@ void CircleCanvas::wheelEvent(QWheelEvent *event) {
 }
 
 void CircleCanvas::keyPressEvent(QKeyEvent *event) {
-    switch (event->key()) {
-    case Qt::Key_Plus:
-        return zoomBy(1);
-    case Qt::Key_Minus:
-        return zoomBy(-1);
-    case Qt::Key_0:
-        return fit();
-    case Qt::Key_Left:
-        return pan({panStep, 0});
-    case Qt::Key_Right:
-        return pan({-panStep, 0});
-    case Qt::Key_Up:
-        return pan({0, panStep});
-    case Qt::Key_Down:
-        return pan({0, -panStep});
-    default:
+    const bool isTaken = takeZoomKey(
+        *event, {[this](int steps) { zoomBy(steps); }, [this](QPointF by) { pan(by); }, [this] { fit(); }});
+    if (!isTaken)
         QWidget::keyPressEvent(event);
-    }
 }
 
 void CircleCanvas::leaveEvent(QEvent *) {

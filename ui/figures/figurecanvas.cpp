@@ -3,6 +3,7 @@
 #include "ui/figures/figurecanvas.h"
 
 #include "ui/figures/canvaslabel.h"
+#include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 
 #include <QApplication>
@@ -19,8 +20,6 @@ namespace {
 
 constexpr double reach = 14; ///< of the pointer, pixels
 constexpr double ring = 6.5;
-constexpr double zoomStep = 1.25;
-constexpr double panStep = 40; ///< of the arrow keys, pixels
 constexpr double markWidth = 18;
 constexpr double deepestZoom = 1e-3; ///< of the whole range
 
@@ -270,25 +269,10 @@ void FigureCanvas::wheelEvent(QWheelEvent *event) {
 }
 
 void FigureCanvas::keyPressEvent(QKeyEvent *event) {
-    switch (event->key()) {
-    case Qt::Key_Plus:
-        return zoomBy(1);
-    case Qt::Key_Minus:
-        return zoomBy(-1);
-    case Qt::Key_0:
-        emit fitWanted();
-        return;
-    case Qt::Key_Left:
-        return pan({panStep, 0});
-    case Qt::Key_Right:
-        return pan({-panStep, 0});
-    case Qt::Key_Up:
-        return pan({0, panStep});
-    case Qt::Key_Down:
-        return pan({0, -panStep});
-    default:
+    const bool isTaken = takeZoomKey(*event, {[this](int steps) { zoomBy(steps); },
+                                              [this](QPointF by) { pan(by); }, [this] { emit fitWanted(); }});
+    if (!isTaken)
         QWidget::keyPressEvent(event);
-    }
 }
 
 void FigureCanvas::leaveEvent(QEvent *) {

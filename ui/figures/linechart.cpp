@@ -6,6 +6,7 @@
 #include "figures/ticks.h"
 #include "ui/figures/canvaslabel.h"
 #include "ui/figures/drawlinefigure.h"
+#include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 
 #include <QApplication>
@@ -27,7 +28,6 @@ namespace {
 
 constexpr double reach = 16; ///< of the pointer, pixels
 constexpr double ring = 5;
-constexpr double zoomStep = 1.25;
 constexpr double deepestZoom = 2000; ///< times
 constexpr double pointsPerPixel = 72.0 / 96;
 constexpr double ticksOfWidth = 90; ///< pixels a tick of x needs

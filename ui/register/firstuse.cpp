@@ -69,8 +69,8 @@ private:
         for (const double y : {40.0, 70.0, 100.0, 130.0})
             painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
         painter.setPen(QPen(secondary, 0.8));
-        for (double x = plot.left(); x < plot.right() - 6; x += 6)
-            painter.drawLine(QPointF(x, plot.top()), QPointF(x + 6, plot.top() - 6));
+        for (int x = 105; x < 477; x += 6) // hatched above the limit, over the plot's width
+            painter.drawLine(x, 30, x + 6, 24);
         painter.setPen(QPen(palette().color(QPalette::Text), 2));
         painter.drawLine(plot.topLeft(), plot.topRight());
         painter.setPen(QPen(secondary, 1));

@@ -248,14 +248,13 @@ private slots:
         const CircleFigure whole = view->figure();
         QVERIFY(view->view() == CircleView{});
         const QPointF at(300, 100);
-        const auto wheel = [&](int steps, Qt::KeyboardModifiers keys) {
-            QWheelEvent event(at, view->mapToGlobal(at), {}, {0, 120 * steps}, Qt::NoButton, keys,
+        const auto wheel = [&](int steps) {
+            QWheelEvent event(at, view->mapToGlobal(at), {}, {0, 120 * steps}, Qt::NoButton, Qt::NoModifier,
                               Qt::NoScrollPhase, false);
             QCoreApplication::sendEvent(view, &event);
+            return event.isAccepted(); // the page never scrolls below it
         };
-        wheel(3, Qt::NoModifier); // passing over it while scrolling changes nothing
-        QVERIFY(view->view() == CircleView{});
-        wheel(3, Qt::ControlModifier);
+        QVERIFY(wheel(3));
         QVERIFY2(std::abs(view->view().zoom - std::pow(1.25, 3)) < 1e-9,
                  qPrintable(QString::number(view->view().zoom)));
         QVERIFY(view->view().x != 0 && view->view().y != 0); // about the pointer
@@ -276,7 +275,7 @@ private slots:
         QVERIFY(view->view().zoom > 1);
         QTest::mouseDClick(view, Qt::LeftButton, {}, {100, 100});
         QVERIFY(view->view() == CircleView{});
-        wheel(-5, Qt::ControlModifier); // no farther than the whole
+        QVERIFY(wheel(-5)); // no farther than the whole
         QVERIFY(view->view() == CircleView{});
     }
 
