@@ -4,7 +4,6 @@
 
 #include "figures/thinning.h"
 #include "ui/figures/bandoverlap.h"
-#include "ui/figures/curvechart.h"
 #include "ui/figures/drawtext.h"
 
 #include <QPainterPath>
@@ -121,9 +120,7 @@ public:
         drawBands();
         drawGrid(xTicks, yTicks);
         drawReadings();
-        p.save();
-        paintCurves(p, m_area, m_plot, m_figure, m_medium);
-        p.restore();
+        drawCurves();
         drawWhiskers();
         drawMarkers();
         if (m_dimensions)
@@ -229,6 +226,46 @@ private:
                 drawBand(overlap, bandColor(true, true, m_medium));
             ups[i]->points.back().x < downs[k]->points.back().x ? ++i : ++k;
         }
+    }
+
+    /// As much of a line as the range of x shows, with the ends of the segments that leave it.
+    template <class Point>
+    void drawLine(const std::vector<Point> &points, double Point::*value, const QPen &line) {
+        if (points.size() < 2) // a whisker, or a marker alone
+            return;
+        const auto before = [&](const Point &point) { return point.x < m_figure.x.from; };
+        const auto within = [&](const Point &point) { return point.x <= m_figure.x.to; };
+        auto first = std::ranges::partition_point(points, before);
+        auto last = std::ranges::partition_point(points, within);
+        first -= first == points.begin() ? 0 : 1;
+        last += last == points.end() ? 0 : 1;
+        QPolygonF corners;
+        corners.reserve(last - first);
+        for (; first < last; ++first)
+            corners.append({x(first->x), y((*first).*value)});
+        p.setPen(line);
+        p.drawPolyline(corners);
+    }
+
+    void drawCurves() {
+        p.save();
+        p.setClipRect(m_plot, Qt::IntersectClip);
+        p.setBrush(Qt::NoBrush);
+        for (const Band &band : m_figure.bands) {
+            const QPen edge = pen(band.role == CurveRole::down ? FigureRole::downEdge : FigureRole::upEdge);
+            drawLine(band.points, &BandPoint::upper, edge);
+            drawLine(band.points, &BandPoint::lower, edge);
+        }
+        for (const auto &[role, line] : {std::pair{CurveRole::mean, FigureRole::mean},
+                                         {CurveRole::drift, FigureRole::drift},
+                                         {CurveRole::down, FigureRole::down},
+                                         {CurveRole::up, FigureRole::up}}) {
+            for (const Curve &curve : m_figure.curves) {
+                if (curve.role == role)
+                    drawLine(curve.points, &FigurePoint::y, pen(line));
+            }
+        }
+        p.restore();
     }
 
     /// Lines along the axes fill whole pixels of a screen.
