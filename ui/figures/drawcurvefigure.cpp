@@ -41,6 +41,8 @@ constexpr double whiskerCap = 0.8 * mm;   ///< half
 constexpr double sizeOfShapes = 0.6;      ///< of readings, part of the full size; smaller ones are dots
 constexpr std::size_t fewReadings = 2000; ///< each is a thing of its own in a file
 constexpr double markerGap = 0.7 * mm;    ///< between markers of one curve
+constexpr double pixel = 0.75;            ///< of a screen
+constexpr double densePitch = 4 * pixel;  ///< closer targets than this are drawn without their corners
 constexpr double labelGap = 1.6 * mm;     ///< between numbers of an axis
 constexpr double sampleHeight = 3 * mm;
 constexpr double readingsSampleWidth = 2.8 * mm;
@@ -152,6 +154,7 @@ private:
             least = std::min(least, x(m_figure.positions[i]) - x(m_figure.positions[i - 1]));
         return least;
     }
+    [[nodiscard]] bool isDense() const { return m_medium != Medium::paper && pitch() < densePitch; }
     /// Between dense targets the marks move together.
     [[nodiscard]] double shiftOfReadings() const { return std::min(readingShift, 0.3 * pitch()); }
 
@@ -202,11 +205,63 @@ private:
         p.save();
         p.setClipRect(m_plot, Qt::IntersectClip);
         p.setPen(Qt::NoPen);
-        for (const Band &band : m_figure.bands)
-            drawBand(band.points,
-                     bandColor(band.role == CurveRole::up, band.role == CurveRole::down, m_medium));
-        drawOverlaps();
+        if (isDense()) {
+            drawBandColumns();
+        } else {
+            for (const Band &band : m_figure.bands)
+                drawBand(band.points,
+                         bandColor(band.role == CurveRole::up, band.role == CurveRole::down, m_medium));
+            drawOverlaps();
+        }
         p.restore();
+    }
+
+    /// On a screen that shows hundreds of targets the outlines of the bands would take most of a frame: each
+    /// pixel of the width gets the height of the band at its middle.
+    void drawBandColumns() {
+        p.setRenderHint(QPainter::Antialiasing, false);
+        const QList<QRectF> up = columnsOf(CurveRole::up);
+        const QList<QRectF> down = columnsOf(CurveRole::down);
+        QList<QRectF> both;
+        both.reserve(up.size());
+        for (qsizetype i = 0; i < up.size(); ++i)
+            both.append(up[i] & down[i]);
+        p.setBrush(bandColor(true, false, m_medium));
+        p.drawRects(up);
+        p.setBrush(bandColor(false, true, m_medium));
+        p.drawRects(down);
+        p.setBrush(bandColor(true, true, m_medium));
+        p.drawRects(both);
+        p.setRenderHint(QPainter::Antialiasing);
+    }
+
+    /// Empty where there is no band.
+    [[nodiscard]] QList<QRectF> columnsOf(CurveRole role) const {
+        QList<QRectF> columns(static_cast<qsizetype>(m_plot.width() / pixel) + 1);
+        const auto middle = [&](qsizetype i) {
+            return m_plot.left() + (static_cast<double>(i) + 0.5) * pixel;
+        };
+        const auto firstFrom = [&](double at) { // column with its middle there or behind
+            const double place = std::ceil((at - middle(0)) / pixel);
+            return static_cast<qsizetype>(std::clamp(place, 0.0, static_cast<double>(columns.size())));
+        };
+        for (const Band &band : m_figure.bands) {
+            if (band.role != role)
+                continue;
+            for (std::size_t k = 1; k < band.points.size(); ++k) {
+                const BandPoint &a = band.points[k - 1];
+                const BandPoint &b = band.points[k];
+                const double width = x(b.x) - x(a.x);
+                const qsizetype end = firstFrom(x(b.x));
+                for (qsizetype i = firstFrom(x(a.x)); i < end; ++i) {
+                    const double part = (middle(i) - x(a.x)) / width;
+                    const double top = y(std::lerp(a.upper, b.upper, part));
+                    const double bottom = y(std::lerp(a.lower, b.lower, part));
+                    columns[i] = {middle(i) - pixel / 2, top, pixel, bottom - top};
+                }
+            }
+        }
+        return columns;
     }
 
     /// The bands of a direction follow one another without overlapping, so each pair that meets is met once.
@@ -251,8 +306,15 @@ private:
         p.save();
         p.setClipRect(m_plot, Qt::IntersectClip);
         p.setBrush(Qt::NoBrush);
+        const double widest = isDense() ? pixel : mm; // wider lines would cover each other's corners
+        const auto lineOf = [&](FigureRole role) {
+            QPen line = pen(role);
+            line.setWidthF(std::min(line.widthF(), widest));
+            return line;
+        };
         for (const Band &band : m_figure.bands) {
-            const QPen edge = pen(band.role == CurveRole::down ? FigureRole::downEdge : FigureRole::upEdge);
+            const QPen edge =
+                lineOf(band.role == CurveRole::down ? FigureRole::downEdge : FigureRole::upEdge);
             drawLine(band.points, &BandPoint::upper, edge);
             drawLine(band.points, &BandPoint::lower, edge);
         }
@@ -262,7 +324,7 @@ private:
                                          {CurveRole::up, FigureRole::up}}) {
             for (const Curve &curve : m_figure.curves) {
                 if (curve.role == role)
-                    drawLine(curve.points, &FigurePoint::y, pen(line));
+                    drawLine(curve.points, &FigurePoint::y, lineOf(line));
             }
         }
         p.restore();

@@ -75,7 +75,6 @@ constexpr double thinnestOnScreen = 0.2;
 void setLine(QPen &pen, double width, const Dashes &dashes) {
     pen.setWidthF(width * pointsPerMillimetre);
     pen.setJoinStyle(Qt::RoundJoin);
-    // Qt Charts draws a solid curve piece by piece: round ends close its corners.
     pen.setCapStyle(Qt::RoundCap);
     QList<double> pattern; // in widths of the pen, as Qt wants it
     for (const double length : dashes.lengths) {

@@ -114,6 +114,8 @@ private slots:
     void curvesLieWhereTheAxesSay();
     void curveEndsAtItsTargets();
     void zoomedCurvesStayInThePlot();
+    void bandsFillWhatTheyBound_data();
+    void bandsFillWhatTheyBound();
     void screenIsFilled();
     void textsDoNotOverlap_data();
     void textsDoNotOverlap();
@@ -232,6 +234,77 @@ void DrawFigure::zoomedCurvesStayInThePlot() {
     }
     QVERIFY(inside > 1000);
     QCOMPARE(result.image.pixelColor(result.transform.map(4, 5).toPoint()), colour);
+}
+
+void DrawFigure::bandsFillWhatTheyBound_data() {
+    QTest::addColumn<int>("targets");
+    QTest::addColumn<Medium>("medium");
+    QTest::addRow("far apart") << 15 << Medium::screenLight;
+    QTest::addRow("closer than the eye tells") << 400 << Medium::screenLight;
+    QTest::addRow("as close, dark") << 400 << Medium::screenDark;
+    QTest::addRow("as close, on paper") << 400 << Medium::paper;
+}
+
+/// Bands with gaps whose limits rise, fall and cross: every pixel two rows and a column away from a limit has
+/// the colour of the bands it lies in.
+void DrawFigure::bandsFillWhatTheyBound() {
+    QFETCH(int, targets);
+    QFETCH(Medium, medium);
+    CurveFigure figure = emptyFigure();
+    figure.x.ticks.clear();
+    figure.y.ticks.clear();
+    figure.positions.clear();
+    for (int i = 0; i < targets; ++i)
+        figure.positions.push_back(10.0 * i / (targets - 1));
+    const auto limits = [](CurveRole role, double x) { // slow enough for straight lines between the targets
+        return role == CurveRole::up ? Interval{2 + 0.2 * x, 6 - 0.1 * x}
+                                     : Interval{4 - 0.3 * x, 5 + 0.4 * x};
+    };
+    const auto gap = [](CurveRole role) { return role == CurveRole::up ? Interval{3, 4} : Interval{3.5, 6}; };
+    for (const CurveRole role : {CurveRole::up, CurveRole::down}) {
+        bool open = false;
+        for (const double x : figure.positions) {
+            const bool none = x > gap(role).from && x < gap(role).to;
+            if (!none && !open)
+                figure.bands.push_back({role, {}});
+            open = !none;
+            if (open)
+                figure.bands.back().points.push_back({x, limits(role, x).from, limits(role, x).to});
+        }
+    }
+    const Drawn result = drawn(figure, medium, {900, 500}, QRectF(0, 0, 900, 500));
+    const QRectF plot = result.transform.plotArea;
+    const double pixel = result.transform.toData({1, 0}).x() - result.transform.toData({0, 0}).x();
+    int seen[2][2]{};
+    for (int column = int(plot.left()) + 3; column < int(plot.right()) - 3; ++column) {
+        for (int row = int(plot.top()) + 3; row < int(plot.bottom()) - 3; ++row) {
+            const QPointF at = result.transform.toData({column + 0.5, row + 0.5});
+            bool in[2]{};
+            bool near = false;
+            for (const Band &band : figure.bands) {
+                const double first = band.points.front().x;
+                const double last = band.points.back().x;
+                const Interval here = limits(band.role, at.x());
+                near |= std::abs(at.x() - first) < 2 * pixel || std::abs(at.x() - last) < 2 * pixel;
+                for (const double limit : {here.from, here.to})
+                    near |= std::abs(result.transform.map(at.x(), limit).y() - (row + 0.5)) < 2.5;
+                in[band.role == CurveRole::up ? 0 : 1] |=
+                    at.x() > first && at.x() < last && at.y() > here.from && at.y() < here.to;
+            }
+            if (near)
+                continue;
+            ++seen[in[0] ? 1 : 0][in[1] ? 1 : 0];
+            const QColor expected = in[0] || in[1] ? bandColor(in[0], in[1], medium)
+                                                   : figureColor(FigureRole::background, medium);
+            if (result.image.pixelColor(column, row) != expected)
+                QFAIL(qPrintable(QStringLiteral("%1 at %2, %3")
+                                     .arg(result.image.pixelColor(column, row).name())
+                                     .arg(at.x())
+                                     .arg(at.y())));
+        }
+    }
+    for (const auto &row : seen)
+        QVERIFY(row[0] > 1000 && row[1] > 1000);
 }
 
 void DrawFigure::screenIsFilled() {
