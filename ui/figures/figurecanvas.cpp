@@ -39,8 +39,7 @@ std::array<Interval, 2> rangesWithin(const CurveFigure &whole, const Interval &x
 
 FigureCanvas::FigureCanvas(Selection &selection, QWidget *parent)
     : QWidget(parent)
-    , m_selection(selection)
-    , m_readings(std::make_shared<const std::vector<FigureReading>>()) {
+    , m_selection(selection) {
     setObjectName(QStringLiteral("figureCanvas"));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -48,7 +47,7 @@ FigureCanvas::FigureCanvas(Selection &selection, QWidget *parent)
 }
 
 void FigureCanvas::setFigure(const CurveFigure &figure, FigureReadings readings) {
-    m_readings = readings ? std::move(readings) : std::make_shared<const std::vector<FigureReading>>();
+    m_readings = std::move(readings);
     if (m_figure != figure) {
         m_figure = figure;
         m_drawn = {};
@@ -58,7 +57,7 @@ void FigureCanvas::setFigure(const CurveFigure &figure, FigureReadings readings)
 
 void FigureCanvas::clear() {
     m_figure.reset();
-    m_readings = std::make_shared<const std::vector<FigureReading>>();
+    m_readings = {};
     m_marking = {};
     m_drawn = {};
     update();
@@ -95,28 +94,33 @@ QPointF FigureCanvas::shown(const FigureReading &reading) const {
     return at;
 }
 
-std::optional<QPointF> FigureCanvas::placeOf(const ReadingPlace &reading) {
-    drawAnew();
-    const auto found = std::ranges::find(*m_readings, reading, &FigureReading::place);
-    if (!m_figure || found == m_readings->end())
-        return std::nullopt;
-    const QPointF at = shown(*found);
-    return m_transform.plotArea.adjusted(-1, -1, 1, 1).contains(at) ? std::optional(at) : std::nullopt;
+std::optional<QPointF> FigureCanvas::shownAt(const ReadingPlace &place) const {
+    std::optional<QPointF> at;
+    m_readings.each([&](const FigureReading &reading) {
+        if (reading.place == place && !at)
+            at = shown(reading);
+    });
+    return at && m_transform.plotArea.adjusted(-1, -1, 1, 1).contains(*at) ? at : std::nullopt;
 }
 
-const FigureReading *FigureCanvas::nearest(QPointF at) const {
-    const FigureReading *found = nullptr;
+std::optional<QPointF> FigureCanvas::placeOf(const ReadingPlace &reading) {
+    drawAnew();
+    return m_figure ? shownAt(reading) : std::nullopt;
+}
+
+std::optional<FigureReading> FigureCanvas::nearest(QPointF at) const {
+    std::optional<FigureReading> found;
     double least = reach;
-    for (const FigureReading &reading : *m_readings) {
+    m_readings.each([&](const FigureReading &reading) {
         const QPointF away = shown(reading) - at;
         if (std::abs(away.x()) >= least || std::abs(away.y()) >= least)
-            continue;
+            return;
         const double distance = std::hypot(away.x(), away.y());
         if (distance < least && m_transform.plotArea.contains(shown(reading))) {
             least = distance;
-            found = &reading;
+            found = reading;
         }
-    }
+    });
     return found;
 }
 
@@ -142,18 +146,15 @@ void FigureCanvas::paintHover(QPainter &painter) const {
     const auto place = m_selection.hovered();
     if (!place)
         return;
-    const auto found = std::ranges::find(*m_readings, *place, &FigureReading::place);
-    if (found == m_readings->end())
-        return;
-    const QPointF at = shown(*found);
-    if (!m_transform.plotArea.adjusted(-1, -1, 1, 1).contains(at))
+    const std::optional<QPointF> at = shownAt(*place);
+    if (!at)
         return;
     const QColor accent = token(Token::accent, palette());
     painter.setPen(QPen(accent, 2));
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(at, ring, ring);
+    painter.drawEllipse(*at, ring, ring);
     if (!m_hoverLabel.isEmpty())
-        paintCanvasLabel(painter, *this, at, m_hoverLabel, accent);
+        paintCanvasLabel(painter, *this, *at, m_hoverLabel, accent);
 }
 
 void FigureCanvas::paintMarking(QPainter &painter) const {
@@ -243,7 +244,7 @@ void FigureCanvas::mouseMoveEvent(QMouseEvent *event) {
         return;
     }
     drawAnew();
-    const FigureReading *found = nearest(event->position());
+    const std::optional<FigureReading> found = nearest(event->position());
     m_selection.setHovered(found ? std::optional(found->place) : std::nullopt);
 }
 
@@ -252,7 +253,7 @@ void FigureCanvas::mouseReleaseEvent(QMouseEvent *event) {
         return;
     m_drag.reset();
     if (!m_dragged) {
-        if (const FigureReading *found = nearest(event->position()))
+        if (const std::optional<FigureReading> found = nearest(event->position()))
             m_selection.setReading(found->place);
     }
 }

@@ -5,27 +5,16 @@
 #include "figures/figure.h"
 #include "kernel/measurement/axis.h"
 #include "ui/figures/drawfigure.h"
+#include "ui/figures/figurereadings.h"
 #include "ui/model/selection.h"
 
 #include <QPixmap>
 #include <QWidget>
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
 namespace palmer::ui {
-
-/// A reading that the pointer can find in the figure, in the units of its axes.
-struct FigureReading {
-    double x = 0;
-    double y = 0;
-    CurveRole role = CurveRole::up;
-    ReadingPlace place;
-};
-
-/// Shared: a million of them shall not be copied where only the range changes.
-using FigureReadings = std::shared_ptr<const std::vector<FigureReading>>;
 
 /// What an explanation marks in the figure.
 struct FigureMarking {
@@ -47,7 +36,7 @@ class FigureCanvas : public QWidget {
 public:
     explicit FigureCanvas(Selection &selection, QWidget *parent = nullptr);
 
-    /// `readings`: what the pointer finds; null for nothing.
+    /// `readings`: what the pointer finds.
     void setFigure(const CurveFigure &figure, FigureReadings readings);
     void setMarking(const FigureMarking &marking);
     /// What the label beside the ring says; asked for when the pointer moves to another reading.
@@ -82,13 +71,15 @@ private:
     void zoom(double factor, QPointF about);
     void pan(QPointF by);
     [[nodiscard]] QPointF shown(const FigureReading &reading) const;
-    [[nodiscard]] const FigureReading *nearest(QPointF at) const;
+    [[nodiscard]] std::optional<FigureReading> nearest(QPointF at) const;
+    /// In view and at this place.
+    [[nodiscard]] std::optional<QPointF> shownAt(const ReadingPlace &place) const;
     void paintMarking(QPainter &painter) const;
     void paintHover(QPainter &painter) const;
 
     Selection &m_selection;
     std::optional<CurveFigure> m_figure;
-    FigureReadings m_readings; ///< never null
+    FigureReadings m_readings;
     FigureMarking m_marking;
     QString m_hoverLabel;
     QPixmap m_drawn; ///< null: to be drawn

@@ -58,6 +58,14 @@ CurveFigure figureIn(const CurveFigure &whole, const std::optional<std::array<In
     return isLarge ? thinned(figure) : figure;
 }
 
+/// What the pointer finds stays.
+CurveFigure withoutReadings(CurveFigure figure) {
+    figure.readings = {};
+    std::erase_if(figure.legend,
+                  [](const LegendEntry &entry) { return entry.sample == LegendSample::readings; });
+    return figure;
+}
+
 const CircularMeasurement *circularOf(const EvaluatedDocument &evaluated, std::size_t test) {
     return test < evaluated.tests.size()
                ? std::get_if<CircularMeasurement>(&evaluated.document->tests[test]->measurement)
@@ -74,56 +82,6 @@ const DriftMeasurement *driftOf(const EvaluatedDocument &evaluated, std::size_t 
     return test < evaluated.tests.size()
                ? std::get_if<DriftMeasurement>(&evaluated.document->tests[test]->measurement)
                : nullptr;
-}
-
-std::vector<FigureReading> readingsOf(const CurveFigure &drift) {
-    std::vector<FigureReading> readings;
-    for (const Curve &curve : drift.curves) {
-        for (const FigurePoint &point : curve.points)
-            readings.push_back(
-                {point.x, point.y, curve.role, {0, static_cast<std::size_t>(point.target) - 1}});
-    }
-    return readings;
-}
-
-/// Where each reading stands: of a single run the curve, else its mark.
-std::vector<FigureReading> readingsOf(const CurveFigure &figure, const PositioningMeasurement &measurement) {
-    const std::vector<ReadingColumn> columns = readingColumns(measurement, ReadingGrouping::byRun);
-    const auto runOf = [&](CurveRole role, int number) {
-        const Direction approach = role == CurveRole::up ? Direction::positive : Direction::negative;
-        const auto found = std::ranges::find_if(columns, [&](const ReadingColumn &column) {
-            return column.approach == approach && column.number == number;
-        });
-        return found == columns.end() ? std::size_t{0} : found->run;
-    };
-    std::array<std::vector<std::size_t>, 2> runs; // run by number, of ↑ and ↓
-    for (const ReadingColumn &column : columns) {
-        auto &list = runs[column.approach == Direction::positive ? 0 : 1];
-        list.resize(std::max(list.size(), static_cast<std::size_t>(column.number)));
-        list[static_cast<std::size_t>(column.number) - 1] = column.run;
-    }
-    std::vector<FigureReading> readings;
-    readings.reserve(figure.readings.size());
-    for (const ReadingMark &mark : figure.readings) {
-        const auto &list = runs[mark.role == CurveRole::up ? 0 : 1];
-        readings.push_back(
-            {mark.x,
-             mark.y,
-             mark.role,
-             {list[static_cast<std::size_t>(mark.run) - 1], static_cast<std::size_t>(mark.target) - 1}});
-    }
-    if (!readings.empty())
-        return readings;
-    for (const Curve &curve : figure.curves) {
-        if (curve.role == CurveRole::mean)
-            continue;
-        for (const FigurePoint &point : curve.points)
-            readings.push_back({point.x,
-                                point.y,
-                                curve.role,
-                                {runOf(curve.role, 1), static_cast<std::size_t>(point.target) - 1}});
-    }
-    return readings;
 }
 
 } // namespace
@@ -248,7 +206,7 @@ void FigureView::refresh() {
 void FigureView::forget() {
     m_whole.reset();
     m_shown.reset();
-    m_readings.reset();
+    m_readings = {};
     m_canvas->clear();
 }
 
@@ -277,17 +235,13 @@ FigureView::Content FigureView::contentOf(const Test &test, const TestEvaluation
                                           const Language &language, bool marks,
                                           const std::optional<std::array<Interval, 2>> &zoomed) {
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    CurveFigure whole =
-        measurement ? deviationFigure(test, evaluation, language) : driftFigure(test, evaluation, language);
     Content content;
-    content.readings = std::make_shared<const std::vector<FigureReading>>(
-        measurement ? readingsOf(whole, *measurement) : readingsOf(whole));
-    if (!marks && measurement) {
-        whole.readings = {};
-        std::erase_if(whole.legend,
-                      [](const LegendEntry &entry) { return entry.sample == LegendSample::readings; });
-    }
-    content.whole = std::make_shared<const CurveFigure>(std::move(whole));
+    content.whole = std::make_shared<const CurveFigure>(
+        measurement ? deviationFigure(test, evaluation, language) : driftFigure(test, evaluation, language));
+    content.readings =
+        measurement ? FigureReadings(content.whole, *measurement) : FigureReadings(content.whole);
+    if (!marks && measurement)
+        content.whole = std::make_shared<const CurveFigure>(withoutReadings(*content.whole));
     content.shown = figureIn(*content.whole, zoomed, language);
     content.sentence = figureSentence(*content.whole, language);
     return content;
