@@ -15,6 +15,8 @@
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -80,6 +82,43 @@ private slots:
         QVERIFY(selection.hovered()->run == 1 || selection.hovered()->run == 7);
         QTest::mouseMove(canvas, QPoint(2, 2));
         QTRY_COMPARE(selection.hovered(), std::optional<ReadingPlace>());
+    }
+
+    /// Runs in no regular order, every reading another: the higher, the higher up; marks drawn or not.
+    void everyReadingStandsWhereItsValueIs() {
+        Test test = positioningTest("ISO 230-2:2006", {0, 100, 200}, {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}},
+                                    {{-1, -2, -3}, {-4, -5, -6}, {-7, -8, -9}});
+        auto &runs = std::get<PositioningMeasurement>(test.measurement).runs;
+        std::ranges::sort(runs, {}, [](const Run &run) { // ↑ ↑ ↓ ↑ ↓ ↓
+            constexpr std::array order{0, 1, 3, 2, 4, 5};
+            const double first = std::abs(*run.deviations[0]) * 1e3; // 1, 4 or 7
+            const bool up = run.approach == Direction::positive;
+            return order[std::size_t(std::lround(first) / 3 + (up ? 0 : 3))];
+        });
+        Selection selection;
+        FigureView view(selection);
+        view.show(evaluatedDocument(test), 0);
+        view.resize(560, 380);
+        for (const bool marks : {true, false}) {
+            view.findChild<QToolButton *>(u"readingMarks"_s)->setChecked(marks);
+            view.grab(); // lays it out
+            auto *canvas = view.findChild<FigureCanvas *>();
+            const FigureAxis &y = view.figure()->y;
+            const double top = canvas->placeOf({0, 0})->y();
+            const double value = *runs[0].deviations[0];
+            const double other = *runs[5].deviations[2];
+            const double slope = (canvas->placeOf({5, 2})->y() - top) / (other - value);
+            QVERIFY(slope < 0 && y.to > y.from);
+            for (std::size_t run = 0; run < runs.size(); ++run) {
+                for (std::size_t target = 0; target < 3; ++target) {
+                    const auto at = canvas->placeOf({run, target});
+                    QVERIFY(at);
+                    const double expected = top + slope * (*runs[run].deviations[target] - value);
+                    QVERIFY2(std::abs(at->y() - expected) < 1e-6,
+                             qPrintable(u"run %1, target %2"_s.arg(run).arg(target)));
+                }
+            }
+        }
     }
 
     void hoverInTheTableRingsTheReading() {
