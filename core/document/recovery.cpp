@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr auto format = "palmer recovery";
+constexpr auto recoveryFormat = "palmer recovery";
 constexpr auto suffix = "recovery";
 
 json stateAsJson(const FileState &state) {
@@ -60,7 +60,7 @@ FileState knownFile(const RecoveryOrigin &origin) {
 }
 
 QByteArray writeRecovery(const Document &document, const RecoveryOrigin &origin) {
-    json head{{"format", format},
+    json head{{"format", recoveryFormat},
               {"path", origin.path.toStdString()},
               {"saved", origin.saved.toUTC().toString(Qt::ISODateWithMs).toStdString()}};
     if (origin.file)
@@ -78,7 +78,7 @@ Recovery readRecovery(const QByteArray &bytes) {
                         {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
         return QString::fromStdString(found->get<std::string>());
     };
-    if (text("format") != QLatin1StringView(format))
+    if (text("format") != QLatin1StringView(recoveryFormat))
         throw Error(Error::Kind::format,
                     {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
     Recovery recovery;

@@ -28,15 +28,15 @@ constexpr auto anEditionOf = std::to_array({"ISO 230-2:2014", "ISO 230-4:2005"})
 }
 
 /// What a template may hold: its key, and where that stands in a test file.
-struct Part {
+struct TemplatePart {
     const char *key = nullptr;
     const char *place = nullptr;
 };
-constexpr auto parts = std::to_array<Part>({{"machine", "machine"},
-                                            {"instrument", "instruments[0]"},
-                                            {"laboratory", "report.laboratory"},
-                                            {"limits", "tests[0]"},
-                                            {"conditions", "tests[0].conditions"}});
+constexpr auto templateParts = std::to_array<TemplatePart>({{"machine", "machine"},
+                                                            {"instrument", "instruments[0]"},
+                                                            {"laboratory", "report.laboratory"},
+                                                            {"limits", "tests[0]"},
+                                                            {"conditions", "tests[0].conditions"}});
 
 /// The keys of Declarations.
 constexpr auto declared = std::to_array<std::string_view>(
@@ -94,7 +94,7 @@ json emptyTest(Kind kind) {
 }
 
 /// The test file that says of its one part what the template says.
-json testFile(const json &file, const Part &part) {
+json testFile(const json &file, const TemplatePart &part) {
     json around{{"format", fileFormat}};
     if (file.contains("version"))
         around["version"] = file["version"];
@@ -120,7 +120,7 @@ json testFile(const json &file, const Part &part) {
 }
 
 /// The place of an error in the template, from that in the test file.
-std::string placeInTemplate(const std::string &place, const Part &part) {
+std::string placeInTemplate(const std::string &place, const TemplatePart &part) {
     if (!place.starts_with(part.place))
         return place;
     std::string rest = place.substr(std::string_view(part.place).size());
@@ -130,9 +130,9 @@ std::string placeInTemplate(const std::string &place, const Part &part) {
     return part.key + rest;
 }
 
-const Part &partIn(const json &file) {
-    const Part *part = nullptr;
-    for (const Part &candidate : parts) {
+const TemplatePart &partIn(const json &file) {
+    const TemplatePart *part = nullptr;
+    for (const TemplatePart &candidate : templateParts) {
         if (!file.contains(candidate.key))
             continue;
         if (part)
@@ -146,7 +146,7 @@ const Part &partIn(const json &file) {
     return *part;
 }
 
-void demandKnownKeys(const json &file, const Part &part) {
+void demandKnownKeys(const json &file, const TemplatePart &part) {
     const bool isLimits = std::string_view(part.key) == "limits";
     for (const auto &[key, value] : file.items()) {
         const bool known = key == "format" || key == "version" || key == "name" || key == part.key ||
@@ -164,7 +164,7 @@ void demandKnownKeys(const json &file, const Part &part) {
 }
 
 /// The part of a document.
-decltype(Template::content) contentOf(Document document, const Part &part) {
+decltype(Template::content) contentOf(Document document, const TemplatePart &part) {
     const std::string_view key = part.key;
     if (key == "machine")
         return std::move(document.machine);
@@ -184,7 +184,7 @@ Template readTemplate(const QByteArray &bytes) {
     const json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
     if (!file.is_object() || !file.contains("format") || file["format"] != templateFormat)
         throw Error(Error::Kind::format, {REPORT_TEXT("report", "this is no template of Palmer"), {}, {}});
-    const Part &part = partIn(file);
+    const TemplatePart &part = partIn(file);
     demandKnownKeys(file, part);
     Template result;
     if (const auto name = file.find("name"); name != file.end()) {
@@ -204,7 +204,7 @@ Template readTemplate(const QByteArray &bytes) {
 QByteArray writeTemplate(const Template &content) {
     Document document;
     Test test;
-    const char *key = parts[content.content.index()].key;
+    const char *key = templateParts[content.content.index()].key;
     if (const auto *machine = std::get_if<Machine>(&content.content)) {
         document.machine = *machine;
     } else if (const auto *instrument = std::get_if<Instrument>(&content.content)) {

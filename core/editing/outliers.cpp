@@ -9,7 +9,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double factor = 6;
+constexpr double spreadsOfOutliers = 6;
 constexpr double normalOfMedian = 1.4826; ///< standard deviation by the median absolute deviation
 constexpr std::size_t leastAtTarget = 3;
 constexpr std::size_t leastInAll = 10;
@@ -56,7 +56,7 @@ std::vector<OutlierHint> outlierHints(const PositioningMeasurement &measurement)
     std::vector<double> sizes;
     for (const OutlierHint &hint : distances)
         sizes.push_back(std::abs(hint.distance));
-    const double bound = factor * normalOfMedian * median(std::move(sizes));
+    const double bound = spreadsOfOutliers * normalOfMedian * median(std::move(sizes));
     if (!(bound > 1e-12))
         return {};
     std::erase_if(distances, [bound](const OutlierHint &hint) { return std::abs(hint.distance) <= bound; });

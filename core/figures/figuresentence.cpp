@@ -39,7 +39,7 @@ int decimalsOf(const FigureAxis &axis) {
     return std::clamp(1 - static_cast<int>(std::floor(std::log10(std::max(axis.step, 1e-9)))), 0, 9);
 }
 
-QString joined(const QString &title, const QStringList &parts) {
+QString titled(const QString &title, const QStringList &parts) {
     QStringList said = parts;
     said.removeAll(QString());
     return said.isEmpty() ? title : title + QStringLiteral(": ") + said.join(QStringLiteral("; "));
@@ -78,7 +78,7 @@ struct Describe {
                          language.number(dimension.upper - dimension.lower, Quantity::number,
                                          decimalsOf(figure.y)) +
                          u'\u00a0' + figure.y.unit;
-        return joined(figure.title, parts << figure.note);
+        return titled(figure.title, parts << figure.note);
     }
 
     QString operator()(const CircleFigure &figure) const {
@@ -94,7 +94,7 @@ struct Describe {
             parts << entry.text;
         if (figure.envelope)
             parts << figure.envelope->label + figure.envelope->subscript << figure.envelope->limitLabel;
-        return joined(figure.title, parts);
+        return titled(figure.title, parts);
     }
 
     QString operator()(const LineFigure &figure) const {
@@ -109,14 +109,14 @@ struct Describe {
             parts << line.name + u' ' + y.text(figure.y.unit, decimalsOf(figure.y), language);
         }
         parts.prepend(ofAxis(figure.x, x.text(figure.x.unit, -1, language)));
-        return joined(figure.title, parts);
+        return titled(figure.title, parts);
     }
 
     QString operator()(const BarFigure &figure) const {
         QStringList parts;
         for (const Bar &bar : figure.bars)
             parts << bar.name + bar.subscript + u' ' + bar.value + u' ' + bar.share;
-        return joined(figure.title, parts << figure.note);
+        return titled(figure.title, parts << figure.note);
     }
 
     QString operator()(const TrendFigure &figure) const {
@@ -125,11 +125,11 @@ struct Describe {
             parts << (panel.symbol + u' ' + panel.statement).trimmed();
         for (const QString &entry : figure.legend)
             parts << entry;
-        return joined(figure.title, parts);
+        return titled(figure.title, parts);
     }
 
     QString operator()(const HistogramFigure &figure) const {
-        return joined(figure.title, {figure.evaluatedText, figure.meanText, figure.coverageText});
+        return titled(figure.title, {figure.evaluatedText, figure.meanText, figure.coverageText});
     }
 };
 

@@ -294,13 +294,13 @@ FoundTable sagTable(const std::vector<Command> &assignments) {
 
 // ---- Heidenhain
 
-struct Column {
+struct HeidenhainColumn {
     std::string name;
     std::size_t begin = 0;
 };
 
-std::vector<Column> columnsOf(std::string_view line) {
-    std::vector<Column> columns;
+std::vector<HeidenhainColumn> columnsOf(std::string_view line) {
+    std::vector<HeidenhainColumn> columns;
     for (std::size_t at = 0;;) {
         at = line.find_first_not_of(" \t", at);
         if (at == std::string_view::npos)
@@ -312,7 +312,8 @@ std::vector<Column> columnsOf(std::string_view line) {
 }
 
 /// The cell below a column: cells stand where their headings do, empty ones are blanks.
-std::string_view cellOf(std::string_view line, const std::vector<Column> &columns, std::size_t column) {
+std::string_view cellOf(std::string_view line, const std::vector<HeidenhainColumn> &columns,
+                        std::size_t column) {
     const std::size_t begin = columns[column].begin;
     if (begin >= line.size())
         return {};
@@ -321,7 +322,7 @@ std::string_view cellOf(std::string_view line, const std::vector<Column> &column
 }
 
 struct ComColumns {
-    std::vector<Column> all;
+    std::vector<HeidenhainColumn> all;
     std::size_t position = 0;
     std::size_t axis = 0;
     std::optional<std::size_t> reverse;

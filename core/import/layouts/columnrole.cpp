@@ -12,7 +12,7 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array<std::string_view, 15> words{
+constexpr std::array<std::string_view, 15> columnRoleWords{
     // in the order of ColumnRole
     "ignored", "target", "actual", "deviation", "run",         "direction", "number",   "angle",
     "radius",  "x",      "y",      "time",      "temperature", "nominal",   "statistic"};
@@ -20,10 +20,10 @@ constexpr std::array<std::string_view, 15> words{
 std::optional<ImportColumn> columnOf(std::string_view word) {
     const std::size_t bare = std::min(word.find_first_of("+-0123456789"), word.size());
     const auto *const found = std::ranges::find_if(
-        words, [&](std::string_view role) { return sameWord(role, word.substr(0, bare)); });
-    if (found == words.end())
+        columnRoleWords, [&](std::string_view role) { return sameWord(role, word.substr(0, bare)); });
+    if (found == columnRoleWords.end())
         return {};
-    ImportColumn column{static_cast<ColumnRole>(found - words.begin())};
+    ImportColumn column{static_cast<ColumnRole>(found - columnRoleWords.begin())};
     word.remove_prefix(bare);
     if (!word.empty() && !column.hasReadings())
         return {};
@@ -43,7 +43,8 @@ std::optional<ImportColumn> columnOf(std::string_view word) {
 std::string wordOf(const std::vector<ImportColumn> &columns) {
     std::string text;
     for (const ImportColumn &column : columns) {
-        text += (text.empty() ? "" : ",") + std::string(words[static_cast<std::size_t>(column.role)]);
+        text +=
+            (text.empty() ? "" : ",") + std::string(columnRoleWords[static_cast<std::size_t>(column.role)]);
         if (column.direction)
             text += *column.direction == Direction::positive ? '+' : '-';
         if (column.number > 0)
@@ -70,7 +71,7 @@ std::optional<std::vector<ImportColumn>> columnsOf(std::string_view text, std::s
 
 std::string roleWords() {
     std::string list;
-    for (const std::string_view word : words)
+    for (const std::string_view word : columnRoleWords)
         list += (list.empty() ? "" : ", ") + std::string(word);
     return list + ", run+, run-, run+1 …";
 }
