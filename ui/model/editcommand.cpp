@@ -7,6 +7,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int mergeable = 1;
+constexpr std::size_t largeTest = 20'000; ///< readings; a step of less needs no thrift
 
 } // namespace
 
@@ -15,18 +16,28 @@ EditCommand::EditCommand(DocumentModel &model, const char *text, DocumentPointer
     , m_model(model)
     , m_before(model.document())
     , m_after(std::move(after))
-    , m_mergeKey(std::move(mergeKey)) {}
+    , m_mergeKey(std::move(mergeKey)) {
+    m_readings = changedReadings(*m_before, *m_after, largeTest);
+    if (m_readings)
+        m_before.reset();
+}
 
 void EditCommand::undo() {
-    m_model.put(m_before);
+    m_model.put(m_readings
+                    ? std::make_shared<const Document>(withReadingsBefore(*m_model.document(), *m_readings))
+                    : m_before);
 }
 
 void EditCommand::redo() {
-    m_model.put(m_after);
+    m_model.put(m_after
+                    ? m_after
+                    : std::make_shared<const Document>(withReadingsAfter(*m_model.document(), *m_readings)));
+    if (m_readings)
+        m_after.reset();
 }
 
 int EditCommand::id() const {
-    return m_mergeKey.isEmpty() ? -1 : mergeable;
+    return m_mergeKey.isEmpty() || m_readings ? -1 : mergeable;
 }
 
 bool EditCommand::mergeWith(const QUndoCommand *other) {

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editing/changedreadings.h"
 #include "ui/model/documentmodel.h"
 
 #include <QUndoCommand>
+#include <optional>
 
 namespace palmer::ui {
 
 /// The one step of the undo stack: the document before and after. Documents share their tests, so both are
-/// cheap.
+/// cheap; of a few readings in a large test it keeps these alone.
 class EditCommand : public QUndoCommand {
 public:
     EditCommand(DocumentModel &model, const char *text, DocumentPointer after, QString mergeKey);
@@ -21,8 +23,9 @@ public:
 
 private:
     DocumentModel &m_model;
-    DocumentPointer m_before;
-    DocumentPointer m_after;
+    std::optional<ChangedReadings> m_readings;
+    DocumentPointer m_before; ///< null where the readings say it
+    DocumentPointer m_after;  ///< the same, once it was put for the first time
     QString m_mergeKey;
 };
 

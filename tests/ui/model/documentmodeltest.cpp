@@ -23,6 +23,34 @@ void rename(DocumentModel &model, const char *name, const QString &mergeKey = {}
         "name the machine", [name](Document &document) { document.machine.name = name; }, mergeKey);
 }
 
+/// 200 targets, 200 runs: steps of a reading hold that reading alone.
+Document largeDocument() {
+    Document document = example();
+    auto test = std::make_shared<Test>(*document.tests[0]);
+    auto &measurement = std::get<PositioningMeasurement>(test->measurement);
+    measurement.targets.clear();
+    measurement.runs.clear();
+    for (int i = 0; i < 200; ++i) {
+        measurement.targets.push_back(i);
+        measurement.runs.push_back({i % 2 == 0 ? Direction::positive : Direction::negative,
+                                    std::vector<std::optional<double>>(200, 0.001 * i)});
+    }
+    document.tests[0] = std::move(test);
+    return document;
+}
+
+void setReading(DocumentModel &model, std::size_t run, std::size_t target, std::optional<double> value,
+                const QString &mergeKey = {}) {
+    model.edit(
+        "type a reading",
+        [=](Document &document) {
+            auto test = std::make_shared<Test>(*document.tests[0]);
+            std::get<PositioningMeasurement>(test->measurement).runs[run].deviations[target] = value;
+            document.tests[0] = std::move(test);
+        },
+        mergeKey);
+}
+
 } // namespace
 
 class DocumentModelTest : public QObject {
@@ -37,6 +65,7 @@ private slots:
     void sharesUnchangedTests();
     void forgetsStepsOfTheFormerDocument();
     void staysAsItIsWhenSavingFails();
+    void goesBackAndForthThroughALargeTest();
 };
 
 void DocumentModelTest::editsThroughOneDoor() {
@@ -141,6 +170,44 @@ void DocumentModelTest::staysAsItIsWhenSavingFails() {
     QVERIFY(model.isModified());
     QVERIFY(model.path().isEmpty());
     QCOMPARE(file.count(), 0);
+}
+
+/// Readings, other fields and many readings in turn: each step back and forth gives the document it had.
+void DocumentModelTest::goesBackAndForthThroughALargeTest() {
+    DocumentModel model;
+    model.setDocument(largeDocument(), {});
+    std::vector<Document> states{*model.document()};
+    for (std::size_t step = 0; step < 40; ++step) {
+        if (step % 5 == 3)
+            rename(model, std::to_string(step).c_str(), QStringLiteral("name"));
+        else if (step % 7 == 4)
+            model.edit("clear a run", [step](Document &document) {
+                auto test = std::make_shared<Test>(*document.tests[0]);
+                auto &run = std::get<PositioningMeasurement>(test->measurement).runs[step];
+                run.deviations.assign(run.deviations.size(), std::nullopt);
+                document.tests[0] = std::move(test);
+            });
+        else
+            setReading(model, step, 3 * step, step % 4 == 0 ? std::nullopt : std::optional(0.5),
+                       QStringLiteral("typed"));
+        states.push_back(*model.document());
+        QVERIFY(states.back() != states[states.size() - 2]);
+    }
+    QCOMPARE(model.undoStack()->count(), 40);
+    for (std::size_t step = 40; step-- > 0;) {
+        model.undoStack()->undo();
+        QVERIFY(*model.document() == states[step]);
+    }
+    QVERIFY(!model.isModified());
+    for (std::size_t step = 1; step <= 40; ++step) {
+        model.undoStack()->redo();
+        QVERIFY(*model.document() == states[step]);
+    }
+    model.undoStack()->setIndex(17);
+    QVERIFY(*model.document() == states[17]);
+    setReading(model, 0, 0, 7.0);
+    model.undoStack()->undo();
+    QVERIFY(*model.document() == states[17]);
 }
 
 QTEST_GUILESS_MAIN(DocumentModelTest)
