@@ -370,12 +370,14 @@ std::string sampleOf(std::string_view text) {
 
 void settleForm(CellTable &table, std::string_view text, const TableOptions &options) {
     const std::string sample = sampleOf(text);
+    const bool areQuoted = sample.find(R"(",")") != std::string::npos;
     Reading best;
     std::vector<Reading> readings;
     for (const Delimiter delimiter :
          {Delimiter::tab, Delimiter::semicolon, Delimiter::bar, Delimiter::comma, Delimiter::blanks}) {
         for (const DecimalMark mark : {DecimalMark::point, DecimalMark::comma}) {
-            if (delimiter == Delimiter::comma && mark == DecimalMark::comma &&
+            // Both only where quotes tell them apart.
+            if (delimiter == Delimiter::comma && mark == DecimalMark::comma && !areQuoted &&
                 !(options.delimiter == delimiter && options.decimalMark == mark))
                 continue;
             if (options.delimiter.value_or(delimiter) != delimiter ||
