@@ -317,6 +317,8 @@ private:
         const auto senses = m.body.columnOf(ColumnKind::senses);
         RawPath path;
         path.stated = stated;
+        path.first.reserve(block.rows.size());
+        path.second.reserve(block.rows.size());
         for (const std::uint32_t row : block.rows) {
             if (senses) {
                 const auto sense = senseIn(m.cellText(row, *senses));
@@ -340,9 +342,8 @@ private:
 
     void finish(RawPath &path) {
         if (!path.first.empty())
-            m_paths.push_back(path);
-        path.first.clear();
-        path.second.clear();
+            m_paths.push_back(std::move(path));
+        path = {};
     }
 
     [[nodiscard]] std::string planeOfHeadings() const {
@@ -380,6 +381,11 @@ private:
                        UnitKind::length, "mm",
                        REPORT_TEXT("report", "Unit of x and y: nothing in the file says it; read as %1."));
         Points points;
+        std::size_t count = 0;
+        for (const RawPath &path : m_paths)
+            count += path.first.size();
+        points.x.reserve(count);
+        points.y.reserve(count);
         for (RawPath &path : m_paths) {
             for (std::size_t i = 0; i < path.first.size(); ++i) {
                 points.x.push_back(path.first[i] = unit->toBase(path.first[i]));
@@ -405,6 +411,8 @@ private:
         measurement.nominalRadius = radius;
         for (const RawPath &path : m_paths) {
             Arc arc;
+            arc.angles.reserve(path.first.size());
+            arc.radialDeviations.reserve(path.first.size());
             for (std::size_t i = 0; i < path.first.size(); ++i) {
                 const double x = path.first[i] - cx;
                 const double y = path.second[i] - cy;
@@ -501,6 +509,8 @@ private:
         for (RawPath &path : m_paths) {
             Arc arc;
             arc.angleReference = form.reference;
+            arc.angles.reserve(path.first.size());
+            arc.radialDeviations.reserve(path.first.size());
             for (std::size_t i = 0; i < path.first.size(); ++i) {
                 arc.angles.push_back(form.angle->toBase(path.first[i]));
                 const double value = form.reading->toBase(path.second[i]);
