@@ -8304,5 +8304,9 @@
         <source>The workbook has %1 sheets, several with rows of numbers; “%2” is read, the others are not.</source>
         <translation>Le classeur a %1 feuilles, dont plusieurs avec des lignes de nombres&#x202f;; «&#xa0;%2&#xa0;» est lue, les autres ne le sont pas.</translation>
     </message>
+    <message>
+        <source>a file of this name (%1) is a compensation table, perhaps cut off, and no measurement; if it is one, rename it, for example to .txt</source>
+        <translation>un fichier de ce nom (%1) est une table de compensation, peut-être tronquée, et non une mesure&#x202f;; si c’en est une, renommez-le, par exemple en .txt</translation>
+    </message>
 </context>
 </TS>
