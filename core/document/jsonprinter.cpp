@@ -3,6 +3,7 @@
 #include "document/jsonprinter.h"
 
 #include "document/documenterror.h"
+#include "document/largepages.h"
 
 #include <nlohmann/json.hpp>
 
@@ -54,6 +55,11 @@ void JsonPrinter::number(double value, const Place &place) {
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                    plain ? std::chars_format::fixed : std::chars_format::scientific);
     append(digits.data(), end.ptr);
+}
+
+void JsonPrinter::expect(std::size_t characters) {
+    m_text.reserve(m_text.size() + static_cast<qsizetype>(characters));
+    inLargePages(m_text.constData(), static_cast<std::size_t>(m_text.capacity()));
 }
 
 void JsonPrinter::text(std::string_view utf8) {

@@ -51,15 +51,14 @@ public:
 
     [[nodiscard]] static bool isSmallList(std::size_t size) { return size < lineLength / 2; }
     /// So many more characters will come: their room is taken at once, not twice as much step by step.
-    void expect(std::size_t characters) {
-        m_text.reserve(m_text.size() + static_cast<qsizetype>(characters));
-    }
+    void expect(std::size_t characters);
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(m_text.size()); }
     [[nodiscard]] QByteArray take() { return std::move(m_text); }
 
 private:
     static constexpr std::size_t lineLength = 100;
     static constexpr std::size_t indentation = 2;
+    static constexpr std::size_t sampleSize = 1000;
 
     void append(const char *begin, const char *end) { m_text.append(begin, end - begin); }
     void append(std::string_view text) { append(text.data(), text.data() + text.size()); }
@@ -101,8 +100,11 @@ void JsonPrinter::listOfScalars(std::size_t count, const Print &print) {
     if (printOnThisLine(count, print))
         return;
     open('[');
+    const std::size_t begin = size();
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t end = size();
+        if (i == sampleSize && count > 100 * sampleSize) // the others are about as long
+            expect((end - begin) * (count + count / 8) / sampleSize);
         append(i > 0 ? ", " : "");
         print(i);
         if (i > 0 && column() >= lineLength) {
