@@ -8284,5 +8284,29 @@
         <source>the number of a history has at most %1 characters</source>
         <translation>le numéro d’un historique a au plus %1 caractères</translation>
     </message>
+    <message>
+        <source>Sense: no word says which column is clockwise; both are read as the angles run.</source>
+        <translation>Sens&#xa0;: aucun mot ne dit quelle colonne est horaire&#x202f;; les deux sont lues dans le sens des angles.</translation>
+    </message>
+    <message>
+        <source>Sign: the file says “%1”; read as target − actual.</source>
+        <translation>Signe&#xa0;: le fichier dit «&#xa0;%1&#xa0;»&#x202f;; lu comme «&#xa0;visé − réel&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Sign: the file says “%1”; read as actual − target.</source>
+        <translation>Signe&#xa0;: le fichier dit «&#xa0;%1&#xa0;»&#x202f;; lu comme «&#xa0;réel − visé&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Layout: the targets of the block that begins here are others than those of the first block; it is read as runs of its own.</source>
+        <translation>Disposition&#xa0;: les points visés du bloc qui commence ici ne sont pas ceux du premier bloc&#x202f;; il est lu comme des passes à part.</translation>
+    </message>
+    <message>
+        <source>The workbook has %1 sheets, several with rows of numbers; “%2” is read, the others are not.</source>
+        <translation>Le classeur a %1 feuilles, dont plusieurs avec des lignes de nombres&#x202f;; «&#xa0;%2&#xa0;» est lue, les autres ne le sont pas.</translation>
+    </message>
+    <message>
+        <source>a file of this name (%1) is a compensation table, perhaps cut off, and no measurement; if it is one, rename it, for example to .txt</source>
+        <translation>un fichier de ce nom (%1) est une table de compensation, peut-être tronquée, et non une mesure&#x202f;; si c’en est une, renommez-le, par exemple en .txt</translation>
+    </message>
 </context>
 </TS>

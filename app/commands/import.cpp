@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
 
 namespace palmer {
 
@@ -24,6 +25,13 @@ constexpr std::array options{
     Option{"keep-original", "", REPORT_TEXT("report", "keep the bytes of the files in the test file")},
     forceOption,
 };
+
+/// Of a long file beside its reading, of others when it is asked for.
+std::future<std::string> hashOf(const QByteArray &bytes) {
+    constexpr qsizetype isLong = 1 << 20;
+    return std::async(bytes.size() > isLong ? std::launch::async : std::launch::deferred,
+                      [bytes] { return sha256(bytes); });
+}
 
 /// Temperatures belong to the tests of the other files, whatever their order.
 bool needsTest(const Imported &imported) {
@@ -41,6 +49,7 @@ int run(const Invocation &invocation) {
     struct Read {
         QString file;
         QByteArray bytes;
+        std::future<std::string> hash;
         Imported imported;
     };
     std::vector<Read> files;
@@ -48,8 +57,9 @@ int run(const Invocation &invocation) {
     for (const QString &file : invocation.arguments) {
         try {
             const QByteArray bytes = bytesFrom(file);
+            std::future<std::string> hash = hashOf(bytes);
             if (auto imported = importedFrom(bytes, file, chosen, invocation))
-                files.push_back({file, bytes, std::move(*imported)});
+                files.push_back({file, bytes, std::move(hash), std::move(*imported)});
             else
                 code = worse(code, cannotRead);
         } catch (const Error &error) {
@@ -73,7 +83,7 @@ int run(const Invocation &invocation) {
     Document document;
     for (Read &read : files) {
         try {
-            addImported(document, std::move(read.imported), read.bytes, read.file, keep);
+            addImported(document, std::move(read.imported), read.bytes, read.file, keep, read.hash.get());
         } catch (const Error &error) {
             printError(read.file, error, invocation.language);
             return cannotRead;

@@ -3,6 +3,7 @@
 #include "document/jsonprinter.h"
 
 #include "document/documenterror.h"
+#include "document/largepages.h"
 
 #include <nlohmann/json.hpp>
 
@@ -46,23 +47,31 @@ void JsonPrinter::number(double value, const Place &place) {
     if (char *const end = printParts(size, digits.data() + 1)) {
         digits[0] = '-';
         const std::ptrdiff_t first = value < 0 ? 0 : 1;
-        m_text.append(digits.data() + first, end);
+        append(digits.data() + first, end);
         return;
     }
     // Positions and deviations as people write them; an exponent only beyond.
     const bool plain = size >= 1e-7 && size < 1e15;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                    plain ? std::chars_format::fixed : std::chars_format::scientific);
-    m_text.append(digits.data(), end.ptr);
+    append(digits.data(), end.ptr);
+}
+
+void JsonPrinter::expect(std::size_t characters) {
+    m_text.reserve(m_text.size() + static_cast<qsizetype>(characters));
+    inLargePages(m_text.constData(), static_cast<std::size_t>(m_text.capacity()));
 }
 
 void JsonPrinter::text(std::string_view utf8) {
     const bool isPlain =
         std::ranges::all_of(utf8, [](char c) { return c >= ' ' && c < '\x7F' && c != '"' && c != '\\'; });
-    if (isPlain)
-        ((m_text += '"') += utf8) += '"';
-    else
-        m_text += nlohmann::json(utf8).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    if (!isPlain) {
+        append(nlohmann::json(utf8).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+        return;
+    }
+    m_text += '"';
+    append(utf8);
+    m_text += '"';
 }
 
 void JsonPrinter::object(std::span<const JsonMember> members, const Place &place) {
@@ -76,20 +85,20 @@ void JsonPrinter::object(std::span<const JsonMember> members, const Place &place
             newLine();
         }
         text(member.key);
-        m_text += ": ";
+        append(": ");
         member.print(*this, Place(place, member.key));
     }
     close('}');
 }
 
 bool JsonPrinter::printOnThisLine(std::span<const JsonMember> members, const Place &place) {
-    const std::size_t begin = m_text.size();
+    const qsizetype begin = m_text.size();
     const bool whole = std::exchange(m_oneLine, true);
     m_text += '{';
     for (const JsonMember &member : members) {
-        m_text += &member != &members.front() ? ", " : "";
+        append(&member != &members.front() ? ", " : "");
         text(member.key);
-        m_text += ": ";
+        append(": ");
         member.print(*this, Place(place, member.key));
     }
     m_text += '}';
@@ -101,8 +110,9 @@ bool JsonPrinter::printOnThisLine(std::span<const JsonMember> members, const Pla
 }
 
 void JsonPrinter::breakAt(std::size_t place) {
-    m_text.insert(place, m_indent + 1, ' ');
-    m_text[place] = '\n';
+    const auto at = static_cast<qsizetype>(place);
+    m_text.insert(at, static_cast<qsizetype>(m_indent) + 1, ' ');
+    m_text[at] = '\n';
     m_lineBegin = place + 1;
 }
 

@@ -4,6 +4,7 @@
 
 #include "document/place.h"
 
+#include <QByteArray>
 #include <array>
 #include <charconv>
 #include <concepts>
@@ -37,51 +38,54 @@ public:
     void number(double value, const Place &place);
     void whole(std::integral auto value) {
         std::array<char, 24> digits{};
-        m_text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+        append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
     }
-    void text(std::string_view utf8);                      ///< what is no UTF-8 in it as U+FFFD
-    void word(std::string_view value) { m_text += value; } ///< true, false, null
+    void text(std::string_view utf8);                    ///< what is no UTF-8 in it as U+FFFD
+    void word(std::string_view value) { append(value); } ///< true, false, null
     void object(std::span<const JsonMember> members, const Place &place);
     /// `print(i)` prints the element of an index.
     template <class Print>
-    void list(std::size_t size, const Print &print);
+    void list(std::size_t count, const Print &print);
     template <class Print>
-    void listOfScalars(std::size_t size, const Print &print);
+    void listOfScalars(std::size_t count, const Print &print);
 
     [[nodiscard]] static bool isSmallList(std::size_t size) { return size < lineLength / 2; }
     /// So many more characters will come: their room is taken at once, not twice as much step by step.
-    void expect(std::size_t characters) { m_text.reserve(m_text.size() + characters); }
-    [[nodiscard]] std::size_t size() const { return m_text.size(); }
-    [[nodiscard]] std::string take() { return std::move(m_text); }
+    void expect(std::size_t characters);
+    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(m_text.size()); }
+    [[nodiscard]] QByteArray take() { return std::move(m_text); }
 
 private:
     static constexpr std::size_t lineLength = 100;
     static constexpr std::size_t indentation = 2;
+    static constexpr std::size_t sampleSize = 1000;
 
-    void newLine() { breakAt(m_text.size()); }
+    void append(const char *begin, const char *end) { m_text.append(begin, end - begin); }
+    void append(std::string_view text) { append(text.data(), text.data() + text.size()); }
+    void newLine() { breakAt(size()); }
     void breakAt(std::size_t place); ///< begins a line with what stands there
     void open(char bracket);
     void close(char bracket);
-    [[nodiscard]] std::size_t column() const { return m_text.size() - m_lineBegin; }
+    [[nodiscard]] std::size_t column() const { return size() - m_lineBegin; }
     /// False, and nothing printed, if it is too long for the rest of the line.
     bool printOnThisLine(std::span<const JsonMember> members, const Place &place);
     template <class Print>
-    bool printOnThisLine(std::size_t size, const Print &print);
+    bool printOnThisLine(std::size_t count, const Print &print);
 
-    std::string m_text;
+    QByteArray m_text; ///< grows in place, and is what is written: texts of many MB are never copied
     std::size_t m_lineBegin = 0;
     std::size_t m_indent = 0;
     bool m_oneLine;
 };
 
 template <class Print>
-void JsonPrinter::list(std::size_t size, const Print &print) {
-    if (m_oneLine || size == 0) {
-        printOnThisLine(size, print);
+void JsonPrinter::list(std::size_t count, const Print &print) {
+    if (m_oneLine || count == 0) {
+        printOnThisLine(count, print);
         return;
     }
     open('[');
-    for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         if (i > 0) {
             m_text += ',';
             newLine();
@@ -92,16 +96,19 @@ void JsonPrinter::list(std::size_t size, const Print &print) {
 }
 
 template <class Print>
-void JsonPrinter::listOfScalars(std::size_t size, const Print &print) {
-    if (printOnThisLine(size, print))
+void JsonPrinter::listOfScalars(std::size_t count, const Print &print) {
+    if (printOnThisLine(count, print))
         return;
     open('[');
-    for (std::size_t i = 0; i < size; ++i) {
-        const std::size_t end = m_text.size();
-        m_text += i > 0 ? ", " : "";
+    const std::size_t begin = size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t end = size();
+        if (i == sampleSize && count > 100 * sampleSize) // the others are about as long
+            expect((end - begin) * (count + count / 8) / sampleSize);
+        append(i > 0 ? ", " : "");
         print(i);
         if (i > 0 && column() >= lineLength) {
-            m_text.erase(end + 1, 1); // the blank
+            m_text.remove(static_cast<qsizetype>(end) + 1, 1); // the blank
             breakAt(end + 1);
         }
     }
@@ -109,11 +116,11 @@ void JsonPrinter::listOfScalars(std::size_t size, const Print &print) {
 }
 
 template <class Print>
-bool JsonPrinter::printOnThisLine(std::size_t size, const Print &print) {
-    const std::size_t begin = m_text.size();
+bool JsonPrinter::printOnThisLine(std::size_t count, const Print &print) {
+    const qsizetype begin = m_text.size();
     m_text += '[';
-    for (std::size_t i = 0; i < size; ++i) {
-        m_text += i > 0 ? ", " : "";
+    for (std::size_t i = 0; i < count; ++i) {
+        append(i > 0 ? ", " : "");
         print(i);
         if (!m_oneLine && column() >= lineLength) {
             m_text.resize(begin);

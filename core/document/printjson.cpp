@@ -65,7 +65,7 @@ template <class Json>
 std::string printed(const Json &value, JsonPrinter::Form form) {
     JsonPrinter printer(form);
     printTree(printer, value, {});
-    return printer.take();
+    return printer.take().toStdString();
 }
 
 } // namespace

@@ -210,7 +210,9 @@ QByteArray writeDocument(const Document &document) {
     file("version", version);
     JsonPrinter printer(JsonPrinter::Form::lines);
     printer.object(file.sorted(), {});
-    return QByteArray::fromStdString(printer.take() + '\n');
+    QByteArray text = printer.take();
+    text += '\n';
+    return text;
 }
 
 } // namespace palmer

@@ -341,11 +341,9 @@ QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileNa
     std::ranges::move(membersOf(rest), std::back_inserter(members));
     JsonPrinter printer(form == JsonForm::pretty ? JsonPrinter::Form::lines : JsonPrinter::Form::oneLine);
     printer.object(members, {});
-    const std::string text = printer.take();
-    QByteArray result;
-    result.reserve(static_cast<qsizetype>(text.size()) + 1);
-    result.append(text.data(), static_cast<qsizetype>(text.size())).append('\n');
-    return result;
+    QByteArray text = printer.take();
+    text += '\n';
+    return text;
 }
 
 QByteArray findingsJson(const EvaluatedDocument &evaluated, const QString &fileName, const Language &language,

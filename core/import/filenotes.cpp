@@ -116,14 +116,20 @@ bool read(const QString &line, FileNotes &notes) {
         notes.dateText = text->toStdString();
         understood = true;
     }
-    if (const auto radius =
-            positiveNumber(captured(R"((?:\bR|\bradius|\brayon)\s*[:=;]?\s*(\d+(?:[.,]\d+)?)\s*mm\b)", line));
+    if (SaidSign sign = saidSign(line.toStdString()); !sign.sign.empty() && notes.sign.sign.empty()) {
+        notes.sign = std::move(sign);
+        understood = true;
+    }
+    if (const auto radius = positiveNumber(captured(
+            R"((?:\bR|\b(?:nominal |nenn|soll)?radius(?: nominal)?|\brayon(?: nominal)?|\braggio(?: nominale)?|\bradio(?: nominal)?)\s*[:=;]?\s*(\d+(?:[.,]\d+)?)\s*mm\b)",
+            line));
         radius && !notes.radius) {
         notes.radius = radius;
         understood = true;
     }
-    if (const auto feed = positiveNumber(
-            captured(R"((?:\bF|\bfeed|\bavance|\bfeedrate)\s*[:=;]?\s*(\d+(?:[.,]\d+)?)\s*mm/min)", line));
+    if (const auto feed = positiveNumber(captured(
+            R"((?:\bF|\bfeed|\bavance|\bfeed ?rate|\bvorschub|\bavanzamento)\s*[:=;]?\s*(\d+(?:[.,]\d+)?)\s*mm/min)",
+            line));
         feed && !notes.feed) {
         notes.feed = feed;
         understood = true;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "import/layouts/headings.h"
 #include "import/layouts/tablebody.h"
 #include "kernel/measurement/conditions.h"
 
@@ -20,6 +21,7 @@ struct FileNotes {
     std::string operatorName;
     std::string machine;
     std::string serialNumber;
+    SaidSign sign;                ///< "Deviation = actual - target"
     std::optional<double> radius; ///< mm
     std::optional<double> feed;   ///< mm/min
     std::vector<Sensor> sensors;  ///< temperatures that are named

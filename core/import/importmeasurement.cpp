@@ -252,12 +252,12 @@ Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const 
 }
 
 void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
-                 bool keepBytes) {
+                 bool keepBytes, const std::string &hash) {
     ImportedFile file;
     if (imported.test && !imported.test->imports.empty())
         file = imported.test->imports.front(); // the instrument's results
     file.fileName = QFileInfo(shownFileName(fileName)).fileName().toStdString();
-    file.sha256 = sha256(bytes);
+    file.sha256 = hash.empty() ? sha256(bytes) : hash;
     if (keepBytes)
         file.data = bytes.toByteArray().toBase64().toStdString();
     const auto fill = [](std::string &field, const std::string &value) {

@@ -26,9 +26,10 @@ namespace palmer {
 
 /// Puts what was imported into a document: the test with the name of the file, its SHA-256 and, if wanted,
 /// its bytes; machine, instrument and operator where the document states none; temperatures into the tests
-/// of the file, or of all tests if `test` is null there. Throws Error for temperatures without a test.
+/// of the file, or of all tests if `test` is null there. `hash` is the SHA-256 of the bytes where it is known
+/// already. Throws Error for temperatures without a test.
 void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
-                 bool keepBytes);
+                 bool keepBytes, const std::string &hash = {});
 
 /// SHA-256 in hexadecimal digits.
 [[nodiscard]] std::string sha256(QByteArrayView bytes);

@@ -65,7 +65,7 @@ public:
     [[nodiscard]] QByteArray line() const {
         JsonPrinter printer(JsonPrinter::Form::oneLine);
         printer.object(m_list, {});
-        return QByteArray::fromStdString(printer.take() + '\n');
+        return printer.take() + '\n';
     }
 
 private:

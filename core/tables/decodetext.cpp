@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/decodetext.h"
 
+#include "document/largepages.h"
 #include "tables/numbercell.h"
 
 #include <QStringDecoder>
@@ -226,6 +227,8 @@ DecodedText decodeText(QByteArrayView bytes, std::optional<Encoding> chosen) {
         if (invalid != std::string_view::npos)
             refuse(REPORT_TEXT("report", "this is no character of UTF-8; expected a text file in UTF-8"),
                    data, invalid);
+        result.text.reserve(data.size());
+        inLargePages(result.text.data(), result.text.capacity());
         result.text = data;
         break;
     case Encoding::utf16LittleEndian:

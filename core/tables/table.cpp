@@ -3,6 +3,7 @@
 #include "tables/table.h"
 
 #include "document/documenterror.h"
+#include "document/largepages.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
 
@@ -13,7 +14,6 @@
 #include <map>
 
 #ifdef __linux__
-#include <sys/mman.h>
 #endif
 
 namespace palmer {
@@ -370,12 +370,14 @@ std::string sampleOf(std::string_view text) {
 
 void settleForm(CellTable &table, std::string_view text, const TableOptions &options) {
     const std::string sample = sampleOf(text);
+    const bool areQuoted = sample.find(R"(",")") != std::string::npos;
     Reading best;
     std::vector<Reading> readings;
     for (const Delimiter delimiter :
          {Delimiter::tab, Delimiter::semicolon, Delimiter::bar, Delimiter::comma, Delimiter::blanks}) {
         for (const DecimalMark mark : {DecimalMark::point, DecimalMark::comma}) {
-            if (delimiter == Delimiter::comma && mark == DecimalMark::comma &&
+            // Both only where quotes tell them apart.
+            if (delimiter == Delimiter::comma && mark == DecimalMark::comma && !areQuoted &&
                 !(options.delimiter == delimiter && options.decimalMark == mark))
                 continue;
             if (options.delimiter.value_or(delimiter) != delimiter ||
@@ -398,21 +400,6 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
     const Origin origin = doubtful ? Origin::guessed : Origin::recognised;
     table.delimiter = {best.delimiter, options.delimiter ? Origin::chosen : origin};
     table.decimalMark = {best.mark, options.decimalMark ? Origin::chosen : origin};
-}
-
-/// A hint: long tables in large pages, whose first use costs less than that of many small ones.
-template <class Element>
-void inLargePages([[maybe_unused]] std::vector<Element> &reserved) {
-#ifdef MADV_HUGEPAGE
-    constexpr std::uintptr_t page = std::uintptr_t(2) << 20U;
-    // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast,performance-no-int-to-ptr): addresses of pages
-    const auto begin = reinterpret_cast<std::uintptr_t>(reserved.data());
-    const std::uintptr_t from = (begin + page - 1) / page * page;
-    const std::uintptr_t to = (begin + reserved.capacity() * sizeof(Element)) / page * page;
-    if (from < to)
-        madvise(reinterpret_cast<void *>(from), to - from, MADV_HUGEPAGE);
-        // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast,performance-no-int-to-ptr)
-#endif
 }
 
 } // namespace
@@ -448,8 +435,8 @@ CellTable readTable(std::string text, const TableOptions &options) {
         const std::size_t times = table.m_text.size() / scanner.at() + 1;
         scanner.rows.reserve(std::min(rowLimit, scanner.rows.size() * times * 9 / 8));
         scanner.cells.reserve(std::min(cellLimit, scanner.cells.size() * times * 9 / 8));
-        inLargePages(scanner.rows);
-        inLargePages(scanner.cells);
+        inLargePages(scanner.rows.data(), scanner.rows.capacity() * sizeof(TableRow));
+        inLargePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
         scanner.scan(std::numeric_limits<std::size_t>::max());
     }
     table.m_rows = std::move(scanner.rows);

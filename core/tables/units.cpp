@@ -4,9 +4,11 @@
 
 #include "tables/numbercell.h"
 
+#include <QRegularExpression>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace palmer {
 
@@ -29,7 +31,8 @@ constexpr std::array spellings{
     Spelling{"degrees", "deg"},     Spelling{"degrés", "deg"},     Spelling{"grad", "deg", true},
     Spelling{"°", "deg"},           Spelling{"arcmin", "arcmin"},  Spelling{"arcsec", "arcsec"},
     Spelling{"arc-sec", "arcsec"},  Spelling{"arcsecs", "arcsec"}, Spelling{"″", "arcsec"},
-    Spelling{"\"", "arcsec", true}, Spelling{"′", "arcmin"},       Spelling{"rad", "rad"},
+    Spelling{"\"", "arcsec", true}, Spelling{"''", "arcsec"},      Spelling{"’’", "arcsec"},
+    Spelling{"′′", "arcsec"},       Spelling{"′", "arcmin"},       Spelling{"rad", "rad"},
     Spelling{"mrad", "mrad"},       Spelling{"urad", "urad"},      Spelling{"s", "s", true},
     Spelling{"sec", "s"},           Spelling{"seconds", "s"},      Spelling{"secondes", "s"},
     Spelling{"min", "min", true},   Spelling{"minutes", "min"},    Spelling{"h", "h", true},
@@ -77,8 +80,34 @@ std::string_view bracketed(std::string_view text) {
 
 } // namespace
 
+namespace {
+
+/// "1/1000 mm", "0,001 mm", "10^-3 mm", "10⁻³ mm": a part of the unit that stands behind it, where a number
+/// of runs or a feed does not. Nothing: no such part; null: a unit that is not known here.
+std::optional<const Unit *> partOfUnit(const std::string &text) {
+    static const QRegularExpression part(QStringLiteral(
+        R"((?:1\s*/\s*(10+)|0[.,](0*)1|10\s*(?:\^|\*\*)?\s*[-−⁻]\s*([1-9¹²³⁴⁵⁶⁷⁸⁹]))\s*(mm|um|m|in|inch|deg|°)\b)"));
+    const auto found = part.match(QString::fromStdString(text));
+    if (!found.hasMatch())
+        return {};
+    qsizetype decimals = found.captured(1).size() - 1;
+    if (found.capturedLength(2) > 0 || found.captured(1).isEmpty())
+        decimals = found.captured(2).size() + 1;
+    if (!found.captured(3).isEmpty())
+        decimals = QStringLiteral("0123456789⁰¹²³⁴⁵⁶⁷⁸⁹").indexOf(found.captured(3)) % 10;
+    if (found.captured(4) != QLatin1StringView("mm"))
+        return nullptr;
+    return decimals == 3 ? unitOf("um") : decimals == 6 ? unitOf("nm") : nullptr;
+}
+
+} // namespace
+
 const Unit *unitIn(std::string_view text) {
     const std::string bare = plain(text.substr(0, 500));
+    if (bare.find_first_of("01") != std::string::npos) {
+        if (const auto part = partOfUnit(bare))
+            return *part;
+    }
     for (std::string_view rest = bare;;) {
         const std::string_view inside = bracketed(rest);
         if (inside.empty())

@@ -124,16 +124,29 @@ bool isTriplets(std::string_view text) {
     });
 }
 
-bool hasEndingOfTable(QStringView fileName) {
-    return std::ranges::any_of(
-        std::array{QLatin1StringView(".comp"), QLatin1StringView(".com"), QLatin1StringView(".cmp"),
-                   QLatin1StringView(".cal")},
-        [fileName](QLatin1StringView ending) { return fileName.endsWith(ending, Qt::CaseInsensitive); });
+/// Names that controls give their tables alone; empty: another name.
+QLatin1StringView endingOfTable(QStringView fileName) {
+    constexpr std::array endings{QLatin1StringView(".comp"), QLatin1StringView(".com"),
+                                 QLatin1StringView(".cmp"), QLatin1StringView(".cal"),
+                                 QLatin1StringView("axeserr.dat")};
+    const auto *const found = std::ranges::find_if(endings, [fileName](QLatin1StringView ending) {
+        return fileName.endsWith(ending, Qt::CaseInsensitive);
+    });
+    return found == endings.end() ? QLatin1StringView() : *found;
 }
 
-std::string_view viewOf(QByteArrayView bytes) {
+/// The beginning of a text, without its mark; UTF-16 as UTF-8.
+std::string textOf(QByteArrayView bytes) {
+    constexpr qsizetype enough = qsizetype(1) << 16;
     const std::string_view text(bytes.data(), static_cast<std::size_t>(bytes.size()));
-    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        try {
+            return decodeText(bytes.first(std::min(bytes.size() / 2 * 2, enough))).text;
+        } catch (const Error &) {
+            return {}; // no text
+        }
+    }
+    return std::string(text.starts_with("\xEF\xBB\xBF") ? text.substr(3, enough) : text.substr(0, enough));
 }
 
 /// Whether the second and third numbers are positions near the first, or small beside it.
@@ -161,11 +174,12 @@ double CompensationTable::correction(double position, Direction direction) const
 }
 
 const char *controlOfTable(QByteArrayView bytes, QStringView fileName) {
+    const std::string text = textOf(bytes);
     for (const Control &control : controls) {
-        if (control.recognises(viewOf(bytes)))
+        if (control.recognises(text))
             return control.name;
     }
-    return hasEndingOfTable(fileName) && isTriplets(viewOf(bytes)) ? linuxcnc : nullptr;
+    return !endingOfTable(fileName).isEmpty() && isTriplets(text) ? linuxcnc : nullptr;
 }
 
 FoundTable readControlTable(QByteArrayView bytes, QStringView fileName) {
@@ -207,6 +221,12 @@ void refuseCompensationTable(QByteArrayView bytes, const QString &fileName) {
             {REPORT_TEXT("report", "this is a compensation table (%1), not a measurement; compare it with a "
                                    "test: export --compare, or “Compensation table…” in the window"),
              {std::string(control)}});
+    if (const QLatin1StringView ending = endingOfTable(fileName); !ending.isEmpty())
+        throw Error(
+            Error::Kind::format,
+            {REPORT_TEXT("report", "a file of this name (%1) is a compensation table, perhaps cut off, and "
+                                   "no measurement; if it is one, rename it, for example to .txt"),
+             {std::string(ending.data(), static_cast<std::size_t>(ending.size()))}});
 }
 
 void readCompensationTable(const ImportSource &source, Choices & /*choices*/, Imported & /*imported*/) {

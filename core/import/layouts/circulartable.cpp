@@ -112,16 +112,15 @@ private:
             }
             return found;
         };
-        const auto x = of(Meaning::x);
-        const auto y = of(Meaning::y);
         const auto angle = of(Meaning::angle);
-        m_named = (!x.empty() && !y.empty()) || !angle.empty();
+        const auto coordinates = coordinateColumns();
+        m_named = coordinates || !angle.empty();
         // "angle, x, y": the points, and where on their way they were taken.
-        const bool isXy = !x.empty() && !y.empty() &&
-                          (angle.empty() || (of(Meaning::radius).empty() && of(Meaning::deviation).empty()));
+        const bool isXy =
+            coordinates && (angle.empty() || (of(Meaning::radius).empty() && of(Meaning::deviation).empty()));
         if (isXy) {
-            m_first = x.front();
-            m_seconds = {y.front()};
+            m_first = coordinates->first;
+            m_seconds = {coordinates->second};
         } else {
             m_first = angle.empty() ? firstUnnamed() : angle.front();
             m_seconds = of(Meaning::radius);
@@ -135,6 +134,30 @@ private:
             setRole(c, isXy ? ColumnRole::y : roleOf(c));
         for (const std::size_t c : of(Meaning::nominal))
             setRole(c, ColumnRole::nominal);
+    }
+
+    /// Two columns called by their axes, in the order of the plane: as it is stated, else of the table.
+    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> coordinateColumns() const {
+        std::vector<std::size_t> found;
+        const auto letter = [&](std::size_t c) { return m.body.columns[c].words.axis; };
+        for (const std::size_t c : m.body.numberColumns()) {
+            const Meaning meaning = m.body.columns[c].meaning;
+            if ((meaning == Meaning::x || meaning == Meaning::y) &&
+                std::ranges::find(found, letter(c), letter) == found.end())
+                found.push_back(c);
+        }
+        if (found.size() < 2)
+            return {};
+        const std::string plane =
+            upper(m.choices.isChosen("plane") ? std::string(m.choices.chosen("plane")) : m.notes.plane);
+        if (plane.size() == 2) {
+            const auto first = std::ranges::find(found, plane[0], letter);
+            const auto second = std::ranges::find(found, plane[1], letter);
+            if (first != found.end() && second != found.end() && first != second)
+                return std::pair(*first, *second);
+        }
+        const bool isYx = letter(found[0]) == 'Y' && letter(found[1]) == 'X';
+        return isYx ? std::pair(found[1], found[0]) : std::pair(found[0], found[1]);
     }
 
     [[nodiscard]] ColumnRole roleOf(std::size_t c) const {
@@ -275,6 +298,18 @@ private:
             for (const TableBlock &block : m.body.blocks)
                 collectPaths(block, second, ofColumn ? ofColumn : senseIn(m.titleOf(block)));
         }
+        askForSenses();
+    }
+
+    /// Two columns beside the same angles run the same way unless a word tells them apart.
+    void askForSenses() {
+        const auto isSilent = [](const RawPath &path) { return !path.stated; };
+        if (m_seconds.size() == 2 && m.body.blocks.size() == 1 && std::ranges::any_of(m_paths, isSilent) &&
+            !m_question && !m.choices.isChosen("columns"))
+            m.remark(RemarkGrade::assumption,
+                     {REPORT_TEXT("report", "Sense: no word says which column is clockwise; both are read as "
+                                            "the angles run.")},
+                     0, "columns");
     }
 
     /// Of a block and its column: another where a column of senses says another.
@@ -282,6 +317,8 @@ private:
         const auto senses = m.body.columnOf(ColumnKind::senses);
         RawPath path;
         path.stated = stated;
+        path.first.reserve(block.rows.size());
+        path.second.reserve(block.rows.size());
         for (const std::uint32_t row : block.rows) {
             if (senses) {
                 const auto sense = senseIn(m.cellText(row, *senses));
@@ -305,9 +342,8 @@ private:
 
     void finish(RawPath &path) {
         if (!path.first.empty())
-            m_paths.push_back(path);
-        path.first.clear();
-        path.second.clear();
+            m_paths.push_back(std::move(path));
+        path = {};
     }
 
     [[nodiscard]] std::string planeOfHeadings() const {
@@ -345,6 +381,11 @@ private:
                        UnitKind::length, "mm",
                        REPORT_TEXT("report", "Unit of x and y: nothing in the file says it; read as %1."));
         Points points;
+        std::size_t count = 0;
+        for (const RawPath &path : m_paths)
+            count += path.first.size();
+        points.x.reserve(count);
+        points.y.reserve(count);
         for (RawPath &path : m_paths) {
             for (std::size_t i = 0; i < path.first.size(); ++i) {
                 points.x.push_back(path.first[i] = unit->toBase(path.first[i]));
@@ -370,6 +411,8 @@ private:
         measurement.nominalRadius = radius;
         for (const RawPath &path : m_paths) {
             Arc arc;
+            arc.angles.reserve(path.first.size());
+            arc.radialDeviations.reserve(path.first.size());
             for (std::size_t i = 0; i < path.first.size(); ++i) {
                 const double x = path.first[i] - cx;
                 const double y = path.second[i] - cy;
@@ -466,6 +509,8 @@ private:
         for (RawPath &path : m_paths) {
             Arc arc;
             arc.angleReference = form.reference;
+            arc.angles.reserve(path.first.size());
+            arc.radialDeviations.reserve(path.first.size());
             for (std::size_t i = 0; i < path.first.size(); ++i) {
                 arc.angles.push_back(form.angle->toBase(path.first[i]));
                 const double value = form.reading->toBase(path.second[i]);

@@ -46,6 +46,7 @@ void findTargetColumn(ColumnSearch &search);
 void findReadings(ColumnSearch &search);
 void keepReadingsOfOneKind(ColumnSearch &search);
 void takeDirectionsOfHeadings(ColumnSearch &search);
+void findOwnTargets(ColumnSearch &search);
 void proveSign(ColumnSearch &search);
 /// Takes what the user chose in the place of what was found. Throws Error for roles that make no test.
 void takeChosenColumns(ColumnSearch &search, const std::string &text);

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/headings.h"
 
+#include "document/place.h"
 #include "tables/folded.h"
 #include "tables/numbercell.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace palmer {
@@ -33,20 +35,44 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
     return words;
 }
 
+/// "soll - ist": one of both sides of the sign is the target, the other what was measured.
+std::string signOfDifference(std::string_view left, std::string_view right) {
+    const HeadingWords from = readHeading(left);
+    const HeadingWords to = readHeading(right);
+    const auto isActual = [](const HeadingWords &words) {
+        return words.meaning == Meaning::actual || words.meaning == Meaning::reading;
+    };
+    if (from.unknownWords > 0 || to.unknownWords > 0)
+        return {};
+    if (isActual(from) && to.meaning == Meaning::target)
+        return "actualMinusTarget";
+    return from.meaning == Meaning::target && isActual(to) ? "targetMinusActual" : "";
+}
+
 } // namespace
 
 std::optional<Sense> senseIn(std::string_view text) {
     const std::string low = folded(text);
     const std::vector<std::string_view> words = wordsOf(low);
     const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
+    // "Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre": the clock with a word against it.
+    constexpr std::array<std::string_view, 9> clocks{"clockwise", "horaire",       "orario",
+                                                     "horario",   "uhrzeigersinn", "uhrzeigers",
+                                                     "aiguilles", "lancette",      "agujas"};
+    constexpr std::array<std::string_view, 10> against{"gegen",   "entgegen", "anti",      "counter",
+                                                       "inverse", "inverso",  "contraire", "contrario",
+                                                       "contro",  "contra"};
+    if (std::ranges::any_of(clocks, has) && std::ranges::any_of(against, has))
+        return Sense::counterclockwise;
     if (has("ccw") || has("counterclockwise") || has("anticlockwise") || has("antihoraire") || has("acw") ||
-        has("trigo") || has("antiorario") || has("antihorario") || has("gegenuhrzeigersinn") ||
+        has("sah") || has("trigo") || has("antiorario") || has("antihorario") || has("gegenuhrzeigersinn") ||
         low.find("counter-clockwise") != std::string::npos ||
         low.find("anti-clockwise") != std::string::npos || low.find("anti-horaire") != std::string::npos ||
         low == "g3" || low == "g03" || low == "⟲" || has("⟲"))
         return Sense::counterclockwise;
-    if (has("cw") || has("clockwise") || has("horaire") || has("orario") || has("horario") ||
-        has("uhrzeigersinn") || low == "g2" || low == "g02" || has("⟳"))
+    if (has("cw") || has("sh") || has("clockwise") || has("horaire") || has("orario") || has("horario") ||
+        has("uhrzeigersinn") || has("aiguilles") || has("lancette") || has("agujas") || low == "g2" ||
+        low == "g02" || has("⟳"))
         return Sense::clockwise;
     return {};
 }
@@ -78,6 +104,30 @@ std::optional<double> clockTime(std::string_view text) {
         clock.remove_prefix(colon + 1);
     }
     return parts >= 2 ? std::optional(seconds) : std::nullopt;
+}
+
+SaidSign saidSign(std::string_view text) {
+    constexpr std::size_t longest = 300;
+    constexpr std::array<std::string_view, 6> minus{" - ", "-", " minus ", " moins ", " meno ", " menos "};
+    constexpr std::string_view ends = "=:;,()[]{}";
+    const std::string low = folded(text.substr(0, longest));
+    const std::string_view line = low;
+    for (const std::string_view sign : minus) {
+        for (std::size_t at = line.find(sign); at != std::string_view::npos; at = line.find(sign, at + 1)) {
+            const std::size_t before = at == 0 ? std::string_view::npos : line.find_last_of(ends, at - 1);
+            const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+            const std::size_t end = std::min(line.find_first_of(ends, at), line.size());
+            const bool isMarked = before != std::string_view::npos &&
+                                  std::string_view("=([{").find(line[before]) != std::string_view::npos;
+            if (sign == "-" && !isMarked)
+                continue;
+            const std::string_view left = line.substr(begin, at - begin);
+            const std::string_view right = line.substr(at + sign.size(), end - at - sign.size());
+            if (std::string found = signOfDifference(left, right); !found.empty())
+                return {std::move(found), excerpt(withoutBlanks(line.substr(begin, end - begin)))};
+        }
+    }
+    return {};
 }
 
 } // namespace palmer

@@ -17,4 +17,15 @@ namespace palmer {
 /// Seconds of the day of "10:25", "10:25:30,5", also behind a date; nothing for any other text.
 [[nodiscard]] std::optional<double> clockTime(std::string_view text);
 
+/// What a text says of the sign of deviations.
+struct SaidSign {
+    std::string sign;  ///< as of the choice; empty: nothing
+    std::string words; ///< of the text that say it
+};
+
+/// "Deviation = actual - target", "Abweichung (Soll − Ist)", "moins" or "minus" for the dash, in the
+/// languages of headings. A dash without blanks counts in brackets or behind an equals sign only: a
+/// "Soll-Ist-Vergleich" compares both and says nothing.
+[[nodiscard]] SaidSign saidSign(std::string_view text);
+
 } // namespace palmer

@@ -292,10 +292,20 @@ private:
         if (m_positions)
             return;
         const bool proven = !m_stated.sign.empty();
-        const auto sign = m_choices.settle("sign", proven ? m_stated.sign : m_form.sign,
+        const bool said = !proven && !m_stated.said.sign.empty();
+        const auto sign = m_choices.settle("sign",
+                                           proven ? m_stated.sign
+                                           : said ? m_stated.said.sign
+                                                  : std::string_view(m_form.sign),
                                            proven ? Origin::recognised : Origin::guessed);
         m_form.sign = sign.value;
-        if (sign.origin == Origin::guessed)
+        if (sign.origin == Origin::guessed && said)
+            ask({sign.value == "targetMinusActual"
+                     ? REPORT_TEXT("report", "Sign: the file says “%1”; read as target − actual.")
+                     : REPORT_TEXT("report", "Sign: the file says “%1”; read as actual − target."),
+                 {m_stated.said.words}},
+                "sign");
+        else if (sign.origin == Origin::guessed)
             ask({REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target.")},
                 "sign");
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "import/choices.h"
+#include "import/layouts/headings.h"
 #include "import/remark.h"
 #include "kernel/measurement/positioning.h"
 #include "tables/units.h"
@@ -54,6 +55,7 @@ struct StatedForm {
     std::string sign;    ///< as of the choice, where the file proves it
     const Unit *unit = nullptr;
     const Unit *positionUnit = nullptr;
+    SaidSign said = {}; ///< what words of the file say, which is asked
 };
 
 /// Settles content, unit, positionUnit, sign and motion for passes: what the file says, else a guess with its

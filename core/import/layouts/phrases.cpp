@@ -35,7 +35,7 @@ struct Phrases {
 };
 
 constexpr std::array phrases{
-    Phrases{Meaning::unknown, Sign::up, "*", "+|↑|⇑|↗|→"},
+    Phrases{Meaning::unknown, Sign::up, "*", "+|↑|⇑|↗|→|->|-->|>>|=>|»"},
     Phrases{Meaning::unknown, Sign::up, "en", "forward|forwards|fwd|up|upward|upwards|ascending|increasing"},
     Phrases{Meaning::unknown, Sign::up, "en fr", "positive"},
     Phrases{Meaning::unknown, Sign::up, "fr",
@@ -48,7 +48,7 @@ constexpr std::array phrases{
     Phrases{Meaning::unknown, Sign::up, "it es", "positivo|positiva"},
     Phrases{Meaning::unknown, Sign::up, "es", "ida|adelante|subida|creciente"},
     Phrases{Meaning::unknown, Sign::up, "es it", "ascendente"},
-    Phrases{Meaning::unknown, Sign::down, "*", "-|↓|⇓|↘|←"},
+    Phrases{Meaning::unknown, Sign::down, "*", "-|↓|⇓|↘|←|<-|<--|<<|<=|«"},
     Phrases{Meaning::unknown, Sign::down, "en",
             "backward|backwards|bwd|back|reverse|down|downward|downwards|descending|decreasing"},
     Phrases{Meaning::unknown, Sign::down, "en fr", "negative"},
@@ -77,12 +77,12 @@ constexpr std::array phrases{
             "std|stdev|stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304"},
     Phrases{Meaning::statistic, Sign::none, "en de", "hysteresis"},
     Phrases{Meaning::statistic, Sign::none, "fr",
-            "moyenne|moyen|moy|ecart type|ecart moyen|etendue|reversibilite|jeu|repetabilite|"
+            "moyenne|moyennes|moyen|moy|ecart type|ecart moyen|etendue|reversibilite|jeu|repetabilite|"
             "mini|maxi"},
     Phrases{Meaning::statistic, Sign::none, "de",
             "mittelwert|mittel|mittlere|std abw|standardabweichung|streuung|spannweite|"
             "umkehrspanne|positionsstreubreite|mw"},
-    Phrases{Meaning::statistic, Sign::none, "it es", "media|minimo"},
+    Phrases{Meaning::statistic, Sign::none, "it es", "media|medie|medio|minimo"},
     Phrases{Meaning::statistic, Sign::none, "it",
             "dev std|scarto tipo|deviazione standard|inversione|gioco|ripetibilita|massimo"},
     Phrases{Meaning::statistic, Sign::none, "es",
@@ -123,8 +123,7 @@ constexpr std::array phrases{
     Phrases{Meaning::deviation, Sign::none, "es", "desviacion|desviaciones|desv|diferencia|desvio|desvios"},
     Phrases{Meaning::actual, Sign::none, "en", "actual|measured|meas"},
     Phrases{Meaning::actual, Sign::none, "fr", "reel|reelle|mesuree|atteinte"},
-    Phrases{Meaning::actual, Sign::none, "de",
-            "ist|istposition|istwert|istpos|gemessen|gemessene|messposition"},
+    Phrases{Meaning::actual, Sign::none, "de", "ist|istposition|istwert|istpos|gemessen|gemessene"},
     Phrases{Meaning::actual, Sign::none, "it", "misurata|misurato|reale|effettiva|rilevata|rilevato"},
     Phrases{Meaning::actual, Sign::none, "es", "medida|medido|real"},
     Phrases{Meaning::reading, Sign::none, "fr", "mesure|mesures|releve|lecture"},
@@ -180,7 +179,7 @@ constexpr std::array phrases{
     Phrases{Meaning::place, Sign::none, "es", "posicion|cota"},
     Phrases{Meaning::place, Sign::none, "fr", "cote|abscisse"},
     Phrases{Meaning::place, Sign::none, "en", "coordinate"},
-    Phrases{Meaning::place, Sign::none, "de", "messpunkt|achsposition|prufposition|prufpunkt"},
+    Phrases{Meaning::place, Sign::none, "de", "messposition|messpunkt|achsposition|prufposition|prufpunkt"},
     Phrases{Meaning::run, Sign::none, "en", "run|runs|pass|trial|series|traverse|rep|repeat|repetition|test"},
     Phrases{Meaning::run, Sign::none, "en fr", "cycle"},
     Phrases{Meaning::run, Sign::none, "fr", "passe|passage|essai|course"},
@@ -230,7 +229,8 @@ bool isWordByte(char c) {
 
 /// Arrows and their likes stand for themselves, whatever is beside them.
 std::size_t arrowLength(std::string_view text) {
-    constexpr std::array<std::string_view, 8> arrows{"↑", "↓", "⇑", "⇓", "↗", "↘", "→", "←"};
+    constexpr std::array<std::string_view, 18> arrows{"↑",   "↓",  "⇑",  "⇓",  "↗",  "↘",  "→",  "←", "-->",
+                                                      "<--", "->", "<-", ">>", "<<", "=>", "<=", "»", "«"};
     for (const std::string_view arrow : arrows) {
         if (text.starts_with(arrow))
             return arrow.size();
@@ -340,6 +340,10 @@ public:
         m.words = m_tokens.size();
         for (std::size_t i = 0; i < m_tokens.size();)
             i += take(i);
+        if (!m_hintUp && !m_hintDown) {
+            m_hintUp = m_letterUp;
+            m_hintDown = m_letterDown;
+        }
         if (m_up != m_down)
             m.direction = m_up ? Direction::positive : Direction::negative;
         if (m_dash)
@@ -426,8 +430,8 @@ private:
     /// "1A", "R 2": letters for a direction, only beside their opposite.
     void takeLetter(char letter) {
         if (m_tokens.size() > 1) {
-            m_hintUp |= letter == 'a' || letter == 'f' || letter == 'h' || letter == 'v';
-            m_hintDown |= letter == 'r' || letter == 'b';
+            m_letterUp |= letter == 'a' || letter == 'f' || letter == 'h' || letter == 'v';
+            m_letterDown |= letter == 'r' || letter == 'b';
         }
     }
 
@@ -438,6 +442,8 @@ private:
     bool m_down = false;
     bool m_hintUp = false;
     bool m_hintDown = false;
+    bool m_letterUp = false; ///< counts where no word says it: "V neg. 1" is of the axis V
+    bool m_letterDown = false;
     bool m_dash = false;
     bool m_isDirection = false;
 };

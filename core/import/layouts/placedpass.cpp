@@ -132,6 +132,8 @@ BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &b
         for (const TableCell &cell : reading.table().cells(reading.row(*head)))
             line += ' ' + std::string(reading.table().text(cell));
         const HeadingWords heading = readHeading(line);
+        if (heading.direction && heading.hint && heading.direction != heading.hint)
+            continue; // "avance 1; retroceso 1": headings of columns, no title
         if (heading.isDirectionOnly())
             result.stated = heading.direction;
         else if (!result.hint)

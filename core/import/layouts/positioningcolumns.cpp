@@ -28,6 +28,17 @@ void remarkIgnored(ColumnSearch &search) {
                               {REPORT_TEXT("report", "Columns that are not read: %1."), {excerpt(names)}});
 }
 
+/// "Target ↑; Dev ↑; Target ↓; Dev ↓": the readings stand at the targets to their left.
+void placeOwnTargets(PositioningColumns &columns) {
+    std::size_t nearest = columns.target.value_or(0);
+    for (std::size_t c = 0; c < columns.columns.size(); ++c) {
+        if (columns.columns[c].role == ColumnRole::target)
+            nearest = c;
+        if (nearest != columns.target && std::ranges::find(columns.values, c) != columns.values.end())
+            columns.ownTargets[c] = nearest;
+    }
+}
+
 /// What the user chose, else what was found, with its question.
 void settle(ColumnSearch &search) {
     TableReading &m = search.reading;
@@ -44,6 +55,7 @@ void settle(ColumnSearch &search) {
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "the columns of the targets and of the readings are not known; "
                                            "give the columns their roles")});
+    placeOwnTargets(search.result);
     remarkIgnored(search);
 }
 
@@ -56,6 +68,7 @@ PositioningColumns positioningColumns(TableReading &reading) {
     findReadings(search);
     keepReadingsOfOneKind(search);
     takeDirectionsOfHeadings(search);
+    findOwnTargets(search);
     proveSign(search);
     settle(search);
     return std::move(search.result);

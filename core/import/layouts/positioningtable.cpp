@@ -134,6 +134,15 @@ void colour(const std::vector<PlacedPass> &passes, TableReading &reading) {
     }
 }
 
+/// What the lines beside the table or its headings say of the sign.
+SaidSign signOf(const TableReading &reading) {
+    for (const TableColumn &column : reading.body.columns) {
+        if (SaidSign said = saidSign(column.heading); !said.sign.empty())
+            return said;
+    }
+    return reading.notes.sign;
+}
+
 bool hasReading(const PlacedPass &placed) {
     return std::ranges::any_of(placed.pass.readings,
                                [](const PassReading &each) { return each.value.has_value(); });
@@ -152,8 +161,9 @@ void readPositioning(TableReading &reading) {
     colour(found.passes, reading);
     const std::vector<Pass> passes = inOrder(std::move(found.passes));
     const Unit *unit = found.unit ? found.unit : reading.notes.unit;
-    const PassForm form = settleForm(passes, {found.content, found.sign, unit, found.positionUnit},
-                                     reading.choices, reading.result.remarks);
+    const PassForm form =
+        settleForm(passes, {found.content, found.sign, unit, found.positionUnit, signOf(reading)},
+                   reading.choices, reading.result.remarks);
     PositioningMeasurement measurement = measurementOf(passes, form, reading.result.remarks);
     measurement.axis.name = reading.choices.settle("axis", axisName(reading), Origin::recognised).value;
     Test test;

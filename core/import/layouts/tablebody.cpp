@@ -159,7 +159,7 @@ private:
 
     /// A row that is none of the body; false: it is not like the others and stays unread.
     bool takeHead(std::uint32_t index, const TableRow &row) {
-        const bool hasNumbers = !row.comment && isNumericHead(row);
+        const bool hasNumbers = !row.comment && isNumericHead(row) && !isComputedRow(m_table, row);
         const bool unread =
             hasNumbers ? !m_block.rows.empty() && !sameAsHead(row, m_numericHead)
                        : !row.comment && looksLikeData(row, !m_body.blocks.empty() || !m_block.rows.empty());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/tableheadings.h"
 
+#include "document/digit.h"
+#include "tables/dates.h"
 #include "tables/folded.h"
 
 #include <algorithm>
@@ -18,9 +20,36 @@ bool namesRuns(const HeadingWords &heading) {
                                  (heading.hint || (heading.meaning == Meaning::run && heading.number)));
 }
 
+/// "Temperature; 20.3 °C", "Temperature; 20.3; °C", "Date; 12/03/2024": a label with its value.
+bool isLabelWithValue(const CellTable &table, const TableRow &row) {
+    std::vector<std::string_view> texts;
+    for (const TableCell &cell : table.cells(row)) {
+        if (cell.kind != CellKind::empty)
+            texts.push_back(table.text(cell));
+    }
+    if (texts.size() < 2 || texts.size() > 3 || texts[0].empty() || isDigit(texts[0].front()) ||
+        unitIn(texts[0]))
+        return false;
+    if (texts.size() == 2 && isDate(texts[1]))
+        return true;
+    const DecimalMark mark =
+        texts[1].find(',') == std::string_view::npos ? DecimalMark::point : DecimalMark::comma;
+    const LeadingNumber number = leadingNumber(texts[1], mark);
+    const std::string_view rest = withoutBlanks(texts[1].substr(number.size));
+    const std::string_view unit = texts.size() == 2 ? rest : texts[2];
+    const bool isUnit = !unit.empty() && unitIn('(' + std::string(unit) + ')') != nullptr;
+    return number.size > 0 && isUnit && (texts.size() == 2 || rest.empty());
+}
+
+/// A line of one text between the headings and the body: "* door opened". It hides no heading.
+bool isLoneText(const CellTable &table, const TableRow &row) {
+    const auto cells = trimmed(table.cells(row));
+    return cells.size() == 1 && cells.front().kind == CellKind::text;
+}
+
 /// Whether a row above the body says something about its columns.
 bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
-    if (row.comment)
+    if (row.comment || isComputedRow(table, row) || isLabelWithValue(table, row))
         return false;
     const auto cells = trimmed(table.cells(row));
     std::size_t filled = 0;
@@ -32,10 +61,14 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
         const std::string_view text = table.text(cell);
         directions += !text.empty() && (namesRuns(readHeading(text)) || senseIn(text)) ? 1 : 0;
     }
-    if (filled == 0 || cells.size() > width + 1)
-        return false;
     if (directions >= 2 && words >= 2)
         return true;
+    // Beyond the numbers stand headings of columns that are empty, or prose cut into pieces.
+    const auto isUnderstood = [&](const TableCell &cell) {
+        return readHeading(table.text(cell)).unknownWords == 0;
+    };
+    if (filled == 0 || (cells.size() > width + 1 && !std::ranges::all_of(cells, isUnderstood)))
+        return false;
     const bool isTitle = filled == 1 && width > 1 && cells.front().kind != CellKind::empty;
     return !isTitle && 2 * filled >= width && (words > 0 || directions > 0) && (width <= 2 || filled > 1);
 }
@@ -92,7 +125,8 @@ std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBloc
     bool complete = false;
     for (auto at = block.heads.rbegin(); at != block.heads.rend() && rows.size() < headingRows; ++at) {
         const TableRow &row = table.rows()[*at];
-        if (rows.empty() && row.comment)
+        if (rows.empty() &&
+            (row.comment || isComputedRow(table, row) || (columns.size() > 2 && isLoneText(table, row))))
             continue; // the title of the block
         // Numbers of runs stand below what they number: "Forward;;Reverse;" over "1;2;1;2".
         if (*at != block.numericHead && !isHeading(table, row, columns.size()))
@@ -149,6 +183,27 @@ void readHeadings(std::vector<TableColumn> &columns) {
 }
 
 } // namespace
+
+bool isComputedRow(const CellTable &table, const TableRow &row) {
+    std::size_t numbers = 0;
+    bool isLabelled = false;
+    for (const TableCell &cell : table.cells(row)) {
+        if (cell.kind == CellKind::empty)
+            continue;
+        if (isLabelled && cell.kind != CellKind::number)
+            return false;
+        if (!isLabelled) {
+            const Meaning meaning =
+                cell.kind == CellKind::text ? readHeading(table.text(cell)).meaning : Meaning::unknown;
+            isLabelled = meaning == Meaning::statistic || meaning == Meaning::other;
+            if (!isLabelled)
+                return false;
+        } else {
+            ++numbers;
+        }
+    }
+    return numbers > 1;
+}
 
 std::span<const TableCell> trimmed(std::span<const TableCell> cells) {
     while (!cells.empty() && cells.back().kind == CellKind::empty)

@@ -15,4 +15,7 @@ namespace palmer {
 /// Blocks without headings of their own belong to the section before them.
 void findSections(const CellTable &table, TableBody &body);
 
+/// "Tolerance; 8; 8; 8": a label of what is computed or asked for, and numbers.
+[[nodiscard]] bool isComputedRow(const CellTable &table, const TableRow &row);
+
 } // namespace palmer

@@ -32,7 +32,26 @@ public:
         findPositions();
     }
 
+    /// Further columns of targets in another order, each before readings: those are theirs.
+    void findOwnTargets() {
+        if (!m_result.target || m_result.values.size() < 2)
+            return;
+        const std::vector<double> first = valuesOf(*m_result.target);
+        for (std::size_t c = *m_result.target + 1; c < m_result.values.back(); ++c) {
+            if (!isNumeric(c) || role(c) != ColumnRole::ignored || m_heads[c].meaning != Meaning::target ||
+                hasForeignAxis(c))
+                continue;
+            const std::vector<double> values = valuesOf(c);
+            if (values != first && isStrictlyMonotone(values))
+                role(c) = ColumnRole::target;
+        }
+    }
+
 private:
+    [[nodiscard]] bool hasForeignAxis(std::size_t c) const {
+        return !m.axisFound.empty() && words(c).axis != 0 && words(c).axis != m.axisFound[0];
+    }
+
     /// A list without headings: the reading is the last number of a line, the target that with the largest
     /// range, a column that stays the same from line to line the number of the run.
     void placeBareList() {
@@ -152,6 +171,10 @@ private:
 
 void findTargetColumn(ColumnSearch &search) {
     TargetColumn(search).findTarget();
+}
+
+void findOwnTargets(ColumnSearch &search) {
+    TargetColumn(search).findOwnTargets();
 }
 
 } // namespace palmer

@@ -67,21 +67,29 @@ private:
     }
 
     /// The target of a row; a row without one is data that were not read.
-    std::optional<double> targetOf(std::uint32_t row) {
-        const TableCell *cell = m.cell(row, m_target);
+    std::optional<double> targetOf(std::uint32_t row) { return targetOf(row, m_target); }
+    std::optional<double> targetOf(std::uint32_t row, std::size_t column) {
+        const TableCell *cell = m.cell(row, column);
         if (cell && cell->isNumber())
             return cell->value;
         m.remark(RemarkGrade::problem,
                  {REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
-                  {excerpt(m.cellText(row, m_target))}},
+                  {excerpt(m.cellText(row, column))}},
                  m.row(row).line, "unread");
         return {};
     }
 
     void add(PlacedPass &placed, std::uint32_t row, double target, std::size_t column) {
+        const auto own = m_columns.ownTargets.find(column);
+        if (own != m_columns.ownTargets.end()) {
+            const auto ofColumn = targetOf(row, own->second);
+            if (!ofColumn)
+                return;
+            target = *ofColumn;
+        }
         placed.pass.readings.push_back({target, m.number(row, column), m.row(row).line});
         placed.places.emplace_back(row, column);
-        m.setRole(row, m_target, CellRole::position);
+        m.setRole(row, own != m_columns.ownTargets.end() ? own->second : m_target, CellRole::position);
     }
 
     // ---- several axes: a column that names them, or titles of blocks
@@ -127,7 +135,7 @@ private:
             const HeadingWords heading = readHeading(line);
             const bool says = heading.meaning == Meaning::axis || heading.words == 1;
             if (says && heading.axis != 0)
-                return {1, heading.axis};
+                return std::string(1, heading.axis);
         }
         return {};
     }
@@ -240,7 +248,11 @@ private:
             if (!isOfOtherAxis(block))
                 cut(block, shuffled);
         }
+        if (!shuffled)
+            joinPieces();
         completeDirections(shuffled);
+        if (m_pieces.size() > 1)
+            askForOtherTargets();
         if (shuffled)
             m.remark(RemarkGrade::note,
                      {REPORT_TEXT("report", "The targets stand in no order; they were sorted.")});
@@ -260,6 +272,70 @@ private:
                     m_found.passes.push_back(std::move(placed));
             }
         }
+    }
+
+    /// The next page of a list, or what follows a line of comment: the targets go on, and no title says that
+    /// the direction changes.
+    [[nodiscard]] bool continues(const Piece &piece, const Piece &next) const {
+        const auto targetAt = [&](std::uint32_t row) { return m.cell(row, m_target)->value; };
+        const bool isTitled = next.hint && next.hint != piece.hint;
+        const bool isOther = piece.direction && next.direction && piece.direction != next.direction;
+        if (isOther || isTitled || !haveSameRuns(piece, next))
+            return false;
+        // Each is ordered; so have to be the steps from the one to the other and within each.
+        const double step = targetAt(next.rows.front()) - targetAt(piece.rows.back());
+        const auto goesOn = [&](const Piece &each) {
+            const double way = targetAt(each.rows.back()) - targetAt(each.rows.front());
+            return way == 0 || (way > 0) == (step > 0);
+        };
+        return step != 0 && goesOn(piece) && goesOn(next);
+    }
+
+    [[nodiscard]] bool haveSameRuns(const Piece &piece, const Piece &next) const {
+        return std::ranges::all_of(m_columns.values, [&](std::size_t column) {
+            const ImportColumn a = columnIn(piece.section, column);
+            const ImportColumn b = columnIn(next.section, column);
+            return a.direction == b.direction && a.number == b.number;
+        });
+    }
+
+    void joinPieces() {
+        std::vector<Piece> joined;
+        for (Piece &piece : m_pieces) {
+            if (joined.empty() || !continues(joined.back(), piece)) {
+                joined.push_back(std::move(piece));
+                continue;
+            }
+            Piece &whole = joined.back();
+            whole.rows.insert(whole.rows.end(), piece.rows.begin(), piece.rows.end());
+            whole.direction = whole.direction ? whole.direction : piece.direction;
+        }
+        m_pieces = std::move(joined);
+    }
+
+    /// Blocks that stand at other targets than the first: runs of their own, or the rest of the first?
+    void askForOtherTargets() {
+        const auto targetsOf = [&](const Piece &piece) {
+            std::vector<double> targets;
+            for (const std::uint32_t row : piece.rows)
+                targets.push_back(m.cell(row, m_target)->value);
+            std::ranges::sort(targets);
+            return targets;
+        };
+        const std::vector<double> first = targetsOf(m_pieces.front());
+        const auto isOther = [&](const Piece &piece) {
+            std::vector<double> common;
+            const std::vector<double> targets = targetsOf(piece);
+            std::ranges::set_intersection(first, targets, std::back_inserter(common));
+            return 2 * common.size() < std::max(first.size(), targets.size());
+        };
+        const auto other = std::ranges::find_if(m_pieces, isOther);
+        if (other != m_pieces.end())
+            m.remark(
+                RemarkGrade::assumption,
+                {REPORT_TEXT("report", "Layout: the targets of the block that begins here are others than "
+                                       "those of the first block; it is read as runs of its own.")},
+                m.row(other->rows.front()).line, "layout");
     }
 
     void cut(const TableBlock &block, bool &shuffled) {

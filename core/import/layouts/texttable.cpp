@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace palmer {
 
@@ -56,6 +57,14 @@ bool isApproached(const TableBody &body) {
            });
 }
 
+bool hasTimes(const TableBody &body) {
+    return std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return column.kind == ColumnKind::clock ||
+               (column.kind == ColumnKind::numbers &&
+                (column.meaning == Meaning::time || (column.unit && column.unit->kind == UnitKind::time)));
+    });
+}
+
 /// By its words.
 bool isCircular(const TableBody &body) {
     const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
@@ -63,15 +72,15 @@ bool isCircular(const TableBody &body) {
         return true;
     if (has(Meaning::x) && has(Meaning::y) && !has(Meaning::deviation) && !has(Meaning::place))
         return true;
-    return body.columnOf(ColumnKind::senses).has_value();
-}
-
-bool hasTimes(const TableBody &body) {
-    return std::ranges::any_of(body.columns, [](const TableColumn &column) {
-        return column.kind == ColumnKind::clock ||
-               (column.kind == ColumnKind::numbers &&
-                (column.meaning == Meaning::time || (column.unit && column.unit->kind == UnitKind::time)));
-    });
+    // The planes without X: two axes, and nothing else is said.
+    std::set<char> axes;
+    for (const TableColumn &column : body.columns) {
+        if (column.kind == ColumnKind::numbers && column.meaning == Meaning::y)
+            axes.insert(column.words.axis);
+    }
+    const bool isPlane =
+        axes.size() == 2 && !hasTimes(body) && !has(Meaning::deviation) && !has(Meaning::place);
+    return isPlane || body.columnOf(ColumnKind::senses).has_value();
 }
 
 /// The numbers could be angles of a circle or of a good part of one, in degrees.

@@ -456,12 +456,21 @@ public:
 private:
     static constexpr std::size_t none = -1;
 
+    /// More than a number or two on a cover.
+    static bool isTable(const CellTable &table) {
+        constexpr std::ptrdiff_t fewRows = 3;
+        return std::ranges::count_if(table.rows(), [&](const TableRow &row) {
+                   return std::ranges::count_if(table.cells(row), &TableCell::isNumber) > 1;
+               }) >= fewRows;
+    }
+
     void take(std::size_t i, CellTable table) {
         if (table.rows().empty())
             return;
         const std::size_t readings = readingsIn(table, m_choices.options());
         m.sheets[i].hasMeasurement = readings > 0;
         m_measurements += readings > 0 ? 1 : 0;
+        m_tables += isTable(table) ? 1 : 0;
         if (hasTable() && readings <= m_most)
             return;
         m_best = i;
@@ -471,7 +480,7 @@ private:
 
     void settle() {
         const SheetName &sheet = m_sheets[m_best];
-        const bool doubtful = m_measurements > 1 || sheet.isHidden;
+        const bool doubtful = m_measurements > 1 || m_tables > 1 || sheet.isHidden;
         const auto choice = m_choices.settle("sheet", sheet.name.toStdString(),
                                              doubtful ? Origin::guessed : Origin::recognised);
         if (m_sheets.size() < 2 && !doubtful)
@@ -480,6 +489,9 @@ private:
             choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
             {sheet.isHidden
                  ? REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read, which is hidden.")
+             : choice.origin == Origin::guessed && m_measurements < 2
+                 ? REPORT_TEXT("report", "The workbook has %1 sheets, several with rows of numbers; “%2” is "
+                                         "read, the others are not.")
              : choice.origin == Origin::guessed
                  ? REPORT_TEXT("report",
                                "The workbook has %1 sheets, several with a measurement; “%2” is read.")
@@ -500,6 +512,7 @@ private:
     std::size_t m_best = none; ///< index of a sheet
     std::size_t m_most = 0;
     std::size_t m_measurements = 0;
+    std::size_t m_tables = 0; ///< sheets with rows of numbers
 };
 
 } // namespace

@@ -223,6 +223,63 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / columns");
     row("no direction beside directions", "P (mm);Dev 1↑ (µm);Dev 1↓ (µm);Dev (µm)\n0;1;2;7\n100;3;4;8\n",
         "target,deviation+1,deviation-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / columns");
+    // Pages, comments and titles between the rows: the runs go on.
+    row("headings again on the next page",
+        "P (mm);↑ (µm);↓ (µm)\n0;1;5\n100;2;6\n\nPage 2 of 2\nP (mm);↑ (µm);↓ (µm)\n200;3;7\n300;4;8\n",
+        "target,run+,run- / 0 100 200 300 / ↑ 1 2 3 4 / ↓ 5 6 7 8 / ");
+    row("pages of falling targets",
+        "P (mm);↑ (µm);↓ (µm)\n300;4;8\n200;3;7\n\nP (mm);↑ (µm);↓ (µm)\n100;2;6\n\nP (mm);↑ (µm);↓ "
+        "(µm)\n0;1;5\n",
+        "target,run+,run- / 0 100 200 300 / ↑ 1 2 3 4 / ↓ 5 6 7 8 / ");
+    row("a comment between the rows", "P (mm);↑ (µm);↓ (µm)\n0;1;5\n# door opened\n100;2;6\n200;3;7\n",
+        "target,run+,run- / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / ");
+    row("a line of text between headings and rows",
+        "Posición (mm);Error avance 1 (µm);Error retroceso 1 (µm)\n* puerta abierta 2\n0;1;5\n100;2;6\n",
+        "target,deviation+1,deviation-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / directions");
+    row("pages of both directions",
+        "↑\nP (mm);1 (µm)\n0;1\n100;2\n\n↑\nP (mm);1 (µm)\n200;3\n\n↓\nP (mm);1 (µm)\n200;7\n100;6\n\n↓\nP "
+        "(mm);1 (µm)\n0;5\n",
+        "target,run1 / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / ");
+    row("blocks at other targets",
+        "P (mm);↑ (µm);↓ (µm)\n0;1;5\n100;2;6\n\nP (mm);↑ (µm);↓ (µm)\n50;3;7\n70;4;8\n",
+        "target,run+,run- / 0 50 70 100 / ↑ 1 – – 2 / ↓ 5 – – 6 / ↑ – 3 4 – / ↓ – 7 8 – / layout");
+    row("a tolerance below the headings", "P (mm);1↑ (µm);1↓ (µm)\nTolerance;8;8\n0;1;5\n100;2;6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    row("a temperature above the headings",
+        "Date;12/03/2024\nTemperature;20.3 °C\nNo.;Position [mm];↑ [µm]\n1;0;1\n2;100;2\n",
+        "ignored,target,run+ / 0 100 / ↑ 1 2 / sensor Temperature machine 20.3 / ");
+    row("a temperature with its unit beside",
+        "Temperatur;20,3;°C\nSoll [mm];↑ 1 [µm];↑ 2 [µm]\n0;1;5\n100;2;6\n",
+        "target,run+1,run+2 / 0 100 / ↑ 1 2 / ↑ 5 6 / sensor Temperatur machine 20.3 / decimalMark");
+    row("more headings than columns of numbers",
+        "P (mm);forward (µm);;backward (µm);;;\n;1;Run 2;1;2;;Mean\n0;1;2;3;4\n100;5;6;7;8\n",
+        "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 5 / ↓ 3 7 / ↑ 2 6 / ↓ 4 8 / ");
+    // Each direction at its own targets.
+    row("targets of both directions",
+        "Target ↑ (mm);Dev ↑ (µm);Target ↓ (mm);Dev ↓ (µm)\n0;1;200;7\n100;2;100;6\n200;3;0;5\n",
+        "target,deviation+,target,deviation- / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / ");
+    row("the same targets again",
+        "Target (mm);Dev ↑ (µm);Target (mm);Dev ↓ (µm)\n0;1;0;5\n100;2;100;6\n200;3;200;7\n",
+        "target,deviation+,ignored,deviation- / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / ");
+    // Several axes, called by the titles of their blocks.
+    row("two axes in blocks",
+        "Axis X\nP (mm);↑ (µm);↓ (µm)\n0;1;5\n100;2;6\n\nAxis Y\nP (mm);↑ (µm);↓ (µm)\n0;3;7\n100;4;8\n",
+        "target,run+,run- / 0 100 / ↑ 1 2 / ↓ 5 6 / axis");
+    row("an axis that is a letter of directions",
+        "Soll (mm);V pos. Richtung 1 (µm);V neg. Richtung 1 (µm)\n0;1;5\n100;2;6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / directions");
+    // Arrows made of signs, units by their part, quotes around decimal commas.
+    row("arrows of two signs", "Run;Direction;P (mm);Dev (µm)\n1;->;0;1\n1;->;100;2\n1;<-;100;6\n1;<-;0;5\n",
+        "number,direction,target,deviation / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    for (const char *unit : {"1/1000 mm", "0.001 mm", "0,001 mm", "10^-3 mm", "10-3 mm", "10⁻³ mm"})
+        QTest::newRow(qPrintable(QString("in %1").arg(unit)))
+            << QByteArray("P (mm);↑ 1 (") + unit + ");↓ 1 (" + unit + ")\n0;0.1;0.5\n100;0.2;0.6\n"
+            << QString("target,run+1,run-1 / 0 100 / ↑ 0.1 0.2 / ↓ 0.5 0.6 / ");
+    row("in a part that is not known", "P (mm);↑ 1 (1/100 mm);↓ 1 (1/100 mm)\n0;0.1;0.5\n100;0.2;0.6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 0.1 0.2 / ↓ 0.5 0.6 / content unit");
+    row("quoted decimal commas",
+        "\"P (mm)\",\"↑ (µm)\",\"↓\n(µm)\"\n\"0,00\",\"1,1\",\"5,5\"\n\"100,05\",\"2,2\",\"6,6\"\n",
+        "target,run+,run- / 0 100.05 / ↑ 1.1 2.2 / ↓ 5.5 6.6 / ");
     // Numbers that look wrong.
     row("millimetres off", "P (mm);Dev ↑ (mm);Dev ↓ (mm)\n0;1.5;2.5\n100;3.5;4.5\n",
         "target,deviation+,deviation- / 0 100 / ↑ 1500 3500 / ↓ 2500 4500 / large");
@@ -249,6 +306,37 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("angle beside x and y",
         "angle;x (mm);y (mm)\n0;100.001;0\n90;0;100.002\n180;-100.001;0\n270;0;-100\n",
         "ignored,x,y / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius");
+    row("the plane ZX", "Piano: ZX\nZ (mm);X (mm)\n100.001;0\n0;100.002\n-100.001;0\n0;-100\n",
+        "x,y / ISO 230-4:2005 ZX R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius");
+    row("the plane ZX, its columns turned",
+        "Plane: ZX\nX (mm);Z (mm)\n0;100.001\n100.002;0\n0;-100.001\n-100;0\n",
+        "y,x / ISO 230-4:2005 ZX R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius");
+    row("a plane without X", "Y (mm);Z (mm)\n100.001;0\n0;100.002\n-100.001;0\n0;-100\n",
+        "x,y / ISO 230-4:2005 YZ R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius");
+    for (const char *words :
+         {"Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre", "anti horaire",
+          "senso antiorario", "contrario a las agujas del reloj", "SAH", "counter clockwise"})
+        QTest::newRow(words)
+            << QByteArray(words) + "\nAngle (°);Deviation (µm)\n270;0\n180;1\n90;2\n0;1\n"
+            << QString("angle,deviation / ISO 230-4:2005 XY R 150 mm F – / ccw polar 4: 0:1 90:2 "
+                       "180:1 270:0 / nominalRadius");
+    for (const char *words : {"Im Uhrzeigersinn", "sens des aiguilles d'une montre", "senso orario", "SH"})
+        QTest::newRow(words)
+            << QByteArray(words) + "\nAngle (°);Deviation (µm)\n0;1\n90;2\n180;1\n270;0\n"
+            << QString("angle,deviation / ISO 230-4:2005 XY R 150 mm F – / cw polar 4: 270:0 180:1 "
+                       "90:2 0:1 / nominalRadius");
+    row("two columns beside the angles, and no word for the sense",
+        "Radius: 100 mm\nAngle (°);Deviation links (µm);Deviation rechts "
+        "(µm)\n0;1;4\n90;2;5\n180;1;4\n270;0;3\n",
+        "angle,deviation,deviation / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / "
+        "ccw "
+        "polar 4: 0:4 90:5 180:4 270:3 / columns");
+    for (const char *label : {"Nominal radius: 100 mm", "Rayon nominal;100 mm", "Nennradius: 100 mm",
+                              "Sollradius 100 mm", "Raggio nominale: 100,0 mm", "Radio nominal = 100 mm"})
+        QTest::newRow(label)
+            << QByteArray(label) + "\nAngle (°);Deviation (µm)\n0;1\n90;2\n180;1\n270;0\n"
+            << QString("angle,deviation / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 "
+                       "180:1 270:0 / ");
     // Series over time.
     row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
         "time,deviation,temperature / drift  0:0 60:1 120:2 / ");

@@ -123,6 +123,42 @@ private slots:
         }
     }
 
+    /// Pages with their headings again, comments and lines of text between the rows change no number; rising
+    /// or falling, with rows of statistics behind.
+    void pagesChangeNoNumber() {
+        std::mt19937 random(5);
+        for (int trial = 0; trial < 300; ++trial) {
+            testdata::PlainTable table = testdata::plainTable(random);
+            const QString expected = numbersOf(written(table.rows, u';', false));
+            if (random() % 2 == 0)
+                std::reverse(table.rows.begin() + 1, table.rows.end());
+            const QStringList &head = table.rows.front();
+            QStringList lines{head.join(u';')};
+            for (std::size_t i = 1; i < table.rows.size(); ++i) {
+                lines << table.rows[i].join(u';');
+                if (i + 1 == table.rows.size())
+                    break;
+                switch (random() % 6) {
+                case 0:
+                    lines << "" << QString("Page %1").arg(i + 1) << head.join(u';');
+                    break;
+                case 1:
+                    lines << "# stopped for lunch";
+                    break;
+                case 2:
+                    lines << head.join(u';');
+                    break;
+                default:
+                    break;
+                }
+            }
+            if (random() % 2 == 0)
+                lines << QString("Mean") + QString(";0.5").repeated(head.size() - 1);
+            const QByteArray text = lines.join(u'\n').toUtf8();
+            QVERIFY2(numbersOf(text) == expected, text.constData());
+        }
+    }
+
     void textThatIsNoTableIsAskedAbout() {
         std::mt19937 random(11);
         int read = 0;
