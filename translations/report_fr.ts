@@ -8284,5 +8284,17 @@
         <source>the number of a history has at most %1 characters</source>
         <translation>le numéro d’un historique a au plus %1 caractères</translation>
     </message>
+    <message>
+        <source>Results and readings per target position</source>
+        <translation>Résultats et relevés par point visé</translation>
+    </message>
+    <message>
+        <source>With the actual targets: S = %1, otherwise as for test %2.</source>
+        <translation>Avec les points réels : S = %1, pour le reste comme à l’essai %2.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: %1 trials, seed %2, otherwise as for test %3.</source>
+        <translation>Monte-Carlo : %1 tirages, germe %2, pour le reste comme à l’essai %3.</translation>
+    </message>
 </context>
 </TS>
