@@ -8285,6 +8285,18 @@
         <translation>le numéro d’un historique a au plus %1 caractères</translation>
     </message>
     <message>
+        <source>Results and readings per target position</source>
+        <translation>Résultats et relevés par point visé</translation>
+    </message>
+    <message>
+        <source>With the actual targets: S = %1, otherwise as for test %2.</source>
+        <translation>Avec les points réels : S = %1, pour le reste comme à l’essai %2.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: %1 trials, seed %2, otherwise as for test %3.</source>
+        <translation>Monte-Carlo : %1 tirages, germe %2, pour le reste comme à l’essai %3.</translation>
+    </message>
+    <message>
         <source>Sense: no word says which column is clockwise; both are read as the angles run.</source>
         <translation>Sens&#xa0;: aucun mot ne dit quelle colonne est horaire&#x202f;; les deux sont lues dans le sens des angles.</translation>
     </message>

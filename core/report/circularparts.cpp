@@ -396,14 +396,14 @@ void addPaths(std::vector<Block> &blocks, const CircularPart &part) {
     const QString degrees = write.language().unit(Quantity::angle);
     const QString seconds = write.language().unit(Quantity::time);
     Table table;
-    table.columns = {{write.text(REPORT_TEXT("report", "Path")), {}, Alignment::left, false, 20},
-                     {write.text(REPORT_TEXT("report", "Sense")), {}, Alignment::left, true, 27},
-                     {write.text(REPORT_TEXT("report", "Measured")), degrees, Alignment::left, false, 27},
-                     {write.text(REPORT_TEXT("report", "Evaluated")), degrees, Alignment::left, false, 27},
-                     {QString(), {}, Alignment::left, false, 24},
-                     {write.text(REPORT_TEXT("report", "Points")), {}, Alignment::right, false, 16},
-                     {write.text(REPORT_TEXT("report", "Step")), seconds, Alignment::decimal, false, 17},
-                     {write.text(REPORT_TEXT("report", "Duration")), seconds, Alignment::decimal, false, 17}};
+    table.columns = {{write.text(REPORT_TEXT("report", "Path")), {}, Alignment::left, false, 18},
+                     {write.text(REPORT_TEXT("report", "Sense")), {}, Alignment::left, true, 36},
+                     {write.text(REPORT_TEXT("report", "Measured")), degrees, Alignment::left, false, 26},
+                     {write.text(REPORT_TEXT("report", "Evaluated")), degrees, Alignment::left, false, 26},
+                     {QString(), {}, Alignment::left, false, 23.5},
+                     {write.text(REPORT_TEXT("report", "Points")), {}, Alignment::right, false, 14},
+                     {write.text(REPORT_TEXT("report", "Step")), seconds, Alignment::decimal, false, 15.5},
+                     {write.text(REPORT_TEXT("report", "Duration")), seconds, Alignment::decimal, false, 16}};
     const auto angle = [&](double value) {
         return write.language().number(value, Quantity::angle, pointAngleDecimals);
     };

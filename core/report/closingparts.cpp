@@ -9,7 +9,9 @@ namespace palmer {
 
 namespace {
 
-constexpr double statementLabels = 44; ///< mm
+constexpr double statementLabels = 44;  ///< mm
+constexpr double labelsBeside = 36;     ///< of two columns of statements
+constexpr qsizetype longestBeside = 26; ///< characters of a statement that finds room on a line there
 
 /// In the order of the file, those any test names.
 std::vector<const Instrument *> usedInstruments(const Document &document) {
@@ -99,13 +101,16 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
     if (instruments.empty())
         return;
     Table table;
-    table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 37},
-                     {write.text(REPORT_TEXT("report", "Serial number")), {}, Alignment::left, false, 22},
-                     {write.text(REPORT_TEXT("report", "Certificate")), {}, Alignment::left, false, 22},
-                     {write.text(REPORT_TEXT("report", "Calibrated by")), {}, Alignment::left, false, 30},
-                     {write.text(REPORT_TEXT("report", "Calibrated")), {}, Alignment::left, false, 23},
-                     {write.text(REPORT_TEXT("report", "Due")), {}, Alignment::left, false, 23},
+    table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 41},
+                     {write.text(REPORT_TEXT("report", "Serial number")), {}, Alignment::left, false, 20},
+                     {write.text(REPORT_TEXT("report", "Certificate")), {}, Alignment::left, false, 21},
+                     {write.text(REPORT_TEXT("report", "Calibrated by")), {}, Alignment::left, false, 31},
+                     {write.text(REPORT_TEXT("report", "Calibrated")), {}, Alignment::left, false, 22},
+                     {write.text(REPORT_TEXT("report", "Due")), {}, Alignment::left, false, 22},
                      {write.text(REPORT_TEXT("report", "Resolution")), {}, Alignment::left, false, 18}};
+    const auto shortDate = [&](const std::optional<std::string> &date) {
+        return date && !date->empty() ? write.language().shortDate(*date) : QString();
+    };
     for (const Instrument *instrument : instruments)
         table.rows.push_back(
             {joined({QString::fromStdString(instrument->description),
@@ -113,8 +118,8 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
                      QString::fromStdString(instrument->model)}),
              QString::fromStdString(instrument->serialNumber),
              QString::fromStdString(instrument->certificate),
-             QString::fromStdString(instrument->calibratedBy), dateText(write, instrument->calibrationDate),
-             dateText(write, instrument->calibrationDue),
+             QString::fromStdString(instrument->calibratedBy), shortDate(instrument->calibrationDate),
+             shortDate(instrument->calibrationDue),
              write.quantity(instrument->resolution, resolutionQuantity(*evaluated.document, *instrument))});
     addHeading(blocks, write.text(REPORT_TEXT("report", "Traceability of the instruments")));
     blocks.emplace_back(std::move(table));
@@ -143,6 +148,40 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
     blocks.emplace_back(std::move(values));
 }
 
+namespace {
+
+/// What is stated, the short statements in two columns beside each other, the long ones below.
+void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows) {
+    constexpr std::size_t fewest = 4; // are worth two columns
+    SideBySide both;
+    KeyValues left;
+    KeyValues right;
+    KeyValues below;
+    left.labelWidth = right.labelWidth = labelsBeside;
+    below.labelWidth = statementLabels;
+    const auto isShort = [](const KeyValue &row) {
+        return row.value.size() <= longestBeside && !row.value.contains(u'\n');
+    };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(rows, isShort));
+    for (const KeyValue &row : rows) {
+        if (count < fewest || !isShort(row))
+            below.rows.push_back(row);
+        else if (2 * left.rows.size() < count)
+            left.rows.push_back(row);
+        else
+            right.rows.push_back(row);
+    }
+    if (!left.rows.empty()) {
+        both.left.emplace_back(std::move(left));
+        both.right.emplace_back(std::move(right));
+        blocks.emplace_back(std::move(both));
+    }
+    if (!below.rows.empty())
+        blocks.emplace_back(std::move(below));
+}
+
+} // namespace
+
 QString scopeText(const Writer &write) {
     return write.text(REPORT_TEXT("report",
                                   "The results relate only to the machine tested in the stated condition.")) +
@@ -153,20 +192,19 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
                    const ReportOptions &options, const QString &fingerprint, const QString &foreign,
                    int level) {
     const ReportHead &head = document.report;
-    KeyValues values;
-    values.labelWidth = statementLabels;
+    std::vector<KeyValue> rows;
     const auto add = [&](const Text &label, const QString &value) {
-        values.rows.push_back({write.text(label), value});
+        rows.push_back({write.text(label), value});
     };
-    const auto addStated = [&](const Text &label, const QString &value) {
+    const auto addKnown = [&](const Text &label, const QString &value) {
         if (!value.isEmpty())
             add(label, value);
     };
-    addStated(REPORT_TEXT("report", "Order"), QString::fromStdString(head.order));
-    addStated(REPORT_TEXT("report", "Procedure"), QString::fromStdString(head.procedure));
-    addStated(REPORT_TEXT("report", "Tests carried out"),
-              periodText(write, head.performedFrom, head.performedTo));
-    addStated(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine));
+    addKnown(REPORT_TEXT("report", "Order"), QString::fromStdString(head.order));
+    addKnown(REPORT_TEXT("report", "Procedure"), QString::fromStdString(head.procedure));
+    addKnown(REPORT_TEXT("report", "Tests carried out"),
+             periodText(write, head.performedFrom, head.performedTo));
+    addKnown(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine));
     add(REPORT_TEXT("report", "Condition of the machine"),
         QString::fromStdString(document.machine.condition));
     add(REPORT_TEXT("report", "Adjustments made"), QString::fromStdString(head.adjustments));
@@ -185,7 +223,7 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
                                   "is installed, else as boxes"),
                       foreign));
     blocks.emplace_back(Heading{level, write.text(REPORT_TEXT("report", "Statements"))});
-    blocks.emplace_back(std::move(values));
+    addStated(blocks, rows);
     blocks.emplace_back(Paragraph{
         scopeText(write) + u' ' +
             write.text(REPORT_TEXT(

@@ -80,13 +80,15 @@ void addDetails(std::vector<Block> &blocks, const PositioningPart &part) {
         addTemperatureCurve(blocks, part);
     addUncertainty(blocks, part, part.measurement.uncertainty.method);
     addBudget(blocks, part);
-    addFindings(blocks, part);
-    if (alone)
+    if (alone) {
+        addFindings(blocks, part);
         addLimits(blocks, part);
-    addTargetTable(blocks, part);
-    addReadings(blocks, part);
+    }
+    addTargetsAndReadings(blocks, part);
     addExcludedReadings(blocks, part);
     addCorrection(blocks, part);
+    if (!alone) // their lines fill the page that whole tables leave
+        addFindings(blocks, part);
     addImports(blocks, part);
 }
 
@@ -103,9 +105,11 @@ void addDetails(std::vector<Block> &blocks, const CircularPart &part) {
     addFindings(blocks, part);
     if (alone)
         addLimits(blocks, part);
-    addPaths(blocks, part);
+    if (alone)
+        addPaths(blocks, part);
     addCircles(blocks, part);
-    addCorrection(blocks, part);
+    if (alone)
+        addCorrection(blocks, part);
     addRepetitions(blocks, part);
     addImports(blocks, part);
     addDiagnosis(blocks, part);
@@ -217,11 +221,12 @@ void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     blocks.emplace_back(PageBreak{});
     blocks.emplace_back(Heading{1, write.text(REPORT_TEXT("report", "All tests"))});
     addConditionsOfTests(blocks, parts);
+    addPathsOfTests(blocks, parts);
     addAgreedPointsOfTests(blocks, parts);
     addLimitsOfTests(blocks, parts);
     addBeforeAndAfter(blocks, parts);
-    addComparisonsOfTests(blocks, parts);
     addRemarksOfTests(blocks, parts);
+    addComparisonsOfTests(blocks, parts);
     addDriftTests(blocks, write, parts.front().evaluated);
     addTraceability(blocks, write, parts.front().evaluated);
     PrintedSections printed;

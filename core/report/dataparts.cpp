@@ -134,6 +134,23 @@ public:
         m_columnWidth = static_cast<double>(longest) * digitWidth + cellPadding;
     }
 
+    /// Adds the readings to a table per target; where they find no room there: false, and nothing is added.
+    [[nodiscard]] bool appendedTo(Table &table) const {
+        constexpr std::size_t numberAndPosition = 2;
+        double width = std::max(m_columnWidth, narrowestReading);
+        for (const std::vector<Cell> &row : table.rows) {
+            for (std::size_t i = numberAndPosition; i < row.size(); ++i)
+                width = std::max(width, widthOf(row[i].text.plain()));
+        }
+        const std::size_t columns = table.columns.size() - numberAndPosition + m_up.size() + m_down.size();
+        const double gaps = directionsGap * (m_up.empty() || m_down.empty() ? 1 : 2);
+        if (static_cast<double>(columns) * width > roomForReadings(m_part.measurement) - gaps)
+            return false;
+        append(table, Direction::positive, 0, m_up.size());
+        append(table, Direction::negative, 0, m_down.size());
+        return true;
+    }
+
     [[nodiscard]] std::vector<Table> tables() const {
         const double room = roomForReadings(m_part.measurement);
         const std::size_t most = std::max(m_up.size(), m_down.size());
@@ -162,6 +179,9 @@ public:
     }
 
 private:
+    static double widthOf(const QString &number) {
+        return static_cast<double>(number.size()) * digitWidth + cellPadding;
+    }
     static double roomForReadings(const PositioningMeasurement &measurement) {
         return textWidth - numberWidth(measurement) - positionWidth;
     }
@@ -190,6 +210,8 @@ private:
     }
 
     void append(Table &table, Direction direction, std::size_t first, std::size_t count) const {
+        if (count == 0)
+            return;
         const QString unit = m_part.write.language().unit(m_part.deviation());
         table.spanners.push_back({table.columns.size(), count,
                                   Phrase({{QStringLiteral("x")},
@@ -277,20 +299,16 @@ QString targetNote(const PositioningPart &part) {
 
 } // namespace
 
-void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
+namespace {
+
+/// Statistics of the targets, a row a target.
+Table targetTable(const PositioningPart &part) {
     const auto &targets = part.results.targets;
-    if (part.leavesOut(ReportPart::targetTable) || targets.empty())
-        return;
     const Writer &write = part.write;
     const Edition &edition = part.edition();
     const int places = positionDecimals(part.measurement.targets, part.along());
     const int digits = statisticDecimals(part.measurement);
     const auto ruling = rulingCells(part.evaluation);
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Results per target position")), targetNote(part));
-    if (targets.size() > mostRows && !printsAllRows(part)) {
-        addLeftOut(blocks, write, targets.size());
-        return;
-    }
     Table table;
     table.columns = {targetColumn(part), positionColumn(part)};
     std::vector<const char *> ids;
@@ -313,12 +331,43 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
         table.rows.push_back(std::move(row));
     }
     addGroupRules(table);
-    blocks.emplace_back(std::move(table));
+    return table;
 }
 
-void addReadings(std::vector<Block> &blocks, const PositioningPart &part) {
-    if (part.leavesOut(ReportPart::readings) || part.measurement.runs.empty() || meansAreReadings(part))
-        return;
+/// A table of few columns and many rows as two halves beside each other, the second behind the last row of
+/// the first; as it is where they find no room or are too long to stand on a page whole.
+Table inHalves(Table table) {
+    constexpr std::size_t fewest = 16;
+    constexpr std::size_t most = 40;
+    constexpr double gap = 8; // mm
+    constexpr std::size_t numberAndPosition = 2;
+    const std::vector<Column> again = table.columns;
+    const std::size_t columns = again.size();
+    const std::size_t count = table.rows.size();
+    const double fixed = 2 * (again[0].width + again[1].width) + gap;
+    const double room = (textWidth - fixed) / (2 * static_cast<double>(columns - numberAndPosition));
+    if (count < fewest || count > most || room < narrowestReading)
+        return table;
+    const std::size_t groups = ((count + 1) / 2 + rowsOfAGroup - 1) / rowsOfAGroup;
+    const std::size_t half = groups * rowsOfAGroup;
+    table.columns.insert(table.columns.end(), again.begin(), again.end());
+    table.columns[columns].gapBefore = gap;
+    for (std::size_t i = 0; i < half; ++i) {
+        std::vector<Cell> &row = table.rows[i];
+        if (half + i < count)
+            std::ranges::move(table.rows[half + i], std::back_inserter(row));
+        else
+            row.insert(row.end(), columns, blankCell());
+    }
+    table.rows.resize(half);
+    table.rulesAfter.clear();
+    addGroupRules(table);
+    table.unbroken = true;
+    return table;
+}
+
+/// "positional deviations x_ij", and whether they are as read.
+Phrase readingsNote(const PositioningPart &part) {
     const Writer &write = part.write;
     Phrase note = indexed(write.text(part.edition().family == std::string_view("ISO 230-2:2014")
                                          ? REPORT_TEXT("report", "positioning deviations")
@@ -328,7 +377,29 @@ void addReadings(std::vector<Block> &blocks, const PositioningPart &part) {
     if (!part.results.corrections.empty())
         note.spans.push_back({QStringLiteral(", ") +
                               write.text(REPORT_TEXT("report", "as read, without the correction to 20 °C"))});
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Readings")), std::move(note));
+    return note;
+}
+
+bool printsTargets(const PositioningPart &part) {
+    return !part.leavesOut(ReportPart::targetTable) && !part.results.targets.empty();
+}
+
+bool printsReadings(const PositioningPart &part) {
+    return !part.leavesOut(ReportPart::readings) && !part.measurement.runs.empty() && !meansAreReadings(part);
+}
+
+void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
+    const std::size_t count = part.results.targets.size();
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Results per target position")),
+               targetNote(part));
+    if (count > mostRows && !printsAllRows(part))
+        addLeftOut(blocks, part.write, count);
+    else
+        blocks.emplace_back(inHalves(targetTable(part)));
+}
+
+void addReadingTables(std::vector<Block> &blocks, const PositioningPart &part) {
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Readings")), readingsNote(part));
     const bool all = printsAllRows(part);
     std::size_t rows = ReadingTables::leastRows(part.measurement);
     std::vector<Table> tables;
@@ -337,11 +408,37 @@ void addReadings(std::vector<Block> &blocks, const PositioningPart &part) {
         rows = tables.size() * part.measurement.targets.size();
     }
     if (!all && rows > mostRows) {
-        addLeftOut(blocks, write, rows);
+        addLeftOut(blocks, part.write, rows);
         return;
     }
     for (Table &table : tables)
         blocks.emplace_back(std::move(table));
+}
+
+/// Both in one table, where that is wide enough; else false, and nothing is added.
+bool addTargetsWithReadings(std::vector<Block> &blocks, const PositioningPart &part) {
+    if (!printsTargets(part) || !printsReadings(part) || part.results.targets.size() > mostRows)
+        return false;
+    Table table = targetTable(part);
+    if (!ReadingTables(part).appendedTo(table))
+        return false;
+    Phrase note(targetNote(part) + part.write.semicolon());
+    std::ranges::move(readingsNote(part).spans, std::back_inserter(note.spans));
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Results and readings per target position")),
+               std::move(note));
+    blocks.emplace_back(std::move(table));
+    return true;
+}
+
+} // namespace
+
+void addTargetsAndReadings(std::vector<Block> &blocks, const PositioningPart &part) {
+    if (addTargetsWithReadings(blocks, part))
+        return;
+    if (printsTargets(part))
+        addTargetTable(blocks, part);
+    if (printsReadings(part))
+        addReadingTables(blocks, part);
 }
 
 int pagesOfAllReadings(const Document &document) {

@@ -6,12 +6,10 @@
 
 namespace palmer {
 
-/// Statistics per target; what rules a parameter of the axis stands bold.
-void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part);
-
-/// All readings as entered: both directions side by side, or ↑ above ↓ where these would be too narrow (more
-/// than seven runs a direction); many runs in several tables.
-void addReadings(std::vector<Block> &blocks, const PositioningPart &part);
+/// Statistics per target, what rules a parameter of the axis bold; and all readings as entered: in the same
+/// table where they find room, else below it, both directions side by side, or ↑ above ↓ where these would be
+/// too narrow (more than seven runs a direction); many runs in several tables.
+void addTargetsAndReadings(std::vector<Block> &blocks, const PositioningPart &part);
 
 /// About how many pages of rows "all readings" prints that the report leaves out without it; 0: none.
 [[nodiscard]] int pagesOfAllReadings(const Document &document);

@@ -633,14 +633,14 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part) {
         }
         return;
     }
-    addHeading(
-        blocks, part.write.text(REPORT_TEXT("report", "Findings")),
-        part.write.text(REPORT_TEXT("report", "what the edition asks for and this test does not have")),
-        part.findingsAnchor());
     FindingsBlock block = findingLines(part.evaluation, part.write.language());
-    if (block.lines.empty())
-        blocks.emplace_back(Paragraph{part.write.text(REPORT_TEXT("report", "No findings."))});
-    else
+    const bool none = block.lines.empty(); // is said beside the heading
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Findings")),
+               part.write.text(
+                   none ? REPORT_TEXT("report", "No findings.")
+                        : REPORT_TEXT("report", "what the edition asks for and this test does not have")),
+               part.findingsAnchor());
+    if (!none)
         blocks.emplace_back(std::move(block));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sharedparts.h"
 
+#include "report/circularparts.h"
 #include "report/conditionparts.h"
 #include "report/dataparts.h"
 #include "report/printednumbers.h"
@@ -220,6 +221,25 @@ private:
     Table m_table;
 };
 
+/// Whether the row of a test in the table of the environment holds all that its sensors measured.
+bool environmentSaysAll(const TestPart &part) {
+    std::array<int, 3> counts{};
+    const auto more = [](const std::optional<double> &value) {
+        return value && decimalsOf(*value, Quantity::temperature) > temperatureDecimals;
+    };
+    return std::ranges::none_of(conditionsOf(part).sensors, [&](const Sensor &sensor) {
+        return ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1 || more(startTemperature(sensor)) ||
+               more(endTemperature(sensor));
+    });
+}
+
+void leaveOutTemperatures(Table &sensors) {
+    constexpr std::size_t kindAndPlace = 2;
+    sensors.columns.resize(kindAndPlace);
+    for (std::vector<Cell> &row : sensors.rows)
+        row.resize(kindAndPlace);
+}
+
 /// What some of the tests say alike.
 struct TextOfTests {
     QString text;
@@ -345,6 +365,135 @@ void addInHalves(std::vector<Block> &blocks, Table table) {
     blocks.emplace_back(std::move(both));
 }
 
+/// Limits of one origin, agreed for one edition: quantity by quantity on one line.
+struct LimitsOfOrigin {
+    Cell limits;
+    Cell edition;
+    Cell source;
+    std::vector<int> tests;
+};
+
+class LimitsOfTests {
+public:
+    explicit LimitsOfTests(const Writer &write)
+        : m_write(write) {}
+
+    /// Rows of `limitsTable`: quantity, limit, edition, source.
+    void add(const Table &table, int test) {
+        std::vector<LimitsOfOrigin> own;
+        for (const std::vector<Cell> &row : table.rows) {
+            auto origin = std::ranges::find_if(own, [&](const LimitsOfOrigin &each) {
+                return each.edition == row[2] && each.source == row[3];
+            });
+            if (origin == own.end())
+                origin = own.insert(own.end(), {{}, row[2], row[3], {test}});
+            std::vector<Span> &spans = origin->limits.text.spans;
+            if (!spans.empty())
+                spans.push_back({m_write.semicolon()});
+            for (Span span : row[0].text.spans) {
+                span.bold = true;
+                spans.push_back(std::move(span));
+            }
+            spans.push_back({u'\u00A0' + row[1].text.plain().replace(u' ', u'\u00A0')});
+        }
+        for (LimitsOfOrigin &each : own) {
+            const auto same = std::ranges::find_if(m_rows, [&](const LimitsOfOrigin &known) {
+                return known.limits == each.limits && known.edition == each.edition &&
+                       known.source == each.source;
+            });
+            if (same == m_rows.end())
+                m_rows.push_back(std::move(each));
+            else
+                same->tests.push_back(test);
+        }
+    }
+
+    [[nodiscard]] Table take(int count) const {
+        Table table;
+        table.columns = {
+            {m_write.text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, testsWidth},
+            {m_write.text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")),
+             {},
+             Alignment::left,
+             true,
+             79},
+            {m_write.text(REPORT_TEXT("report", "Agreed for")), {}, Alignment::left, false, 30},
+            {m_write.text(REPORT_TEXT_FOR("report", "Source", "of a limit")),
+             {},
+             Alignment::left,
+             false,
+             50}};
+        for (const LimitsOfOrigin &row : m_rows)
+            table.rows.push_back(
+                {testNumbers(m_write, row.tests, count), row.limits, row.edition, row.source});
+        return table;
+    }
+
+private:
+    const Writer &m_write;
+    std::vector<LimitsOfOrigin> m_rows;
+};
+
+/// A section that several tests have, as one: the heading of the first, each text once, and one table with a
+/// column of the numbers of the tests.
+class SectionOfTests {
+public:
+    explicit SectionOfTests(const Writer &write)
+        : m_write(write) {}
+
+    void add(const std::vector<Block> &section, int test) {
+        m_tests += section.empty() ? 0 : 1;
+        for (const Block &block : section) {
+            if (const auto *heading = std::get_if<Heading>(&block))
+                m_heading = m_heading ? m_heading : *heading;
+            else if (const auto *paragraph = std::get_if<Paragraph>(&block))
+                addText(m_texts, paragraph->text, test);
+            else if (const auto *table = std::get_if<Table>(&block))
+                addRows(*table, test);
+        }
+    }
+
+    void addTo(std::vector<Block> &blocks) {
+        if (!m_heading)
+            return;
+        blocks.emplace_back(std::move(*m_heading));
+        for (const TextOfTests &text : m_texts) {
+            const bool all = text.tests.size() == m_tests;
+            blocks.emplace_back(Paragraph{all ? text.text : ofTests(m_write, text.tests, text.text)});
+        }
+        if (!m_table.rows.empty())
+            blocks.emplace_back(std::move(m_table));
+    }
+
+private:
+    void addRows(const Table &table, int test) {
+        constexpr double width = 9; // mm
+        if (m_table.columns.empty()) {
+            m_table.columns = table.columns;
+            std::ranges::find_if(m_table.columns, &Column::flexible)->width -= width; // there is one
+            m_table.columns.insert(
+                m_table.columns.begin(),
+                {m_write.text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, width});
+        } else {
+            m_table.rulesAfter.push_back(m_table.rows.size() - 1);
+        }
+        const std::size_t first = m_table.rows.size();
+        for (const std::vector<Cell> &row : table.rows) {
+            m_table.rows.push_back(row);
+            m_table.rows.back().insert(m_table.rows.back().begin(), blankCell());
+        }
+        Cell number(QString::number(test));
+        number.rows = table.rows.size();
+        m_table.rows[first].front() = std::move(number);
+    }
+
+    const Writer &m_write;
+    std::size_t m_tests = 0;
+    std::optional<Heading> m_heading;
+    TextsOfTests m_texts;
+    Table m_table;
+};
+
 /// What two tests of the same gave, quantity by quantity.
 class BeforeAndAfter {
 public:
@@ -453,13 +602,16 @@ void addConditionsOfTests(std::vector<Block> &blocks, const std::vector<TestPart
     const int count = static_cast<int>(parts.size());
     MergedTable conditions(write, count, 1);
     EnvironmentOfTests environment(write);
-    constexpr std::size_t sensorAndPlace = 2;
-    MergedTable sensors(write, count, sensorAndPlace);
+    const bool placesOnly = std::ranges::all_of(parts, environmentSaysAll);
+    MergedTable sensors(write, count, placesOnly ? 1 : 2);
     for (const TestPart &part : parts) {
         conditions.add({part.number, conditionTable(part)});
         environment.add(part);
-        if (auto table = sensorTable(part))
+        if (auto table = sensorTable(part)) {
+            if (placesOnly)
+                leaveOutTemperatures(*table);
             sensors.add({part.number, std::move(*table)});
+        }
     }
     addHeading(blocks, write.text(REPORT_TEXT("report", "Test conditions")));
     addInHalves(blocks, conditions.take());
@@ -469,8 +621,30 @@ void addConditionsOfTests(std::vector<Block> &blocks, const std::vector<TestPart
     }
     if (Table table = sensors.take(); !table.rows.empty()) {
         addHeading(blocks, write.text(REPORT_TEXT("report", "Temperature sensors")));
-        blocks.emplace_back(std::move(table));
+        if (placesOnly)
+            addInHalves(blocks, std::move(table));
+        else
+            blocks.emplace_back(std::move(table));
     }
+}
+
+void addPathsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    SectionOfTests paths(parts.front().write);
+    SectionOfTests corrections(parts.front().write);
+    for (const TestPart &part : parts) {
+        const auto *measurement = std::get_if<CircularMeasurement>(&part.test.measurement);
+        if (!measurement)
+            continue;
+        const CircularPart circular{part, *measurement, std::get<CircularResults>(part.evaluation.results)};
+        std::vector<Block> own;
+        addPaths(own, circular);
+        paths.add(own, part.number);
+        own.clear();
+        addCorrection(own, circular);
+        corrections.add(own, part.number);
+    }
+    paths.addTo(blocks);
+    corrections.addTo(blocks);
 }
 
 void addAgreedPointsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
@@ -509,21 +683,23 @@ void addAgreedPointsOfTests(std::vector<Block> &blocks, const std::vector<TestPa
 void addLimitsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     const Writer &write = parts.front().write;
     TextsOfTests rules;
-    MergedTable limits(write, static_cast<int>(parts.size()), 1);
+    LimitsOfTests limits(write);
     for (const TestPart &part : parts) {
-        Table table = limitsTable(part);
+        const Table table = limitsTable(part);
         if (table.rows.empty())
             continue;
-        limits.add({part.number, std::move(table)});
+        limits.add(table, part.number);
         addText(rules, decisionText(part), part.number);
     }
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")));
+    // By the anchor who makes pages knows that it, and what follows, may stand behind the summary.
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")), {},
+               QStringLiteral("limits"));
     if (rules.empty()) {
         blocks.emplace_back(Paragraph{
             write.text(REPORT_TEXT("report", "No limit was agreed: the results have no verdict."))});
         return;
     }
-    blocks.emplace_back(limits.take());
+    blocks.emplace_back(limits.take(static_cast<int>(parts.size())));
     for (const TextOfTests &rule : rules)
         blocks.emplace_back(Paragraph{rules.size() == 1 ? rule.text : ofTests(write, rule.tests, rule.text),
                                       TextSize::small});

@@ -15,6 +15,9 @@ namespace palmer {
 /// The conditions of all tests, their environment and sensors.
 void addConditionsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
+/// The paths of the circular tests and their corrections to 20 °C.
+void addPathsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
+
 /// The points to be agreed, those of one edition together.
 void addAgreedPointsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 

@@ -20,16 +20,18 @@ namespace {
 
 // Widths, mm.
 constexpr double numberWidth = 5;
-constexpr double testWidth = 40;
+constexpr double testWidth = 38.2;
 constexpr double quantityWidth = 12.5;
-constexpr double nameWidth = 29;
+constexpr double nameWidth = 29; ///< and what is left over
 constexpr double valueWidth = 11.5;
 constexpr double uncertaintyWidth = 13.5;
 constexpr double limitWidth = 11;
-constexpr double unitWidth = 6; ///< where tests differ in it
-constexpr double pictureWidth = 19.6;
-constexpr double verdictWidth = 22.4;
-constexpr double pageWidth = 9.5;
+constexpr double unitWidth = 5.6; ///< where tests differ in it
+constexpr double unitGap = 0.3;   ///< to its number
+constexpr double pictureWidth = 18.7;
+constexpr double pictureGap = 2.3;
+constexpr double verdictWidth = 20.8;
+constexpr double pageWidth = 9.2;
 
 constexpr qsizetype mostNamed = 6; ///< quantities in the verdict
 
@@ -147,7 +149,9 @@ private:
                      Alignment::left,
                      false,
                      pictureWidth};
-        guard.paddingLeft = 3.2;
+        guard.paddingLeft = pictureGap;
+        Column units{QString(), {}, Alignment::left, false, unitWidth};
+        units.paddingLeft = unitGap;
         Column page{text(REPORT_TEXT("report", "Page")), {}, Alignment::right, false, pageWidth};
         page.pages = true;
         m_table.columns = {
@@ -159,7 +163,7 @@ private:
             {uncertaintyHead(m_shared.coverage, m_write.language()), unit, Alignment::decimal, false,
              uncertaintyWidth},
             {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, limitWidth},
-            {QString(), {}, Alignment::left, false, unitWidth},
+            units,
             guard,
             {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, verdictWidth},
             page};

@@ -250,31 +250,98 @@ bool usesBudget(const TestEvaluation &evaluation) {
     return !evaluation.view && usesContributions(method) && !evaluation.uncertainty.contributions.empty();
 }
 
-QString methodText(const TestPart &part) {
+namespace {
+
+/// What the methods of a test's uncertainties are explained by, numbers aside.
+struct Explained {
+    bool actual = false;
+    bool simulated = false;
+    bool stable = false;
+
+    explicit Explained(const TestEvaluation &evaluation)
+        : actual(evaluation.uncertainty.systematic &&
+                 std::ranges::any_of(evaluation.parameters,
+                                     [](const Parameter &p) { return p.actualUncertainty.has_value(); }))
+        , simulated(evaluation.uncertainty.simulation != nullptr)
+        , stable(simulated && evaluation.uncertainty.simulation->stable &&
+                 evaluation.uncertainty.simulation->mayDecide()) {}
+
+    bool operator==(const Explained &) const = default;
+};
+
+bool showsBudgetOf(const TestEvaluation &evaluation, const ReportHead &head) {
+    return usesBudget(evaluation) && std::ranges::any_of(evaluation.parameters, [&](const Parameter &p) {
+               return isPrinted(p, head) && p.budgetUncertainty.has_value();
+           });
+}
+
+/// Number of an earlier test of the report whose methods are the same.
+std::optional<int> explainedBefore(const TestPart &part) {
+    int number = 0;
+    for (std::size_t i = 0; i < part.index; ++i) {
+        const TestEvaluation &before = *part.evaluated.tests[i];
+        number += before.edition ? 1 : 0; // drift tests have no number
+        if (before.edition && before.edition->kind == part.edition().kind &&
+            showsBudgetOf(before, part.head()) && Explained(before) == Explained(part.evaluation))
+            return number;
+    }
+    return std::nullopt;
+}
+
+Number trialsOf(const TestPart &part) {
+    return {static_cast<double>(part.evaluation.uncertainty.simulation->trials), Quantity::count};
+}
+
+/// How the methods came to their U: once for all tests that use the same.
+void addMethods(QStringList &words, const TestPart &part) {
     const Writer &write = part.write;
     const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
-    QStringList words;
-    const bool any = std::ranges::any_of(part.evaluation.parameters,
-                                         [](const Parameter &p) { return p.actualUncertainty.has_value(); });
-    if (any && uncertainty.systematic)
+    const Explained explained(part.evaluation);
+    if (explained.actual)
         words << write.say(
             REPORT_TEXT("report", "With the actual targets: in place of S = %1 what the positions that rule "
                                   "really carry of it, the readings tilted by ±S over L and evaluated anew; "
                                   "an explanation, unless it is chosen to decide."),
             {Number{*uncertainty.systematic, deviationOf(part), contributionDecimals}});
-    if (uncertainty.simulation) {
-        const auto count = [](long long number) {
-            return Number{static_cast<double>(number), Quantity::count};
-        };
+    if (explained.simulated)
         words << write.say(
             REPORT_TEXT("report", "Monte Carlo: %1 trials of the whole evaluation, seed %2; U is half of the "
                                   "shortest interval that holds 95.45 % of the results, the shift their mean "
                                   "less the evaluated value."),
-            {count(uncertainty.simulation->trials), std::to_string(uncertainty.simulation->seed)});
-        if (uncertainty.simulation->stable && uncertainty.simulation->mayDecide())
-            words << write.text(REPORT_TEXT(
-                "report", "Over the blocks of trials twice the standard deviation of mean, u, both ends "
-                          "and U is below the tolerance of u, half a unit of its second digit."));
+            {trialsOf(part), std::to_string(uncertainty.simulation->seed)});
+    if (explained.stable)
+        words << write.text(REPORT_TEXT(
+            "report", "Over the blocks of trials twice the standard deviation of mean, u, both ends "
+                      "and U is below the tolerance of u, half a unit of its second digit."));
+}
+
+/// The same where the methods were explained for an earlier test: its numbers alone.
+void addMethodsAsFor(QStringList &words, const TestPart &part, int before) {
+    const Writer &write = part.write;
+    const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
+    const Explained explained(part.evaluation);
+    if (explained.actual)
+        words << write.say(
+            REPORT_TEXT("report", "With the actual targets: S = %1, otherwise as for test %2."),
+            {Number{*uncertainty.systematic, deviationOf(part), contributionDecimals},
+             std::to_string(before)});
+    if (explained.simulated)
+        words << write.say(
+            REPORT_TEXT("report", "Monte Carlo: %1 trials, seed %2, otherwise as for test %3."),
+            {trialsOf(part), std::to_string(uncertainty.simulation->seed), std::to_string(before)});
+}
+
+} // namespace
+
+QString methodText(const TestPart &part, std::optional<int> before) {
+    const Writer &write = part.write;
+    const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
+    QStringList words;
+    if (before)
+        addMethodsAsFor(words, part, *before);
+    else
+        addMethods(words, part);
+    if (uncertainty.simulation) {
         const QString differing =
             uncertainty.simulation->mayDecide() ? symbolsOf(part, methodsDiffer) : QString();
         if (!differing.isEmpty())
@@ -310,13 +377,11 @@ void addBudget(std::vector<Block> &blocks, const TestPart &part) {
         return;
     addHeading(blocks, part.write.text(REPORT_TEXT("report", "Uncertainty budget")), budgetNote(part));
     blocks.emplace_back(contributionTable(part));
-    const bool any = std::ranges::any_of(part.evaluation.parameters, [&](const Parameter &p) {
-        return isPrinted(p, part.head()) && p.budgetUncertainty.has_value();
-    });
-    if (any) {
+    if (showsBudgetOf(part.evaluation, part.head())) {
         blocks.emplace_back(resultTable(part));
-        blocks.emplace_back(
-            Paragraph{joined({methodText(part), adviceText(part)}, QStringLiteral(" ")), TextSize::small});
+        blocks.emplace_back(Paragraph{
+            joined({methodText(part, explainedBefore(part)), adviceText(part)}, QStringLiteral(" ")),
+            TextSize::small});
     }
     addDriftCurve(blocks, part);
 }

@@ -15,7 +15,7 @@ namespace palmer {
 void addBudget(std::vector<Block> &blocks, const TestPart &part);
 
 /// Which method gave U how, which of them decides and where they differ: the sentences below the U of both
-/// methods, in window and report.
-[[nodiscard]] QString methodText(const TestPart &part);
+/// methods, in window and report. Where the methods were explained for the test `before`, the numbers alone.
+[[nodiscard]] QString methodText(const TestPart &part, std::optional<int> before = {});
 
 } // namespace palmer

@@ -90,16 +90,48 @@ bool clip(QPointF &a, QPointF &b, const QRectF &rect) {
     return true;
 }
 
+constexpr double drawnSmaller = 1 - 1e-6; ///< part of its size from which on a figure is
+
+/// Points a mm of the figure and of its key. The key is never drawn smaller than it is: its letters are not.
+struct Units {
+    double figure = 1;
+    double key = 1;
+};
+
+Units unitsOf(const CircleFigure &figure, const QRectF &area, Medium medium) {
+    const double keyHeight = medium == Medium::paper ? figure.keyHeight : 0;
+    const double both =
+        std::min(area.width() / figure.size.width(), area.height() / (figure.size.height() + keyHeight));
+    if (medium != Medium::paper || both >= mm)
+        return {both, both};
+    constexpr double least = 0.1 * mm;
+    const double height = area.height() - keyHeight * mm;
+    return {
+        std::clamp(height / figure.size.height(), least, std::max(least, area.width() / figure.size.width())),
+        mm};
+}
+
+/// The figure as it is to be drawn smaller by `less`, < 1, with the same magnification on paper: what stands
+/// between the nominal circle and the outermost keeps its size, and all else follows.
+CircleFigure withMagnificationKept(const CircleFigure &figure, double less) {
+    CircleFigure result = figure;
+    result.magnification = figure.magnification / less;
+    result.plotRadius = figure.figureRadius - (figure.figureRadius - figure.plotRadius) / less;
+    return result;
+}
+
 class CircleFigurePainter {
 public:
     CircleFigurePainter(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium)
         : p(painter)
-        , m_figure(figure)
+        , m_units(unitsOf(figure, area, medium))
+        , m_smaller(medium == Medium::paper && m_units.figure < drawnSmaller * mm
+                        ? std::optional(withMagnificationKept(figure, m_units.figure / mm))
+                        : std::nullopt)
+        , m_figure(m_smaller ? *m_smaller : figure)
         , m_medium(medium)
-        , m_area(area) {
-        const double keyHeight = medium == Medium::paper ? figure.keyHeight : 0;
-        m_unit =
-            std::min(area.width() / figure.size.width(), area.height() / (figure.size.height() + keyHeight));
+        , m_area(area)
+        , m_unit(m_units.figure) {
         m_plot = medium == Medium::paper ? QRectF(area.topLeft(), figure.size * m_unit)
                                          : area; // what stands beside the figure is part of the picture
         if (medium == Medium::paper)
@@ -857,6 +889,8 @@ private:
 
     void drawKey() {
         const double half = m_figure.size.width() / 2;
+        const double unit = m_units.key;
+        const double keyLeft = m_area.left() + (m_area.width() - m_figure.size.width() * unit) / 2;
         for (std::size_t i = 0; i < m_figure.legend.size(); ++i) {
             const auto columns = static_cast<std::size_t>(m_figure.keyColumns);
             const std::size_t column = i % columns;
@@ -866,7 +900,7 @@ private:
                                                            : thirdColumn;
             const std::size_t line = i / columns;
             const double row = keyTop + (static_cast<double>(line) + 0.5) * keyRow;
-            const QPointF at(m_plot.left() + left * m_unit, m_plot.bottom() + row * m_unit);
+            const QPointF at(keyLeft + left * unit, m_plot.bottom() + row * unit);
             drawSample(QRectF(at.x(), at.y() - mm, sampleWidth * mm, 2 * mm), m_figure.legend[i]);
             drawText(p, at + QPointF(sampleText * mm, 0), m_figure.legend[i].text, colour(FigureRole::text));
         }
@@ -916,9 +950,12 @@ private:
     }
 
     QPainter &p;
+    Units m_units;
+    std::optional<CircleFigure> m_smaller; ///< what is drawn in place of the figure
     const CircleFigure &m_figure;
     Medium m_medium;
     QRectF m_area;
+    double m_unit; ///< points a mm of the whole figure
     QRectF m_plot;
     QRectF m_guard; ///< what the painter is given of long lines
     QPointF m_centre;
@@ -929,11 +966,24 @@ private:
     std::vector<double> m_labelAngles{-60, -54, -66, -48, -72, -40, -80, -30, -20, -120, -130, -110};
     std::vector<QRectF> m_taken;    ///< by texts
     std::vector<QPolygonF> m_lines; ///< paths, once they were asked for
-    double m_unit = 1;              ///< points a mm of the whole figure
     double m_scale = 1;             ///< points a mm of the figure in view
 };
 
 } // namespace
+
+double leastHeight(const CircleFigure &figure) {
+    constexpr double innermost = 0.06; // of the figure's radius, where its centre mark still has room
+    double lowest = figure.rings.empty() ? 0 : figure.rings.front().deviation;
+    for (const CircleTrace &trace : figure.traces) {
+        for (const TracePoint &point : trace.points)
+            lowest = std::min(lowest, point.deviation);
+    }
+    const double span = figure.figureRadius - figure.radius(lowest);
+    double less = span / ((1 - innermost) * figure.figureRadius);
+    if (figure.envelope && figure.envelope->limit) // and its limit stays within the figure
+        less = std::max(less, *figure.envelope->limit * figure.magnification / 1000 / figure.figureRadius);
+    return std::min(less, 1.0) * figure.size.height() + figure.keyHeight;
+}
 
 FigureTransform drawCircleFigure(QPainter &painter, const QRectF &area, const CircleFigure &figure,
                                  Medium medium) {

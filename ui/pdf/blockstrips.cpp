@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pdf/blockstrips.h"
 
+#include "ui/figures/drawcirclefigure.h"
 #include "ui/figures/drawfigure.h"
 #include "ui/pdf/logo.h"
 #include "ui/pdf/marks.h"
@@ -595,13 +596,6 @@ Strips signatureStrips(const Signatures &signatures, double width) {
     return {strip(block.height(), [block](QPainter &painter, QPointF at) { block.draw(painter, at); })};
 }
 
-bool beginsSection(const Block &block) {
-    const auto isSection = [](const auto *heading) { return heading && heading->level <= 2; };
-    if (const auto *columns = std::get_if<SideBySide>(&block))
-        return !columns->left.empty() && isSection(std::get_if<Heading>(&columns->left.front()));
-    return isSection(std::get_if<Heading>(&block));
-}
-
 /// The gap above a block, after the one before it.
 double gapBetween(const Block &above, const Block &below) {
     const auto *heading = std::get_if<Heading>(&above);
@@ -629,10 +623,6 @@ bool staysBelow(const Block &block) {
     const auto *paragraph = std::get_if<Paragraph>(&block);
     return std::holds_alternative<ResultsLegend>(block) || std::holds_alternative<VerdictLine>(block) ||
            std::holds_alternative<EndMark>(block) || (paragraph && paragraph->size == TextSize::small);
-}
-
-bool isMark(const Block &block) {
-    return std::holds_alternative<RunningHead>(block) || std::holds_alternative<PageBreak>(block);
 }
 
 /// What stands above the heading of the signatures goes with them: they never stand alone on a page.
@@ -694,7 +684,9 @@ public:
         };
         const double height = figure.height * mm;
         Strip result = strip(height, drawOf(height));
-        result.least = std::min(height, leastFigure);
+        const auto *circle = std::get_if<CircleFigure>(&figure.figure);
+        const double readable = circle ? std::max(leastFigure, leastHeight(*circle) * mm) : leastFigure;
+        result.least = std::min(height, readable);
         result.drawOf = drawOf;
         return {result};
     }
@@ -734,10 +726,22 @@ private:
 
 } // namespace
 
+bool beginsSection(const Block &block) {
+    const auto isSection = [](const auto *heading) { return heading && heading->level <= 2; };
+    if (const auto *columns = std::get_if<SideBySide>(&block))
+        return !columns->left.empty() && isSection(std::get_if<Heading>(&columns->left.front()));
+    return isSection(std::get_if<Heading>(&block));
+}
+
+bool isMark(const Block &block) {
+    return std::holds_alternative<RunningHead>(block) || std::holds_alternative<PageBreak>(block);
+}
+
 Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest) {
     Strips result;
     const StripMaker maker(width, tallest);
     const Block *above = nullptr;
+    bool belowTitle = false; // of a test among several
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const Block &block = blocks[i];
         Strips strips = std::visit(maker, block);
@@ -752,6 +756,15 @@ Strips blockStrips(const std::vector<Block> &blocks, double width, double talles
             strips.front().block = static_cast<int>(i);
             strips.front().section = beginsSection(block);
             strips.back().verdict = std::holds_alternative<VerdictLine>(block);
+            const auto *heading = std::get_if<Heading>(&block);
+            const bool saysAll = heading && heading->level == 2 && i + 1 < blocks.size() &&
+                                 (beginsSection(blocks[i + 1]) || isMark(blocks[i + 1]));
+            if (saysAll) // by its note
+                strips.back().withNext = false;
+            belowTitle = belowTitle || (heading && heading->level == 1);
+            strips.front().title = heading && heading->level == 1;
+            strips.front().filler =
+                belowTitle && i + 1 < blocks.size() && std::holds_alternative<FindingsBlock>(blocks[i + 1]);
             above = &block;
         } else if (std::holds_alternative<PageBreak>(block)) {
             // A head needs a page of its own; other parts may follow results that found no room there.

@@ -11,4 +11,10 @@ namespace palmer::ui {
 /// `tallest`: what fits on an empty page. Running heads are strips without height.
 [[nodiscard]] Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest);
 
+/// Whether a section begins with it.
+[[nodiscard]] bool beginsSection(const Block &block);
+
+/// Whether it is nothing to be read.
+[[nodiscard]] bool isMark(const Block &block);
+
 } // namespace palmer::ui

@@ -9,7 +9,9 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numeric>
 
 namespace palmer::ui {
 
@@ -26,6 +28,7 @@ constexpr double belowRunningHead = 6 * mm;
 /// To keep the results on the first page, gaps from this size on may shrink to this part.
 constexpr double smallestToNarrow = 1.5 * mm;
 constexpr double narrowest = 0.5;
+constexpr double leastOnFurtherPages = 0.8; ///< part of its height that a figure keeps there
 constexpr double roundingRoom = 0.01;
 constexpr double largestGap = 8.5 * mm; ///< where the page has room
 constexpr double sectionRoom = 25 * mm; ///< below the top of a section
@@ -65,8 +68,11 @@ public:
         : m_bottom(bottom) {}
 
     void fill(const Strips &strips) {
+        m_early.assign(strips.size(), false);
         for (std::size_t i = 0; i < strips.size();) {
-            if (strips[i].pageBreak) {
+            if (m_early[i]) {
+                ++i;
+            } else if (strips[i].pageBreak) {
                 const bool goesOn = strips[i].soft && m_page.running;
                 if (!m_page.strips.empty() && !goesOn)
                     turnPage();
@@ -77,6 +83,7 @@ public:
                     m_page.running.reset();
                 ++i;
             } else {
+                i = fillRest(strips, i);
                 const std::size_t end = chainEnd(strips, i);
                 placeChain(strips, i, end);
                 i = end;
@@ -96,6 +103,45 @@ private:
                !strips[end].running)
             ++end;
         return end;
+    }
+
+    /// Behind the section that begins at `from`.
+    static std::size_t sectionEnd(const Strips &strips, std::size_t from) {
+        std::size_t end = from + 1;
+        while (end < strips.size() && !strips[end].section && !strips[end].pageBreak && !strips[end].running)
+            ++end;
+        return end;
+    }
+
+    /// Where what begins at `from` finds no room, lines of the same test that may stand before it fill the
+    /// page, below the title if it begins with that. Returns where to go on.
+    std::size_t fillRest(const Strips &strips, std::size_t from) {
+        if (m_page.strips.empty() || !strips[from].section ||
+            needed(strips, from, chainEnd(strips, from)) <= room())
+            return from;
+        const std::size_t next = from + (strips[from].title ? 1 : 0);
+        std::size_t filler = next;
+        while (filler < strips.size() && !strips[filler].filler && !strips[filler].pageBreak &&
+               !strips[filler].running)
+            ++filler;
+        if (filler == strips.size() || !strips[filler].filler || m_early[filler] || filler == next)
+            return from;
+        const double above = needed(strips, from, next);
+        const double least =
+            std::max(needed(strips, filler, chainEnd(strips, filler)), strips[filler].gap + sectionRoom);
+        if (above + least > room())
+            return from;
+        for (std::size_t i = from; i < next; ++i)
+            place(strips[i]);
+        const std::size_t end = sectionEnd(strips, filler);
+        for (std::size_t i = filler; i < end;) {
+            const std::size_t behind = chainEnd(strips, i);
+            placeChain(strips, i, behind);
+            i = behind;
+        }
+        std::fill(m_early.begin() + static_cast<std::ptrdiff_t>(filler),
+                  m_early.begin() + static_cast<std::ptrdiff_t>(end), true);
+        return next;
     }
 
     [[nodiscard]] double room() const { return m_bottom - m_page.top() - m_page.used(); }
@@ -163,13 +209,16 @@ private:
         return true;
     }
 
-    /// A figure that does not find room on the first page of a test gives way rather than leave it half
-    /// blank.
+    /// A figure that does not find room on a page gives way rather than leave it half blank: on the first
+    /// page of a test as far as it can be read, on others by a little.
     bool lowerFigure(const Strips &strips, std::size_t from, std::size_t end, double missing) {
-        if (m_page.running)
-            return false;
         for (std::size_t i = from; i < end; ++i) {
-            if (!strips[i].drawOf || strips[i].height - strips[i].least < missing + roundingRoom)
+            if (!strips[i].drawOf)
+                continue;
+            const double least = m_page.running
+                                     ? std::max(strips[i].least, leastOnFurtherPages * strips[i].height)
+                                     : strips[i].least;
+            if (strips[i].height - least < missing + roundingRoom)
                 continue;
             m_lowering = missing + roundingRoom;
             return true;
@@ -205,8 +254,9 @@ private:
     std::vector<PageStrips> m_pages;
     PageStrips m_page;
     std::optional<RunningHead> m_running;
-    double m_narrowing = 1; ///< ratio of the larger gaps on this page
-    double m_lowering = 0;  ///< what the next figure gives up of its height
+    double m_narrowing = 1;    ///< ratio of the larger gaps on this page
+    std::vector<bool> m_early; ///< strips that stand before others of their test
+    double m_lowering = 0;     ///< what the next figure gives up of its height
 };
 
 class PageMaker {
@@ -365,6 +415,29 @@ std::map<QString, int> anchorPages(const Flow &flow, const std::vector<Block> &b
     return result;
 }
 
+/// Where the figure of a test found no room on the page of its head, below its verdict, the results go there
+/// before it: they may be lower. True: something was moved.
+bool moveResults(std::vector<Block> &blocks, const std::vector<int> &pages, std::size_t head) {
+    const std::size_t figure = head + 2;
+    const auto ends = [&](std::size_t i) {
+        return i >= blocks.size() || isMark(blocks[i]) || beginsSection(blocks[i]);
+    };
+    std::size_t results = figure; // a heading with a table below it
+    while (results + 1 < blocks.size() && !isMark(blocks[results]) &&
+           !(std::holds_alternative<Heading>(blocks[results]) &&
+             std::holds_alternative<Table>(blocks[results + 1])))
+        ++results;
+    if (results + 1 >= blocks.size() || isMark(blocks[results]) || results == figure ||
+        pages[figure] == pages[head])
+        return false;
+    std::size_t end = results + 1;
+    while (!ends(end))
+        ++end;
+    const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::rotate(at(figure), at(results), at(end));
+    return true;
+}
+
 /// Where the results of a test and its verdict found no room on the page of its head, the verdict goes
 /// directly below the head, and the results follow whole on the next page. True: something was moved.
 bool moveVerdicts(std::vector<Block> &blocks, const Flow &flow) {
@@ -376,8 +449,11 @@ bool moveVerdicts(std::vector<Block> &blocks, const Flow &flow) {
             head.reset();
         else if (std::holds_alternative<TestHead>(blocks[i]))
             head = i;
-        if (!head || !std::holds_alternative<VerdictLine>(blocks[i]) || i == *head + 1 ||
-            pages[i] == pages[*head])
+        if (!head || !std::holds_alternative<VerdictLine>(blocks[i]))
+            continue;
+        if (i == *head + 1)
+            moved |= moveResults(blocks, pages, *head);
+        if (i == *head + 1 || pages[i] == pages[*head])
             continue;
         const auto begin = blocks.begin();
         std::rotate(begin + static_cast<std::ptrdiff_t>(*head) + 1, begin + static_cast<std::ptrdiff_t>(i),
@@ -385,6 +461,94 @@ bool moveVerdicts(std::vector<Block> &blocks, const Flow &flow) {
         moved = true;
     }
     return moved;
+}
+
+/// The blocks in the order in which they stand on the pages. True: it is another.
+bool followPages(std::vector<Block> &blocks, const Flow &flow) {
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> places(blocks.size(), none);
+    std::size_t place = 0;
+    for (const PageStrips &page : flow.pages()) {
+        for (const Strip &strip : page.strips) {
+            if (strip.block >= 0)
+                places[static_cast<std::size_t>(strip.block)] = ++place;
+        }
+    }
+    std::size_t last = 0; // what is no strip stays behind all that stands before it
+    for (std::size_t &each : places) {
+        each = each == none ? last : each;
+        last = std::max(last, each);
+    }
+    if (std::ranges::is_sorted(places))
+        return false;
+    std::vector<std::size_t> order(blocks.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places[i]; });
+    std::vector<Block> result;
+    for (const std::size_t i : order)
+        result.push_back(std::move(blocks[i]));
+    blocks = std::move(result);
+    return true;
+}
+
+/// Height of each block with the gap above it; 0: it has no strip.
+std::vector<double> heightsOfBlocks(const Flow &flow, std::size_t count) {
+    std::vector<double> result(count);
+    std::size_t block = 0;
+    for (const PageStrips &page : flow.pages()) {
+        for (const Strip &strip : page.strips) {
+            if (strip.block >= 0)
+                block = static_cast<std::size_t>(strip.block);
+            if (block < count)
+                result[block] += strip.gap + strip.height;
+        }
+    }
+    return result;
+}
+
+/// Of what concerns all tests the sections from the first with an anchor on fill the page that their summary
+/// leaves, as many as find room there whole.
+void fillSummary(std::vector<Block> &blocks, const Flow &flow, double bottom) {
+    const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto indexOf = [&](auto found) { return static_cast<std::size_t>(found - blocks.begin()); };
+    const auto isSummary = [](const Block &block) {
+        const auto *verdict = std::get_if<VerdictLine>(&block);
+        return verdict && verdict->large;
+    };
+    const auto isTitle = [](const Block &block) {
+        const auto *heading = std::get_if<Heading>(&block);
+        return heading && heading->level == 1;
+    };
+    const auto end =
+        std::find_if(std::ranges::find_if(blocks, isSummary), blocks.end(),
+                     [](const Block &block) { return std::holds_alternative<PageBreak>(block); });
+    const std::size_t behind = indexOf(end);
+    const auto title = std::find_if(end, blocks.end(), isTitle);
+    const std::size_t first = indexOf(std::find_if(title, blocks.end(), [&](const Block &block) {
+        const auto *heading = std::get_if<Heading>(&block);
+        return heading && heading->level == 2 && !heading->anchor.isEmpty();
+    }));
+    if (first >= blocks.size() || std::find_if(title + 1, at(first), isTitle) != at(first))
+        return;
+    const int page = pagesOfBlocks(flow, blocks.size())[behind - 1];
+    if (page == 0)
+        return;
+    const PageStrips &summary = flow.pages()[static_cast<std::size_t>(page) - 1];
+    double room = bottom - summary.top() - summary.used() - roundingRoom;
+    const std::vector<double> heights = heightsOfBlocks(flow, blocks.size());
+    std::size_t taken = first;
+    while (beginsSection(blocks[taken])) {
+        double height = heights[taken];
+        std::size_t next = taken + 1;
+        for (; next < blocks.size() && !beginsSection(blocks[next]) && !isMark(blocks[next]); ++next)
+            height += heights[next];
+        if (next >= blocks.size() || isTitle(blocks[taken]) ||
+            std::max(height, sectionGap + sectionRoom) > room)
+            break;
+        room -= height;
+        taken = next;
+    }
+    std::rotate(at(behind), at(first), at(taken));
 }
 
 /// A report laid out: its blocks in the order of the pages, and with their numbers put in.
@@ -396,11 +560,16 @@ struct Layout {
 Layout layoutOf(const Report &report, QSizeF size) {
     Layout result{report, flowOf(report.blocks, size)};
     Report arranged = report;
+    fillSummary(arranged.blocks, result.flow, size.height() - bottomMargin);
+    if (arranged.blocks != report.blocks)
+        result = {arranged, flowOf(arranged.blocks, size)};
     std::map<QString, int> numbers;
     // Numbers of pages in the text, and verdicts that move, may move what follows them.
-    constexpr int attempts = 5;
+    constexpr int attempts = 8;
     for (int i = 0; i < attempts; ++i) {
-        const bool moved = moveVerdicts(arranged.blocks, result.flow);
+        bool moved = followPages(arranged.blocks, result.flow);
+        if (!moved)
+            moved = moveVerdicts(arranged.blocks, result.flow);
         std::map<QString, int> found = anchorPages(result.flow, result.report.blocks);
         if (!moved && found == numbers)
             break;

@@ -22,6 +22,8 @@ struct Strip {
     std::function<void(QPainter &, QPointF topLeft)> draw;
     double gap = 0;       ///< above it, unless it begins a page
     bool section = false; ///< begins a section: its gap may grow, and it needs room below it
+    bool title = false;   ///< of a test: stands above its first section
+    bool filler = false;  ///< begins a section that may stand before others of its test, to fill a page
     bool verdict = false; ///< ends the results of a test, for which gaps give way
     double least = 0;     ///< of a figure: the height down to which it gives way, too
     std::function<std::function<void(QPainter &, QPointF)>(double height)>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/figures/drawcirclefigure.h"
 #include "figures/circlefigure.h"
 #include "ui/circles.h"
 #include "ui/figures/drawfigure.h"
@@ -85,6 +86,57 @@ private slots:
         const QTransform &t = result.transform.toPainter;
         QVERIFY(std::abs(t.m11() + t.m22()) < 1e-12 && t.m12() == 0);
         QVERIFY(std::abs(t.m11() - pointsPerMillimetre) < 1e-9);
+    }
+
+    /// Of a figure that gives way on a page: the magnification it states stays that of the paper, and the key
+    /// keeps its size, for its letters do.
+    void smallerFiguresKeepTheirMagnification() {
+        Test test = circularTest({pathOf(Sense::counterclockwise, 3600, [](double angle) {
+            return angle > 0.3 && angle < 1.2 ? 10.0 : 0.0;
+        })});
+        circular(test).centring = Centring::instrument;
+        CircleFigureOptions options{.limits = false};
+        options.subject = CircleSubject::radialDeviation;
+        CircleFigure figure = figureOf(test, options);
+        figure.envelope.reset();
+        QCOMPARE(figure.magnification, 1000.0); // 10 µm are 10 mm
+        const double whole = printedSize(figure).height();
+        QVERIFY(leastHeight(figure) < whole - 35);
+        QImage wholeKey;
+        for (const double height : {whole, whole - 5, whole - 20, whole - 35}) {
+            const QSizeF size(printedSize(figure).width(), height);
+            QImage image((size * 10).toSize(), QImage::Format_RGB32); // ten pixels a mm
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            painter.scale(10 / pointsPerMillimetre, 10 / pointsPerMillimetre);
+            const FigureTransform transform =
+                drawFigure(painter, {{0, 0}, size * pointsPerMillimetre}, figure, Medium::paper);
+            painter.end();
+            const QPointF centre = transform.map(0, 0) * 10 / pointsPerMillimetre;
+            const auto outermost = [&](double angle) { // black or coloured, from the edge inwards, mm
+                for (double radius = 50; radius > 0; radius -= 0.01) {
+                    const QPoint at =
+                        (centre + QPointF(std::cos(angle), -std::sin(angle)) * radius * 10).toPoint();
+                    if (image.rect().contains(at) && qGray(image.pixel(at)) < 160)
+                        return radius;
+                }
+                return 0.0;
+            };
+            const double magnified = outermost(0.9) - outermost(2.8);
+            QVERIFY2(std::abs(magnified - 10) < 0.3, // half a line and a pixel at either end
+                     qPrintable(u"%1 mm at a height of %2 mm"_s.arg(magnified).arg(height)));
+            const int rows = static_cast<int>(figure.keyHeight * 10) - 5;
+            const QImage key = image.copy(0, image.height() - rows, image.width(), rows);
+            if (wholeKey.isNull())
+                wholeKey = key;
+            QCOMPARE(key.size(), wholeKey.size());
+            int different = 0;
+            for (int y = 0; y < key.height(); ++y) {
+                for (int x = 0; x < key.width(); ++x)
+                    different += std::abs(qGray(key.pixel(x, y)) - qGray(wholeKey.pixel(x, y))) > 128;
+            }
+            QVERIFY2(different < 20, qPrintable(u"%1 pixels of the key differ"_s.arg(different)));
+        }
     }
 
     void sensesDifferInBlackAndWhite() {

@@ -184,6 +184,7 @@ private slots:
     void resultsAndVerdictAreThere_data();
     void resultsAndVerdictAreThere();
     void theVerdictMovesBelowALongHead();
+    void resultsStandBeforeAFigureWithoutRoom();
 };
 
 void FirstPageTest::resultsAndVerdictAreThere_data() {
@@ -241,6 +242,27 @@ void FirstPageTest::theVerdictMovesBelowALongHead() {
         for (const QString &row : sought.rows)
             QVERIFY2(squeezed(pages[1]).contains(squeezed(row)), qPrintable(row));
         QVERIFY(!squeezed(pages[1]).contains(squeezed(sought.verdict)));
+    }
+}
+
+/// Where not even the figure finds room below the head: the page holds verdict and results.
+void FirstPageTest::resultsStandBeforeAFigureWithoutRoom() {
+    for (const QString &name : {u"iso230-4-full-circles-xy"_s, u"iso230-4-partial-arc-zx"_s}) {
+        for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+            Document document = storedDocument(name);
+            document.report.paper = Paper::letter;
+            document.report.customer.address = "a\nb\nc\nd\ne\nf\ng\nh";
+            document.report.supplier.address = document.report.customer.address;
+            const Report report = reportOf(document, language);
+            const Sought sought = soughtIn(report).front();
+            const QByteArray pdf = pdfOf(report);
+            const QString first = squeezed(pageTexts(pdf).front());
+            QVERIFY(first.contains(squeezed(sought.verdict)));
+            QVERIFY(first.contains(squeezed(sought.heading)));
+            for (const QString &row : sought.rows)
+                QVERIFY2(first.contains(squeezed(row)), qPrintable(row));
+            QVERIFY(blankPart(pictures(pdf, dotsPerInch).front()) <= 1.0 / 3);
+        }
     }
 }
 
