@@ -25,6 +25,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QScatterSeries>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -35,6 +36,8 @@
 namespace palmer::ui {
 
 namespace {
+
+constexpr int leastListHeight = 40; ///< of the curves compared
 
 void clear(QChart &chart) {
     chart.removeAllSeries();
@@ -149,7 +152,7 @@ TaggedChart::TaggedChart(const char *name) {
     chart()->layout()->setContentsMargins(0, 0, 0, 0);
     chart()->setMargins(QMargins(0, 4, roomForTags, 0));
     chart()->setBackgroundRoundness(0);
-    setMinimumHeight(120); // room for the words of its axes
+    setMinimumHeight(100); // room for the words of its axes
 }
 
 void TaggedChart::setTags(std::vector<Tag> tags) {
@@ -256,7 +259,17 @@ CurveComparison::CurveComparison(QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 8, 16, 8);
     layout->addLayout(head);
-    layout->addWidget(m_list);
+    auto *area = new QScrollArea; // many curves leave room for their chart
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    area->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    area->setMinimumHeight(leastListHeight);
+    area->setWidget(m_list);
+    area->viewport()->setAutoFillBackground(false);
+    m_list->setAutoFillBackground(false);
+    m_list->setAlignment(Qt::AlignTop);
+    layout->addWidget(area);
     layout->addWidget(m_curves, 5);
     layout->addLayout(row);
     layout->addWidget(m_differences, 3);

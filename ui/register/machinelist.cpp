@@ -66,10 +66,10 @@ void MachineModel::setRows(std::vector<MachineRow> rows) {
     endResetModel();
 }
 
-void MachineModel::setFilter(const QString &words, bool onlyToDo) {
+void MachineModel::setFilter(const QString &words, Show show) {
     beginResetModel();
     m_words = words;
-    m_onlyToDo = onlyToDo;
+    m_show = show;
     filter();
     endResetModel();
 }
@@ -83,7 +83,9 @@ void MachineModel::filter() {
         const QString all = comparable(machine.name) + u' ' + comparable(machine.manufacturer) + u' ' +
                             comparable(machine.model) + comparable(machine.serialNumber) + u' ' +
                             comparable(machine.location);
-        if (all.contains(wanted) && (!m_onlyToDo || m_all[i].isToDo(today)))
+        const bool isKind = m_show == Show::toDo ? m_all[i].isToDo(today)
+                                                 : machine.isIdentified == (m_show == Show::identified);
+        if (isKind && all.contains(wanted))
             m_shown.push_back(i);
     }
 }
@@ -100,6 +102,25 @@ int MachineModel::toDoCount() const {
     const QDate today = QDate::currentDate();
     return static_cast<int>(
         std::ranges::count_if(m_all, [&](const MachineRow &machine) { return machine.isToDo(today); }));
+}
+
+int MachineModel::unidentifiedTests() const {
+    int tests = 0;
+    for (const MachineRow &row : m_all)
+        tests += row.machine.isIdentified ? 0 : row.tests;
+    return tests;
+}
+
+int MachineModel::identifiedCount() const {
+    return static_cast<int>(
+        std::ranges::count_if(m_all, [](const MachineRow &row) { return row.machine.isIdentified; }));
+}
+
+int MachineModel::testCount() const {
+    int tests = 0;
+    for (const MachineRow &row : m_all)
+        tests += row.tests;
+    return tests;
 }
 
 int MachineModel::rowCount(const QModelIndex &parent) const {
