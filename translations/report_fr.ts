@@ -8287,8 +8287,8 @@
     <message numerus="yes">
         <source>%n not met</source>
         <translation>
-            <numerusform>%n non satisfaite</numerusform>
-            <numerusform>%n non satisfaites</numerusform>
+            <numerusform>%n exigence</numerusform>
+            <numerusform>%n exigences</numerusform>
         </translation>
     </message>
     <message>

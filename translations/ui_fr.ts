@@ -2947,6 +2947,10 @@
         <source>%1 d</source>
         <translation>%1&#xa0;j</translation>
     </message>
+    <message>
+        <source>expired</source>
+        <translation>expiré</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::MachineModel</name>

@@ -26,6 +26,7 @@ constexpr double panelHeight = 26;  ///< mm
 constexpr double legendHeight = 10; ///< mm
 constexpr std::size_t panelsOfRow = 4;
 constexpr std::size_t mostWithEdition = 4;
+constexpr int mostResults = 5;         ///< of a test
 constexpr std::size_t mostColumns = 5; ///< axes and planes beside each other in the table of campaigns
 
 /// The trends of an axis or plane.
@@ -390,7 +391,9 @@ private:
             int undeclared = 0;
             bool isThere = false;
             for (const auto &[axis, listed] : campaign) {
-                isThere = isThere || listed->test.accordance == accordance;
+                if (listed->test.accordance != accordance)
+                    continue;
+                isThere = true;
                 unmet += listed->test.counts.unmet;
                 undeclared += listed->test.counts.undeclared;
             }
@@ -436,21 +439,29 @@ private:
         m_blocks->emplace_back(std::move(table));
     }
 
-    [[nodiscard]] QString resultsOf(const RegisteredTest &test) const {
+    [[nodiscard]] Phrase resultsOf(const RegisteredTest &test) const {
         ListedTest one;
         one.test = test;
-        QStringList results;
+        std::vector<Span> results;
+        int count = 0;
         for (const std::string &id : parametersOf({one})) {
             const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
             const ShownResult shown = shownResult(*found, test.angular, m_language);
-            results << plainSymbolOf(id) + QChar(QChar::Nbsp) + shown.value +
-                           (shown.uncertainty.isEmpty()
-                                ? QString()
-                                : QStringLiteral("\u00A0±\u00A0") + shown.uncertainty);
-            if (results.size() == 5)
+            const QString symbol = plainSymbolOf(id);
+            const std::size_t end = id.find('_');
+            const QString index = end == std::string::npos ? QString() : utf8(id.substr(end + 1));
+            results.push_back(
+                {(count == 0 ? QString() : QStringLiteral("; ")) + symbol.chopped(index.size())});
+            if (!index.isEmpty())
+                results.push_back({index, true});
+            results.push_back(
+                {QChar(QChar::Nbsp) + shown.value +
+                 (shown.uncertainty.isEmpty() ? QString()
+                                              : QStringLiteral("\u00A0±\u00A0") + shown.uncertainty)});
+            if (++count == mostResults)
                 break;
         }
-        return results.join(QStringLiteral("; "));
+        return Phrase(std::move(results));
     }
 
     const History &m_history;

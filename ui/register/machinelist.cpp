@@ -195,12 +195,12 @@ void MachineDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
     int rest = area.right();
     const int y = area.bottom() - pillHeight + 1;
     if (const auto days = row.daysToCertificate(today)) {
-        const QString text = tr("%1 d").arg(*days);
+        const QString text = *days < 0 ? tr("expired") : tr("%1 d").arg(*days);
         const int width = painter->fontMetrics().horizontalAdvance(text);
-        painter->setPen(token(Token::unsure, palette));
+        const QColor colour = token(*days < 0 ? Token::bad : Token::unsure, palette);
+        painter->setPen(colour);
         painter->drawText(QRect(rest - width, y, width + 1, pillHeight), Qt::AlignVCenter, text);
-        drawLineIcon(*painter, QRect(rest - width - 18, y, 14, pillHeight), QStringLiteral("cert"),
-                     token(Token::unsure, palette));
+        drawLineIcon(*painter, QRect(rest - width - 18, y, 14, pillHeight), QStringLiteral("cert"), colour);
         rest -= width + 22;
     }
     for (const AxisState &state : row.axes) {

@@ -82,6 +82,7 @@ namespace {
 constexpr int menuHeight = 28;
 constexpr int toolHeight = 44;
 constexpr int listWidth = 248;
+constexpr int wideListWidth = 264;
 constexpr int headHeight = 52;
 constexpr int filterHeight = 40;
 constexpr int rowHeight = 26;
@@ -141,12 +142,12 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     m_stack->addWidget(firstUse);
     m_stack->addWidget(makeRight());
     m_side = makeLeft();
-    auto *splitter = new ThinSplitter(Qt::Horizontal);
-    splitter->addWidget(m_side);
-    splitter->addWidget(m_stack);
-    splitter->setStretchFactor(1, 1);
-    splitter->setSizes({listWidth, usual.width() - listWidth});
-    setCentralWidget(splitter);
+    m_parts = new ThinSplitter(Qt::Horizontal);
+    m_parts->addWidget(m_side);
+    m_parts->addWidget(m_stack);
+    m_parts->setStretchFactor(1, 1);
+    m_parts->setSizes({listWidth, usual.width() - listWidth});
+    setCentralWidget(m_parts);
     makeStatus();
     connect(&m_service, &RegisterService::changed, this, &RegisterWindow::loadMachines);
     connect(&m_service, &RegisterService::stateChanged, this, &RegisterWindow::showState);
@@ -959,7 +960,12 @@ bool RegisterWindow::eventFilter(QObject *watched, QEvent *event) {
 }
 
 void RegisterWindow::resizeEvent(QResizeEvent *event) {
+    constexpr int veryWide = 1600;
     fitTrend();
+    const int usual = event->oldSize().width() >= veryWide ? wideListWidth : listWidth;
+    const int wanted = event->size().width() >= veryWide ? wideListWidth : listWidth;
+    if (wanted != usual && m_side->width() == usual) // and was not drawn to another width
+        m_parts->setSizes({wanted, event->size().width() - wanted});
     QMainWindow::resizeEvent(event);
 }
 

@@ -156,6 +156,7 @@ private:
     QWidget *m_trendPart = nullptr;
     QWidget *m_factsColumn = nullptr;
     CurveComparison *m_comparison = nullptr;
+    QSplitter *m_parts = nullptr;
     QWidget *m_side = nullptr;
     QWidget *m_head = nullptr;
     QWidget *m_testsPart = nullptr;

@@ -543,6 +543,36 @@ private slots:
                      model->index(row, TestTableModel::roleColumn).data().toString() == "as left");
     }
 
+    void theListIsWiderInAVeryWideWindow() {
+        scan();
+        auto *machines = find<QListView>("machines");
+        m_window->resize(1280, 800);
+        QCoreApplication::processEvents();
+        QCOMPARE(machines->width(), 248);
+        m_window->resize(1600, 900);
+        QCoreApplication::processEvents();
+        QCOMPARE(machines->width(), 264);
+        m_window->resize(1599, 900);
+        QCoreApplication::processEvents();
+        QCOMPARE(machines->width(), 248);
+    }
+
+    void allCurvesAreNamed() {
+        scan();
+        m_window->resize(1600, 1000);
+        auto *tests = find<QTableView>("tests");
+        QItemSelection some;
+        for (const int row : {0, 1, 2})
+            some.select(tests->model()->index(row, 0), tests->model()->index(row, 5));
+        tests->selectionModel()->select(some,
+                                        QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+        m_window->findChild<QAction *>("compareCurves")->trigger();
+        QCoreApplication::processEvents();
+        const auto *list = find<QLabel>("curveList");
+        QVERIFY2(list->parentWidget()->height() >= list->sizeHint().height(),
+                 qPrintable(QString::number(list->parentWidget()->height())));
+    }
+
     void numbersOfCurvesKeepApart() {
         scan();
         auto *tests = find<QTableView>("tests");
