@@ -108,5 +108,12 @@
             <numerusform>all readings are to be printed, on about %n more pages: that takes time and memory; without “allReadings” under “include” the report says how many it leaves out</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n not met</source>
+        <translation>
+            <numerusform>%n not met</numerusform>
+            <numerusform>%n not met</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

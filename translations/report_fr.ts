@@ -7916,10 +7916,6 @@
         <translation>il n’y a pas encore de registre&#x202f;; palmer-cli register scan le crée</translation>
     </message>
     <message>
-        <source>Circles: as found, full: as left, squares: another series, not joined; bar: ± U. Black: agreed limit. Blue: line with its bounds of 95 %. %1 * not reached within twice the observed time: nothing is said beyond.</source>
-        <translation>Cercles&#xa0;: avant réglage, pleins&#xa0;: après réglage, carrés&#xa0;: autre série, non reliée&#x202f;; barre&#xa0;: ±&#xa0;U. Noir&#xa0;: limite convenue. Bleu&#xa0;: droite et ses bornes à 95&#xa0;%. %1 * non atteinte dans le double de la durée observée&#xa0;: rien n’est dit au-delà.</translation>
-    </message>
-    <message>
         <source>line, bounds of 95 %</source>
         <translation>droite, bornes à 95&#xa0;%</translation>
     </message>
@@ -8283,6 +8279,57 @@
     <message>
         <source>the number of a history has at most %1 characters</source>
         <translation>le numéro d’un historique a au plus %1 caractères</translation>
+    </message>
+    <message>
+        <source>%1 * not reached within twice the observed time: nothing is said beyond.</source>
+        <translation>%1 * non atteinte dans le double de la durée observée&#xa0;: rien n’est dit au-delà.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not met</source>
+        <translation>
+            <numerusform>%n exigence</numerusform>
+            <numerusform>%n exigences</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folders</source>
+        <translation>Dossiers</translation>
+    </message>
+    <message>
+        <source>The register lists the tests of the files and reports in folders and below them. The files stay the only record: Palmer never writes into them, and the register can be made anew from them at any time.</source>
+        <translation>Le registre recense les essais des fichiers et des rapports contenus dans des dossiers et leurs sous-dossiers. Les fichiers restent la seule preuve&#xa0;: Palmer n’y écrit jamais, et le registre peut en être refait à tout moment.</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Machines</translation>
+    </message>
+    <message>
+        <source>A machine is known by maker and serial number, without case, spaces and punctuation. Those without serial number stand apart. With an interval the list says when the next test is due; the mark of a certificate counts the days until one expires.</source>
+        <translation>Une machine est reconnue par son constructeur et son numéro de série, sans égard à la casse, aux espaces ni à la ponctuation. Celles qui n’ont pas de numéro de série figurent à part. Avec une périodicité, la liste dit quand le prochain essai est dû&#x202f;; la marque d’un certificat compte les jours jusqu’à l’expiration.</translation>
+    </message>
+    <message>
+        <source>At least four tests since the last intervention make a line, weighted with what their uncertainties share. “Not before” is the day its upper bound of 95 % reaches the limit: for the level, not for the next test. Tests of another edition, feed, correction or travel are another series and never joined.</source>
+        <translation>Il faut au moins quatre essais depuis la dernière intervention pour une droite, pondérée selon ce que leurs incertitudes ont en commun. «&#xa0;Pas avant&#xa0;» est le jour où sa borne haute à 95&#xa0;% atteint la limite&#xa0;: pour le niveau, non pour le prochain essai. Les essais d’une autre édition, d’une autre avance, d’une autre correction ou d’une autre course forment une autre série, jamais reliée.</translation>
+    </message>
+    <message>
+        <source>Compare curves</source>
+        <translation>Comparer les courbes</translation>
+    </message>
+    <message>
+        <source>Several chosen tests of one axis are laid over one another, with the difference of two on their common travel.</source>
+        <translation>Plusieurs essais choisis d’un même axe sont superposés, avec la différence de deux d’entre eux sur leur course commune.</translation>
+    </message>
+    <message>
+        <source>History report</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Prints what is to be watched first, the trends, the campaigns and all tests of a machine with their files.</source>
+        <translation>Imprime ce qui est à surveiller d’abord, les tendances, les campagnes et tous les essais d’une machine avec leurs fichiers.</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registre</translation>
     </message>
     <message>
         <source>Results and readings per target position</source>

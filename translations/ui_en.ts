@@ -342,6 +342,27 @@
             <numerusform>%n unreadable files</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n test(s) shown</source>
+        <translation>
+            <numerusform>%n test shown</numerusform>
+            <numerusform>%n tests shown</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n chosen</source>
+        <translation>
+            <numerusform>%n chosen</numerusform>
+            <numerusform>%n chosen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) not found</source>
+        <translation>
+            <numerusform>%n file not found</numerusform>
+            <numerusform>%n files not found</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::RemarkList</name>
@@ -418,6 +439,16 @@
         <translation>
             <numerusform>%n input of the budget missing</numerusform>
             <numerusform>%n inputs of the budget missing</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::UnidentifiedRow</name>
+    <message numerus="yes">
+        <source>%n test(s) without serial number</source>
+        <translation>
+            <numerusform>%n test without serial number</numerusform>
+            <numerusform>%n tests without serial number</numerusform>
         </translation>
     </message>
 </context>

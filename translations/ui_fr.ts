@@ -2150,6 +2150,13 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::FilterChip</name>
+    <message>
+        <source>%1 (Delete takes the filter away)</source>
+        <translation>%1 (Suppr enlève le filtre)</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::FindingsModel</name>
     <message>
         <source>Identification</source>
@@ -2939,6 +2946,10 @@
     <message>
         <source>%1 d</source>
         <translation>%1&#xa0;j</translation>
+    </message>
+    <message>
+        <source>expired</source>
+        <translation>expiré</translation>
     </message>
 </context>
 <context>
@@ -4266,6 +4277,93 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     </message>
 </context>
 <context>
+    <name>palmer::ui::RegisterMenus</name>
+    <message>
+        <source>&amp;Register</source>
+        <translation>&amp;Registre</translation>
+    </message>
+    <message>
+        <source>&amp;Machine</source>
+        <translation>&amp;Machine</translation>
+    </message>
+    <message>
+        <source>&amp;Test</source>
+        <translation>&amp;Essai</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;ide</translation>
+    </message>
+    <message>
+        <source>&amp;Interval</source>
+        <translation>&amp;Périodicité</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluate all under…</source>
+        <translation>&amp;Évaluer tout sous…</translation>
+    </message>
+    <message>
+        <source>&amp;Folders…</source>
+        <translation>&amp;Dossiers…</translation>
+    </message>
+    <message>
+        <source>&amp;Rescan</source>
+        <translation>&amp;Actualiser</translation>
+    </message>
+    <message>
+        <source>Files with &amp;troubles…</source>
+        <translation>Fichiers à &amp;problème…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>&amp;Search machines</source>
+        <translation>&amp;Rechercher une machine</translation>
+    </message>
+    <message>
+        <source>&amp;Previous machine</source>
+        <translation>Machine précé&amp;dente</translation>
+    </message>
+    <message>
+        <source>&amp;Next machine</source>
+        <translation>Machine &amp;suivante</translation>
+    </message>
+    <message>
+        <source>&amp;History report…</source>
+        <translation>&amp;Historique…</translation>
+    </message>
+    <message>
+        <source>&amp;Open test</source>
+        <translation>&amp;Ouvrir l’essai</translation>
+    </message>
+    <message>
+        <source>&amp;Compare curves</source>
+        <translation>&amp;Comparer les courbes</translation>
+    </message>
+    <message>
+        <source>C&amp;lear filters</source>
+        <translation>&amp;Effacer les filtres</translation>
+    </message>
+    <message>
+        <source>&amp;Trend alone</source>
+        <translation>&amp;Tendance seule</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>&amp;About Palmer</source>
+        <translation>À &amp;propos de Palmer</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::RegisterSettings</name>
     <message>
         <source>The index stands here: %1</source>
@@ -4341,38 +4439,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Register</source>
         <translation>Registre</translation>
-    </message>
-    <message>
-        <source>&amp;Register</source>
-        <translation>&amp;Registre</translation>
-    </message>
-    <message>
-        <source>&amp;Test</source>
-        <translation>&amp;Essai</translation>
-    </message>
-    <message>
-        <source>&amp;Folders…</source>
-        <translation>&amp;Dossiers…</translation>
-    </message>
-    <message>
-        <source>&amp;Rescan</source>
-        <translation>&amp;Actualiser</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Fermer</translation>
-    </message>
-    <message>
-        <source>&amp;Open test</source>
-        <translation>&amp;Ouvrir l’essai</translation>
-    </message>
-    <message>
-        <source>&amp;Compare curves</source>
-        <translation>&amp;Comparer les courbes</translation>
-    </message>
-    <message>
-        <source>&amp;History report…</source>
-        <translation>&amp;Historique…</translation>
     </message>
     <message>
         <source>Machine, serial number, type</source>
@@ -4576,6 +4642,47 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Number of the history, printed on every page; may be empty:</source>
         <translation>Numéro de l’historique, imprimé sur chaque page&#x202f;; peut rester vide&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Stop reading: what was read stays, Rescan goes on</source>
+        <translation>Arrêter la lecture&#xa0;: ce qui est lu reste, Actualiser reprend la suite</translation>
+    </message>
+    <message>
+        <source>F1 help</source>
+        <translation>F1 aide</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test(s) shown</source>
+        <translation>
+            <numerusform>%n essai affiché</numerusform>
+            <numerusform>%n essais affichés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n chosen</source>
+        <translation>
+            <numerusform>%n choisi</numerusform>
+            <numerusform>%n choisis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reading stopped</source>
+        <translation>lecture arrêtée</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>encore %1&#xa0;s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) not found</source>
+        <translation>
+            <numerusform>%n fichier introuvable</numerusform>
+            <numerusform>%n fichiers introuvables</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5404,6 +5511,37 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     </message>
 </context>
 <context>
+    <name>palmer::ui::TroubledFiles</name>
+    <message>
+        <source>Files of the register</source>
+        <translation>Fichiers du registre</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <source>not found any more</source>
+        <translation>introuvable désormais</translation>
+    </message>
+    <message>
+        <source>All files of the register can be read.</source>
+        <translation>Tous les fichiers du registre sont lisibles.</translation>
+    </message>
+    <message>
+        <source>They change nothing else. What is not found keeps its tests in the register until it is removed.</source>
+        <translation>Ils ne changent rien au reste. Ce qui est introuvable garde ses essais dans le registre jusqu’à ce qu’on l’en retire.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove what is not found</source>
+        <translation>&amp;Retirer ce qui est introuvable</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::UncertaintyPage</name>
     <message>
         <source>Range of α, machine: %1</source>
@@ -5843,6 +5981,20 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>2s of U: %1; tolerance of u: %2</source>
         <translation>2s de U&#xa0;: %1&#x202f;; tolérance sur u&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::UnidentifiedRow</name>
+    <message>
+        <source>Not identified</source>
+        <translation>Non identifiées</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test(s) without serial number</source>
+        <translation>
+            <numerusform>%n essai sans n°&#xa0;de série</numerusform>
+            <numerusform>%n essais sans n°&#xa0;de série</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -155,6 +155,7 @@ QPushButton[primary="true"]:disabled { background: @line; color: @disabled; bord
 QPushButton[large="true"] { min-height: 34px; }
 QPushButton[large="true"]:focus { min-height: 32px; }
 QPushButton[link="true"] { background: transparent; color: @accent; border-color: transparent; padding: 0 4px; }
+QPushButton[link="true"][bad="true"] { color: @bad; }
 QPushButton[link="true"]:hover { text-decoration: underline; }
 QPushButton[link="true"]:focus { border: 2px solid @accent; padding: 0 3px; }
 QToolButton { background: transparent; color: @text; border: 1px solid transparent; border-radius: 4px;
@@ -176,6 +177,7 @@ QToolButton[segment]:focus { border: 2px solid @accent; padding: 0 8px; min-heig
 QLineEdit, QAbstractSpinBox, QComboBox, QPlainTextEdit { background: @base; color: @text; border: 1px solid @field;
     border-radius: 3px; selection-background-color: @accent; selection-color: @onAccent; }
 QLineEdit, QAbstractSpinBox, QComboBox { min-height: 26px; padding: 0 8px; }
+QLineEdit > QToolButton { border: none; padding: 0; min-height: 0; }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border: 2px solid @accent; min-height: 24px; padding: 0 7px; }
 QLineEdit[cell="true"], QLineEdit[cell="true"]:focus { border: 2px solid @accent; min-height: 0; padding: 0 4px 0 2px; }
 QPlainTextEdit:focus { border: 2px solid @accent; }

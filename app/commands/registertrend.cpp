@@ -110,7 +110,7 @@ QStringList reportLanguages(const Invocation &invocation) {
     return result;
 }
 
-constexpr qsizetype longestNumber = 40; ///< one line of the head
+constexpr qsizetype longestNumber = 40; ///< has room in the head of the page
 
 } // namespace
 

@@ -362,7 +362,8 @@ public:
                 member = row.value;
                 return;
             }
-            words += (words.empty() ? "" : " · ") + std::string(row.word);
+            if (isOffered(row.value))
+                words += (words.empty() ? "" : " · ") + std::string(row.word);
         }
         if (!text)
             refuse(place, REPORT_TEXT("report", "expected one of the words: %1"), {words});
@@ -371,6 +372,15 @@ public:
     }
 
 private:
+    /// Whether a sentence that lists the words names this one: not what is refused of the others.
+    template <class Enumeration>
+    static bool isOffered(Enumeration value) {
+        if constexpr (std::is_same_v<Enumeration, ReportPart>)
+            return value != ReportPart::diagnosis; // see check() of the head of the report
+        else
+            return true;
+    }
+
     static void demandObject(const json &value, const Place &place) {
         if (!value.is_object())
             refuse(place, REPORT_TEXT("report", "expected an object, in braces"));

@@ -15,13 +15,18 @@
 #include <QCryptographicHash>
 #include <QFileInfo>
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace palmer {
 
 namespace {
 
-constexpr double panelHeight = 26;     ///< mm
+constexpr double panelHeight = 26;  ///< mm
+constexpr double legendHeight = 10; ///< mm
+constexpr std::size_t panelsOfRow = 4;
+constexpr std::size_t mostWithEdition = 4;
+constexpr int mostResults = 5;         ///< of a test
 constexpr std::size_t mostColumns = 5; ///< axes and planes beside each other in the table of campaigns
 
 /// The trends of an axis or plane.
@@ -267,18 +272,22 @@ private:
                 withoutParts = withoutParts || trend.withoutParts;
                 figure.note = travelOf(trend);
             }
-            if (&axis == &m_axes.back() && figure.panels.size() < 4)
+            const bool isLast = &axis == &m_axes.back();
+            const bool hasRoom = figure.panels.size() < panelsOfRow;
+            if (isLast && hasRoom)
                 figure.legend = trendLegend(m_language);
             m_blocks->emplace_back(FigureBlock{std::move(figure), 175, panelHeight});
+            if (isLast && !hasRoom) {
+                TrendFigure legend;
+                legend.legend = trendLegend(m_language);
+                m_blocks->emplace_back(FigureBlock{std::move(legend), 175, legendHeight});
+            }
         }
         MachineTrend method;
         method.withoutParts = withoutParts;
         m_blocks->emplace_back(Paragraph{
-            say(REPORT_TEXT(
-                    "report",
-                    "Circles: as found, full: as left, squares: another series, not joined; bar: ± U. "
-                    "Black: agreed limit. Blue: line with its bounds of 95 %. %1 * not reached within "
-                    "twice the observed time: nothing is said beyond."),
+            say(REPORT_TEXT("report",
+                            "%1 * not reached within twice the observed time: nothing is said beyond."),
                 {trendMethod(method, m_language).toStdString()}),
             TextSize::small});
     }
@@ -306,10 +315,14 @@ private:
             2, text(REPORT_TEXT("report", "Campaigns")),
             Phrase(text(REPORT_TEXT("report", "the first quantity of each axis; all are listed below")))});
         Table table;
-        table.columns = {{text(REPORT_TEXT("report", "Date")), {}, Alignment::left, false, 24},
+        table.columns = {{text(REPORT_TEXT("report", "Date")), {}, Alignment::left, false, 21},
                          {text(REPORT_TEXT("report", "Purpose")), {}, Alignment::left, true},
-                         {text(REPORT_TEXT("report", "Role")), {}, Alignment::left, false, 20}};
+                         {text(REPORT_TEXT("report", "Role")), {}, Alignment::left, false, 21}};
         const std::size_t shown = std::min(m_axes.size(), mostColumns);
+        const bool hasEdition = shown < mostWithEdition; // all tests say it again below
+        if (hasEdition)
+            table.columns.push_back({text(REPORT_TEXT("report", "Edition")), QStringLiteral("230-2"),
+                                     Alignment::left, false, 12});
         for (std::size_t i = 0; i < shown; ++i) {
             const AxisTrends &axis = m_axes[i];
             const QString symbol =
@@ -317,18 +330,22 @@ private:
             table.columns.push_back(
                 {Phrase(std::vector<Span>{{symbol}, {utf8(axis.axis), true}}),
                  axis.trends.empty() ? QString() : m_language.unit(trendQuantity(axis.trends.front())),
-                 Alignment::decimal, false, 13});
+                 Alignment::decimal, false, 12});
         }
-        table.columns.push_back({text(REPORT_TEXT("report", "Limits")), {}, Alignment::left, false, 24});
+        table.columns.push_back({text(REPORT_TEXT("report", "Limits")), {}, Alignment::left, false, 23});
+        table.columns.push_back({text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, 28});
         for (const auto &[key, campaign] : all) {
             const auto &[date, role, purpose] = key;
             std::vector<Cell> row{Cell(m_language.shortDate(date)), Cell(text(purposeText(purpose))),
                                   Cell(text(roleText(role)))};
+            if (hasEdition)
+                row.emplace_back(editionsOf(campaign));
             for (std::size_t i = 0; i < shown; ++i) {
                 const auto test = campaign.find(m_axes[i].axis);
                 row.push_back(test == campaign.end() ? Cell() : firstResult(m_axes[i], test->second->test));
             }
             row.push_back(limitsOf(campaign));
+            row.push_back(accordanceOf(campaign));
             table.rows.push_back(std::move(row));
         }
         m_blocks->emplace_back(std::move(table));
@@ -351,6 +368,48 @@ private:
             limits.mark = markOf(*verdict);
         limits.bold = verdict == Verdict::doesNotConform;
         return limits;
+    }
+
+    /// Years of ISO 230-2 that the axes were evaluated under.
+    [[nodiscard]] static QString editionsOf(const Campaign &campaign) {
+        QStringList years;
+        for (const auto &[axis, listed] : campaign) {
+            if (listed->test.kind == Kind::positioning)
+                years << utf8(listed->test.edition).section(u':', -1);
+        }
+        years.removeDuplicates();
+        years.sort();
+        return years.join(QStringLiteral(", "));
+    }
+
+    /// What the least of its tests says.
+    [[nodiscard]] Cell accordanceOf(const Campaign &campaign) const {
+        constexpr std::array fromWeakest{Accordance::no, Accordance::notShown, Accordance::notChecked,
+                                         Accordance::partly, Accordance::yes};
+        for (const Accordance accordance : fromWeakest) {
+            int unmet = 0;
+            int undeclared = 0;
+            bool isThere = false;
+            for (const auto &[axis, listed] : campaign) {
+                if (listed->test.accordance != accordance)
+                    continue;
+                isThere = true;
+                unmet += listed->test.counts.unmet;
+                undeclared += listed->test.counts.undeclared;
+            }
+            if (!isThere)
+                continue;
+            QString words = text(accordanceWords(accordance));
+            if (accordance == Accordance::no)
+                words = m_language.sentence({REPORT_TEXT_COUNTED("report", "%n not met"), {}, unmet});
+            else if (accordance == Accordance::notShown)
+                words =
+                    m_language.sentence({REPORT_TEXT_COUNTED("report", "%n not declared"), {}, undeclared});
+            Cell cell(words);
+            cell.mark = markOf(accordance);
+            return cell;
+        }
+        return {};
     }
 
     [[nodiscard]] Cell firstResult(const AxisTrends &axis, const RegisteredTest &test) const {
@@ -380,21 +439,29 @@ private:
         m_blocks->emplace_back(std::move(table));
     }
 
-    [[nodiscard]] QString resultsOf(const RegisteredTest &test) const {
+    [[nodiscard]] Phrase resultsOf(const RegisteredTest &test) const {
         ListedTest one;
         one.test = test;
-        QStringList results;
+        std::vector<Span> results;
+        int count = 0;
         for (const std::string &id : parametersOf({one})) {
             const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
             const ShownResult shown = shownResult(*found, test.angular, m_language);
-            results << plainSymbolOf(id) + QChar(QChar::Nbsp) + shown.value +
-                           (shown.uncertainty.isEmpty()
-                                ? QString()
-                                : QStringLiteral("\u00A0±\u00A0") + shown.uncertainty);
-            if (results.size() == 5)
+            const QString symbol = plainSymbolOf(id);
+            const std::size_t end = id.find('_');
+            const QString index = end == std::string::npos ? QString() : utf8(id.substr(end + 1));
+            results.push_back(
+                {(count == 0 ? QString() : QStringLiteral("; ")) + symbol.chopped(index.size())});
+            if (!index.isEmpty())
+                results.push_back({index, true});
+            results.push_back(
+                {QChar(QChar::Nbsp) + shown.value +
+                 (shown.uncertainty.isEmpty() ? QString()
+                                              : QStringLiteral("\u00A0±\u00A0") + shown.uncertainty)});
+            if (++count == mostResults)
                 break;
         }
-        return results.join(QStringLiteral("; "));
+        return Phrase(std::move(results));
     }
 
     const History &m_history;

@@ -320,6 +320,14 @@ std::map<int, std::vector<AxisState>> axisStates(Database &database) {
     return result;
 }
 
+std::map<int, int> testCounts(Database &database) {
+    std::map<int, int> result;
+    QSqlQuery &query = database.run(QStringLiteral("select machine, count(*) from test group by machine"));
+    while (query.next())
+        result.emplace(query.value(0).toInt(), query.value(1).toInt());
+    return result;
+}
+
 std::vector<ListedMachine> machinesCalled(const std::vector<ListedMachine> &machines, const QString &words) {
     const QString wanted = comparable(words);
     std::vector<ListedMachine> exact;

@@ -72,6 +72,9 @@ struct AxisState {
 /// Of each machine (its id) its axes and planes, drift tests apart: axes first, by name.
 [[nodiscard]] std::map<int, std::vector<AxisState>> axisStates(Database &database);
 
+/// Of each machine (its id) how many tests it has.
+[[nodiscard]] std::map<int, int> testCounts(Database &database);
+
 /// Of these the machines a user means: with just this name or serial number, else those whose name, maker,
 /// type, serial number or place contain it; without case, spaces and punctuation.
 [[nodiscard]] std::vector<ListedMachine> machinesCalled(const std::vector<ListedMachine> &machines,

@@ -28,6 +28,10 @@ public:
         , m_scale(unitScale(trendQuantity(trend), language.units()))
         , m_language(language) {
         m_panel.symbol = plainSymbolOf(trend.parameter);
+        const std::size_t end = trend.parameter.find('_');
+        if (end != std::string::npos)
+            m_panel.y.subscript = QString::fromStdString(trend.parameter.substr(end + 1));
+        m_panel.y.symbol = m_panel.symbol.chopped(m_panel.y.subscript.size());
         m_panel.statement = trendStatement(trend, language);
         m_panel.today = calendarYear(today);
         m_panel.y.unit = language.unit(trendQuantity(trend));

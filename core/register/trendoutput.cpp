@@ -46,6 +46,11 @@ QString signedNumber(double value, Quantity quantity, int decimals, const Langua
     return (value >= 0 ? QStringLiteral("+") : QString()) + language.number(value, quantity, decimals);
 }
 
+/// For a place with little room.
+QString shortMonthText(const QDate &date, const Language &language) {
+    return QLocale(language.code()).toString(date, QStringLiteral("MMM yyyy"));
+}
+
 } // namespace
 
 Quantity trendQuantity(const MachineTrend &trend) {
@@ -135,7 +140,11 @@ QString shortTrendStatement(const MachineTrend &trend, const Language &language)
     if (trend.line->isShown() && trend.notBefore.state == NotBefore::State::beyond)
         return language.sentence(
             {REPORT_TEXT("report", "not before %1 *"),
-             {monthText(dateOfYears(trendHorizon(*trend.line)), language).toStdString()}});
+             {shortMonthText(dateOfYears(trendHorizon(*trend.line)), language).toStdString()}});
+    if (trend.line->isShown() && trend.notBefore.state == NotBefore::State::date)
+        return language.sentence(
+            {REPORT_TEXT("report", "not before %1"),
+             {shortMonthText(dateOfYears(trend.notBefore.time), language).toStdString()}});
     if (trend.line->isShown() && trend.notBefore.state == NotBefore::State::already)
         return language.text(REPORT_TEXT("report", "at the limit"));
     return trendStatement(trend, language);

@@ -148,7 +148,8 @@ public:
             const auto at = [&](std::size_t index) {
                 return blocks.begin() + static_cast<std::ptrdiff_t>(index);
             };
-            const bool known = heading && heading->anchor.isEmpty() && end > i + 1;
+            // What a heading of the first level is about stands in the sections behind it, which may differ.
+            const bool known = heading && heading->level > 1 && heading->anchor.isEmpty() && end > i + 1;
             const auto same = std::ranges::find_if(m_sections, [&](const Section &section) {
                 return known && std::equal(section.blocks.begin(), section.blocks.end(), at(i), at(end));
             });

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 
 namespace palmer {
@@ -224,13 +225,25 @@ HelpPage circularPage(const Edition &edition, const Language &language) {
     return page;
 }
 
+struct HelpStep {
+    Text title;
+    Text words;
+};
+
+HelpPage pageOf(const char *id, const Text &title, std::span<const HelpStep> steps,
+                const Language &language) {
+    HelpPage page{QString::fromLatin1(id), language.text(title), {}};
+    auto &blocks = page.content.blocks;
+    blocks.emplace_back(Heading{1, page.title});
+    for (const HelpStep &step : steps) {
+        blocks.emplace_back(Heading{2, language.text(step.title)});
+        blocks.emplace_back(Paragraph{language.text(step.words)});
+    }
+    return page;
+}
+
 HelpPage workflowPage(const Language &language) {
-    HelpPage page{QStringLiteral("workflow"), language.text(REPORT_TEXT("report", "Workflow")), {}};
-    struct Step {
-        Text title;
-        Text words;
-    };
-    const auto steps = std::to_array<Step>({
+    const auto steps = std::to_array<HelpStep>({
         {REPORT_TEXT_FOR("report", "Start", "the first step of the work"),
          REPORT_TEXT("report",
                      "A new test, an import, a file, an example. A file holds one report: a machine, its "
@@ -265,13 +278,39 @@ HelpPage workflowPage(const Language &language) {
          REPORT_TEXT("report",
                      "“Report…” shows the pages as they are printed, in French, in English or both.")},
     });
-    auto &blocks = page.content.blocks;
-    blocks.emplace_back(Heading{1, page.title});
-    for (const auto &step : steps) {
-        blocks.emplace_back(Heading{2, language.text(step.title)});
-        blocks.emplace_back(Paragraph{language.text(step.words)});
-    }
-    return page;
+    return pageOf("workflow", REPORT_TEXT("report", "Workflow"), steps, language);
+}
+
+HelpPage registerPage(const Language &language) {
+    const auto steps = std::to_array<HelpStep>({
+        {REPORT_TEXT("report", "Folders"),
+         REPORT_TEXT(
+             "report",
+             "The register lists the tests of the files and reports in folders and below them. The "
+             "files stay the only record: Palmer never writes into them, and the register can be made "
+             "anew from them at any time.")},
+        {REPORT_TEXT("report", "Machines"),
+         REPORT_TEXT("report",
+                     "A machine is known by maker and serial number, without case, spaces and punctuation. "
+                     "Those without serial number stand apart. With an interval the list says when the next "
+                     "test is due; the mark of a certificate counts the days until one expires.")},
+        {REPORT_TEXT("report", "Trend"),
+         REPORT_TEXT(
+             "report",
+             "At least four tests since the last intervention make a line, weighted with what their "
+             "uncertainties share. “Not before” is the day its upper bound of 95 % reaches the limit: "
+             "for the level, not for the next test. Tests of another edition, feed, correction or "
+             "travel are another series and never joined.")},
+        {REPORT_TEXT("report", "Compare curves"),
+         REPORT_TEXT("report",
+                     "Several chosen tests of one axis are laid over one another, with the difference of two "
+                     "on their common travel.")},
+        {REPORT_TEXT("report", "History report"),
+         REPORT_TEXT("report",
+                     "Prints what is to be watched first, the trends, the campaigns and all tests of a "
+                     "machine with their files.")},
+    });
+    return pageOf("register", REPORT_TEXT("report", "Register"), steps, language);
 }
 
 HelpPage fieldsPage(const Language &language) {
@@ -291,7 +330,7 @@ HelpPage fieldsPage(const Language &language) {
 } // namespace
 
 std::vector<HelpPage> composeHelp(const Language &language) {
-    std::vector<HelpPage> pages{workflowPage(language), fieldsPage(language)};
+    std::vector<HelpPage> pages{workflowPage(language), registerPage(language), fieldsPage(language)};
     for (const Edition *edition : editions())
         pages.push_back(edition->circles ? circularPage(*edition, language)
                                          : positioningPage(*edition, language));

@@ -4,6 +4,7 @@
 
 #include "app/runcli.h"
 
+#include <QDate>
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -41,6 +42,12 @@ std::vector<QJsonObject> objects(const QByteArray &lines) {
     return result;
 }
 
+QByteArray runPdfinfo(const QString &pdf) {
+    QProcess process;
+    process.start("pdfinfo", {pdf});
+    return process.waitForFinished(60'000) ? process.readAllStandardOutput() : QByteArray();
+}
+
 } // namespace
 
 /// palmer-cli register, as its users call it, over files that the script of the benchmarks makes.
@@ -70,6 +77,8 @@ private slots:
     void killedItGoesOn();
     void aFullDiskLosesNothing();
     void theHistoryIsPrinted();
+    void theNumberOfAHistory_data();
+    void theNumberOfAHistory();
     void aPictureOfATrend_data();
     void aPictureOfATrend();
     void theUsersRegisterStandsInHisData();
@@ -209,6 +218,15 @@ void RegisterCommandTest::wrongUsage_data() {
     QTest::newRow("unknown edition") << QStringList{"trend", "--machine", "000-001", "--axis",
                                                     "X",     "--edition", "Q"}
                                      << QByteArray("edition");
+    QTest::newRow("a number too long for its line")
+        << QStringList{"report", "--machine", "000-001", "-o", "h.pdf", "--number", QString(41, 'n')}
+        << QByteArray("at most 40 characters");
+    QTest::newRow("a number of a list") << QStringList{"list", "--number", "7"}
+                                        << QByteArray("unknown option --number of the command register list");
+    QTest::newRow("a report without a file")
+        << QStringList{"report", "--machine", "000-001"} << QByteArray("-o OUT.pdf");
+    QTest::newRow("a report of another ending")
+        << QStringList{"report", "--machine", "000-001", "-o", "h.png"} << QByteArray("pdf");
     QTest::newRow("a picture of another ending")
         << QStringList{"trend", "--machine", "000-001", "--axis", "X", "-o", "t.doc"}
         << QByteArray("-o OUT.");
@@ -334,6 +352,46 @@ void RegisterCommandTest::theHistoryIsPrinted() {
     const QByteArray first = contents(m_dir->filePath("history.fr.pdf"));
     QCOMPARE(reg({"report", "--machine", "000-001", "--language", "fr", "-o", pdf}).code, 0);
     QCOMPARE(contents(pdf), first);
+}
+
+void RegisterCommandTest::theNumberOfAHistory_data() {
+    QTest::addColumn<QString>("machine");
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QStringList>("printed"); ///< somewhere
+    QTest::addColumn<QStringList>("absent");
+    const QString year = QString::number(QDate::currentDate().year());
+    QTest::newRow("proposed: year and serial number")
+        << "000-001" << QStringList{}
+        << QStringList{"History No. HI-" + year + "-000-001", "History HI-" + year} << QStringList{};
+    QTest::newRow("given") << "000-001" << QStringList{"--number", "  Q 17  / b "}
+                           << QStringList{"History No. Q 17 / b", "History Q 17 / b"} << QStringList{"HI-"};
+    QTest::newRow("none") << "000-001" << QStringList{"--number", ""} << QStringList{"History of Machine 001"}
+                          << QStringList{"No. ", "HI-"};
+    QTest::newRow("as long as it may be") << "000-001" << QStringList{"--number", QString(40, '7')}
+                                          << QStringList{QString(40, '7')} << QStringList{};
+}
+
+void RegisterCommandTest::theNumberOfAHistory() {
+    QFETCH(QString, machine);
+    QFETCH(QStringList, options);
+    QFETCH(QStringList, printed);
+    QFETCH(QStringList, absent);
+    scan();
+    const QString pdf = m_dir->filePath("history.pdf");
+    QCOMPARE(reg(QStringList{"report", "--machine", machine, "--language", "en", "-o", pdf} + options).code,
+             0);
+    QProcess text;
+    text.start("pdftotext", {"-layout", pdf, "-"});
+    QVERIFY(text.waitForFinished(60'000));
+    const QString words = QString::fromUtf8(text.readAllStandardOutput()).replace(QChar::Nbsp, ' ');
+    const auto joined = [](QString all) { return all.remove(QRegularExpression("\\s")); }; // lines may break
+    for (const QString &word : printed)
+        QVERIFY2(joined(words).contains(joined(word)), qPrintable(word + "\n" + words));
+    for (const QString &word : absent)
+        QVERIFY2(!words.contains(word), qPrintable(word + "\n" + words));
+    // It is the title of the document, too.
+    if (!options.isEmpty() && !options.last().trimmed().isEmpty())
+        QVERIFY(runPdfinfo(pdf).contains(options.last().simplified().toUtf8()));
 }
 
 void RegisterCommandTest::aPictureOfATrend_data() {

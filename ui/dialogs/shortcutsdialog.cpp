@@ -47,7 +47,7 @@ void listActions(QTreeWidgetItem &group, const QMenu &menu) {
 
 } // namespace
 
-ShortcutsDialog::ShortcutsDialog(const QMenuBar &menus, QWidget *parent)
+ShortcutsDialog::ShortcutsDialog(const QMenuBar &menus, QWidget *parent, bool hasReadings)
     : QDialog(parent)
     , m_list(new QTreeWidget(this)) {
     setObjectName(QStringLiteral("shortcutsDialog"));
@@ -60,7 +60,8 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar &menus, QWidget *parent)
     m_list->setItemsExpandable(false);
     m_list->setFrameShape(QFrame::NoFrame);
     addMenus(menus);
-    addTable();
+    if (hasReadings)
+        addTable();
     m_list->expandAll();
     m_list->header()->setStretchLastSection(true);
     m_list->resizeColumnToContents(0);

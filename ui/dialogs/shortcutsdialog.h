@@ -9,12 +9,13 @@ class QTreeWidget;
 
 namespace palmer::ui {
 
-/// All shortcuts of a window: those of its menus, read from them, and the keys of the table of readings.
+/// All shortcuts of a window: those of its menus, read from them, and the keys of the table of readings where
+/// it has one.
 class ShortcutsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    explicit ShortcutsDialog(const QMenuBar &menus, QWidget *parent = nullptr);
+    explicit ShortcutsDialog(const QMenuBar &menus, QWidget *parent = nullptr, bool hasReadings = true);
 
 private:
     void addMenus(const QMenuBar &menus);

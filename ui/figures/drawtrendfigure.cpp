@@ -19,7 +19,7 @@ constexpr double tickLength = 0.8 * mm;
 constexpr double tickGap = 0.7 * mm;
 constexpr double hatchHeight = 1.2 * mm;
 constexpr double hatchStep = 0.9 * mm;
-constexpr double labelWidth = 13 * mm; ///< of a row
+constexpr double labelWidth = 15 * mm; ///< of a row
 constexpr double panelGap = 2.5 * mm;
 constexpr double titleHeight = 4.2 * mm;
 constexpr double tickRow = 3.2 * mm;
@@ -208,9 +208,13 @@ private:
 
     void drawTitle() {
         const double line = m_area.top() + titleHeight / 2;
-        const QString unit = m_large ? QStringLiteral(" (") + m_panel.y.unit + QLatin1Char(')') : QString();
-        drawText(p, {m_plot.left() - tickLength - tickGap, line}, m_panel.symbol + unit,
-                 colour(FigureRole::text), true);
+        TextLine symbol{{m_panel.y.symbol}};
+        if (!m_panel.y.subscript.isEmpty())
+            symbol.push_back({m_panel.y.subscript, true});
+        if (m_large)
+            symbol.push_back({QStringLiteral(" (") + m_panel.y.unit + QLatin1Char(')')});
+        // From where the labels of the axis begin: "G(b)" with its index is wider than they.
+        drawText(p, {m_area.left(), line}, symbol, colour(FigureRole::text), true);
         const double width = textWidth(m_panel.statement, m_panel.isFirst);
         drawText(p, {m_area.right() - 1 * mm - width, line}, m_panel.statement, colour(FigureRole::text),
                  m_panel.isFirst);

@@ -25,6 +25,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QScatterSeries>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -35,6 +36,16 @@
 namespace palmer::ui {
 
 namespace {
+
+constexpr int leastListHeight = 40; ///< of the curves compared
+
+/// As high as what stands in it, where there is room; that of Qt keeps the first height it had.
+class ListArea : public QScrollArea {
+public:
+    [[nodiscard]] QSize sizeHint() const override {
+        return widget() ? widget()->sizeHint() : QScrollArea::sizeHint();
+    }
+};
 
 void clear(QChart &chart) {
     chart.removeAllSeries();
@@ -149,7 +160,8 @@ TaggedChart::TaggedChart(const char *name) {
     chart()->layout()->setContentsMargins(0, 0, 0, 0);
     chart()->setMargins(QMargins(0, 4, roomForTags, 0));
     chart()->setBackgroundRoundness(0);
-    setMinimumHeight(120); // room for the words of its axes
+    setMinimumHeight(100);                                       // room for the words of its axes
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // takes what the list leaves
 }
 
 void TaggedChart::setTags(std::vector<Tag> tags) {
@@ -211,6 +223,7 @@ CurveComparison::CurveComparison(QWidget *parent)
     : QWidget(parent)
     , m_title(new QLabel)
     , m_list(new QLabel)
+    , m_listArea(new ListArea) // many curves leave room for their chart
     , m_curves(new TaggedChart("curves"))
     , m_differences(new TaggedChart("curveDifference"))
     , m_differenceTitle(new QLabel)
@@ -220,6 +233,7 @@ CurveComparison::CurveComparison(QWidget *parent)
     setObjectName(QStringLiteral("curveComparison"));
     m_title->setFont(themeFont(TextSize::head));
     m_differenceTitle->setFont(themeFont(TextSize::head));
+    m_list->setObjectName(QStringLiteral("curveList"));
     m_first->setObjectName(QStringLiteral("firstCurve"));
     m_second->setObjectName(QStringLiteral("secondCurve"));
     auto *head = new QHBoxLayout;
@@ -256,7 +270,16 @@ CurveComparison::CurveComparison(QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 8, 16, 8);
     layout->addLayout(head);
-    layout->addWidget(m_list);
+    QScrollArea *area = m_listArea;
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    area->setMinimumHeight(leastListHeight);
+    area->setWidget(m_list);
+    area->viewport()->setAutoFillBackground(false);
+    m_list->setAutoFillBackground(false);
+    m_list->setAlignment(Qt::AlignTop);
+    layout->addWidget(area);
     layout->addWidget(m_curves, 5);
     layout->addLayout(row);
     layout->addWidget(m_differences, 3);
@@ -392,6 +415,7 @@ void CurveComparison::showList() {
         html += QStringLiteral("</tr>");
     }
     m_list->setText(html + QStringLiteral("</table>"));
+    m_listArea->updateGeometry();
 }
 
 void CurveComparison::rebuildDifference() {

@@ -11,6 +11,7 @@
 
 class QComboBox;
 class QLabel;
+class QScrollArea;
 
 namespace palmer::ui {
 
@@ -75,6 +76,7 @@ private:
     std::optional<CurveDifference> m_difference;
     QLabel *m_title;
     QLabel *m_list;
+    QScrollArea *m_listArea;
     TaggedChart *m_curves;
     TaggedChart *m_differences;
     QLabel *m_differenceTitle;

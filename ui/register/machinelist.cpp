@@ -66,10 +66,10 @@ void MachineModel::setRows(std::vector<MachineRow> rows) {
     endResetModel();
 }
 
-void MachineModel::setFilter(const QString &words, bool onlyToDo) {
+void MachineModel::setFilter(const QString &words, Show show) {
     beginResetModel();
     m_words = words;
-    m_onlyToDo = onlyToDo;
+    m_show = show;
     filter();
     endResetModel();
 }
@@ -83,7 +83,9 @@ void MachineModel::filter() {
         const QString all = comparable(machine.name) + u' ' + comparable(machine.manufacturer) + u' ' +
                             comparable(machine.model) + comparable(machine.serialNumber) + u' ' +
                             comparable(machine.location);
-        if (all.contains(wanted) && (!m_onlyToDo || m_all[i].isToDo(today)))
+        const bool isKind = m_show == Show::toDo ? m_all[i].isToDo(today)
+                                                 : machine.isIdentified == (m_show == Show::identified);
+        if (isKind && all.contains(wanted))
             m_shown.push_back(i);
     }
 }
@@ -100,6 +102,25 @@ int MachineModel::toDoCount() const {
     const QDate today = QDate::currentDate();
     return static_cast<int>(
         std::ranges::count_if(m_all, [&](const MachineRow &machine) { return machine.isToDo(today); }));
+}
+
+int MachineModel::unidentifiedTests() const {
+    int tests = 0;
+    for (const MachineRow &row : m_all)
+        tests += row.machine.isIdentified ? 0 : row.tests;
+    return tests;
+}
+
+int MachineModel::identifiedCount() const {
+    return static_cast<int>(
+        std::ranges::count_if(m_all, [](const MachineRow &row) { return row.machine.isIdentified; }));
+}
+
+int MachineModel::testCount() const {
+    int tests = 0;
+    for (const MachineRow &row : m_all)
+        tests += row.tests;
+    return tests;
 }
 
 int MachineModel::rowCount(const QModelIndex &parent) const {
@@ -174,12 +195,12 @@ void MachineDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
     int rest = area.right();
     const int y = area.bottom() - pillHeight + 1;
     if (const auto days = row.daysToCertificate(today)) {
-        const QString text = tr("%1 d").arg(*days);
+        const QString text = *days < 0 ? tr("expired") : tr("%1 d").arg(*days);
         const int width = painter->fontMetrics().horizontalAdvance(text);
-        painter->setPen(token(Token::unsure, palette));
+        const QColor colour = token(*days < 0 ? Token::bad : Token::unsure, palette);
+        painter->setPen(colour);
         painter->drawText(QRect(rest - width, y, width + 1, pillHeight), Qt::AlignVCenter, text);
-        drawLineIcon(*painter, QRect(rest - width - 18, y, 14, pillHeight), QStringLiteral("cert"),
-                     token(Token::unsure, palette));
+        drawLineIcon(*painter, QRect(rest - width - 18, y, 14, pillHeight), QStringLiteral("cert"), colour);
         rest -= width + 22;
     }
     for (const AxisState &state : row.axes) {

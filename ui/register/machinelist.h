@@ -17,6 +17,7 @@ struct MachineRow {
     ListedMachine machine;
     std::vector<AxisState> axes;
     MachineDue due;
+    int tests = 0;
 
     /// Days until something is to be done for it; null: nothing is due within the warning time.
     [[nodiscard]] std::optional<int> daysToTest(const QDate &today) const;
@@ -26,7 +27,7 @@ struct MachineRow {
 
 inline constexpr int warningDays = 30;
 
-/// The machines, filtered by words and by what is to be done.
+/// The machines, filtered by words and by what is to be done; those without serial number apart.
 class MachineModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -36,13 +37,18 @@ public:
     enum Role { idRole = Qt::UserRole + 1 };
 
     void setRows(std::vector<MachineRow> rows);
-    void setFilter(const QString &words, bool onlyToDo);
+    enum class Show { identified, toDo, unidentified };
+    void setFilter(const QString &words, Show show);
     [[nodiscard]] const MachineRow &row(int index) const {
         return m_all[m_shown[static_cast<std::size_t>(index)]];
     }
     [[nodiscard]] int rowOf(int machine) const; ///< −1: not shown
     [[nodiscard]] int toDoCount() const;
     [[nodiscard]] int machineCount() const { return static_cast<int>(m_all.size()); }
+    [[nodiscard]] int identifiedCount() const;
+    [[nodiscard]] int testCount() const;
+    /// Tests of machines without serial number.
+    [[nodiscard]] int unidentifiedTests() const;
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
@@ -53,7 +59,7 @@ private:
     std::vector<MachineRow> m_all;
     std::vector<std::size_t> m_shown;
     QString m_words;
-    bool m_onlyToDo = false;
+    Show m_show = Show::identified;
 };
 
 /// Draws a machine: its name, the marks of its axes, what is due.

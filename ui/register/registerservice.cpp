@@ -60,8 +60,8 @@ RegisterService::RegisterService(QString address, QStringList folders, QObject *
     m_soon.setSingleShot(true);
     m_soon.setInterval(soon);
     m_later.setInterval(later);
-    connect(&m_soon, &QTimer::timeout, this, &RegisterService::rescan);
-    connect(&m_later, &QTimer::timeout, this, &RegisterService::rescan);
+    connect(&m_soon, &QTimer::timeout, this, &RegisterService::rescanByItself);
+    connect(&m_later, &QTimer::timeout, this, &RegisterService::rescanByItself);
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, [this] { m_soon.start(); });
     if (!m_folders.isEmpty()) {
         m_later.start();
@@ -102,14 +102,44 @@ void RegisterService::setAddress(const QString &address) {
     rescan();
 }
 
-void RegisterService::rescan() {
+void RegisterService::rescan(bool prune) {
+    m_isStopped = false;
     if (!m_folders.isEmpty()) {
-        if (m_lane.isBusy())
+        if (prune)
+            m_stopScan.request_stop(); // the new one goes on where it was
+        if (m_lane.isBusy() && !prune)
             m_soon.start();
         else
-            start(m_folders, true);
+            start(m_folders, true, prune);
     }
     emit stateChanged();
+}
+
+void RegisterService::rescanByItself() {
+    if (!m_isStopped)
+        rescan();
+}
+
+void RegisterService::stop() {
+    m_isStopped = true;
+    m_stopScan.request_stop();
+    emit stateChanged();
+}
+
+double RegisterService::secondsOfScan() const {
+    constexpr double perSecond = 1000;
+    return m_begun.isValid() ? static_cast<double>(m_begun.elapsed()) / perSecond : 0;
+}
+
+/// What was read shows while the rest is being read.
+void RegisterService::tellProgress(int done, int total) {
+    constexpr int pause = 2000; // ms
+    emit progressed(done, total);
+    if (m_told.isValid() && m_told.elapsed() < pause)
+        return;
+    if (m_told.isValid())
+        emit changed();
+    m_told.start();
 }
 
 void RegisterService::fileSaved(const QString &path) {
@@ -117,17 +147,23 @@ void RegisterService::fileSaved(const QString &path) {
         start({path}, false);
 }
 
-void RegisterService::start(const QStringList &places, bool isWhole) {
+void RegisterService::start(const QStringList &places, bool isWhole, bool prune) {
+    if (m_stopScan.stop_requested())
+        m_stopScan = {}; // those that wait for one another are stopped together
+    m_begun.start();
+    m_told.invalidate();
     m_lane.start(
-        [this, address = m_address, places, isWhole,
-         language = windowLanguage()](const Background::Job &job) {
+        [this, address = m_address, places, isWhole, prune, asked = m_stopScan,
+         language = windowLanguage()](const Background::Job &job) mutable {
+            const std::stop_callback ended(job.stop(), [&asked] { asked.request_stop(); });
             Scanned done;
             try {
                 Register reg(address);
                 ScanOptions options;
-                options.stop = job.stop();
+                options.stop = asked.get_token();
+                options.prune = prune;
                 options.progress = [&](const ScanProgress &progress) {
-                    job.tell([this, progress] { emit progressed(progress.done, progress.total); });
+                    job.tell([this, progress] { tellProgress(progress.done, progress.total); });
                 };
                 done.result = scan(reg, places, options);
             } catch (const Error &error) {
@@ -139,12 +175,14 @@ void RegisterService::start(const QStringList &places, bool isWhole) {
         },
         [this, isWhole](Scanned done) {
             m_trouble = done.trouble;
+            const bool wasStopped = done.result.stopped;
             const bool hasChanged = done.result.read > 0 || done.result.notFound != m_result.notFound ||
                                     done.result.unreadable.size() != m_result.unreadable.size() ||
                                     done.result.tests != m_result.tests;
             if (isWhole && done.trouble.isEmpty()) {
                 m_result = std::move(done.result);
-                m_scannedAt = QDateTime::currentDateTime();
+                m_isStopped = wasStopped && m_isStopped;
+                m_scannedAt = wasStopped ? QDateTime() : QDateTime::currentDateTime();
                 watch(done.folders);
             }
             if (hasChanged)

@@ -6,10 +6,12 @@
 #include "ui/model/background.h"
 
 #include <QDateTime>
+#include <QElapsedTimer>
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
+#include <stop_token>
 
 namespace palmer::ui {
 
@@ -38,8 +40,15 @@ public:
     [[nodiscard]] const ScanResult &result() const { return m_result; } ///< of the last scan of all folders
     [[nodiscard]] const QString &trouble() const { return m_trouble; }  ///< of the register; empty: none
     [[nodiscard]] const QDateTime &scannedAt() const { return m_scannedAt; }
+    /// Since the running scan began.
+    [[nodiscard]] double secondsOfScan() const;
+    /// The last scan was stopped; it goes on when it is asked for.
+    [[nodiscard]] bool isStopped() const { return m_isStopped; }
 
-    void rescan();
+    /// `prune`: takes out files that are not found any more.
+    void rescan(bool prune = false);
+    /// Ends the running scan; what was read stays. Nothing is read by itself until the next rescan().
+    void stop();
     /// Brings one file up to date, wherever it stands below the folders.
     void fileSaved(const QString &path);
 
@@ -49,7 +58,9 @@ signals:
     void progressed(int done, int total);
 
 private:
-    void start(const QStringList &places, bool isWhole);
+    void start(const QStringList &places, bool isWhole, bool prune = false);
+    void rescanByItself();
+    void tellProgress(int done, int total);
     void watch(const QStringList &folders);
 
     QString m_address;
@@ -58,6 +69,10 @@ private:
     ScanResult m_result;
     QString m_trouble;
     QDateTime m_scannedAt;
+    QElapsedTimer m_begun; ///< the running scan
+    QElapsedTimer m_told;  ///< that its content has changed
+    std::stop_source m_stopScan;
+    bool m_isStopped = false;
     QFileSystemWatcher m_watcher;
     QTimer m_soon;
     QTimer m_later;

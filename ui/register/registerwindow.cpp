@@ -14,15 +14,22 @@
 #include "register/trendoutput.h"
 #include "report/accordancetext.h"
 #include "report/wording.h"
+#include "ui/dialogs/aboutbox.h"
+#include "ui/dialogs/shortcutsdialog.h"
 #include "ui/elidedlabel.h"
 #include "ui/figures/zoombuttons.h"
+#include "ui/help/helpwindow.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/register/curvechart.h"
+#include "ui/register/filterchip.h"
 #include "ui/register/firstuse.h"
 #include "ui/register/foldersdialog.h"
 #include "ui/register/registerservice.h"
+#include "ui/register/registerwords.h"
 #include "ui/register/testtable.h"
 #include "ui/register/trendchart.h"
+#include "ui/register/troubledfiles.h"
+#include "ui/register/unidentifiedrow.h"
 #include "ui/results/chip.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
@@ -48,10 +55,13 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPainter>
+#include <QPixmap>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
@@ -61,6 +71,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <variant>
 
@@ -71,6 +82,7 @@ namespace {
 constexpr int menuHeight = 28;
 constexpr int toolHeight = 44;
 constexpr int listWidth = 248;
+constexpr int wideListWidth = 264;
 constexpr int headHeight = 52;
 constexpr int filterHeight = 40;
 constexpr int rowHeight = 26;
@@ -91,16 +103,35 @@ QLabel *made(const char *name, TextSize size) {
     return label;
 }
 
+QLabel *elided(const char *name, TextSize size) {
+    auto *label = new ElidedLabel;
+    label->setObjectName(QString::fromLatin1(name));
+    label->setFont(themeFont(size));
+    return label;
+}
+
 struct MachinesRead {
     std::vector<MachineRow> rows;
     QString trouble;
 };
 
+/// Whether nothing of what is shown has changed.
+bool sameTests(const std::vector<ListedTest> &a, const std::vector<ListedTest> &b) {
+    const auto samePlace = [](const TestPlace &one, const TestPlace &other) {
+        return one.path == other.path && one.test == other.test && one.state == other.state;
+    };
+    return std::ranges::equal(a, b, [&](const ListedTest &one, const ListedTest &other) {
+        return one.id == other.id && one.machine == other.machine && one.test.digest == other.test.digest &&
+               std::ranges::equal(one.places, other.places, samePlace);
+    });
+}
+
 } // namespace
 
 RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     : QMainWindow(parent)
-    , m_service(service) {
+    , m_service(service)
+    , m_menus(*this) {
     constexpr QSize usual(1280, 800);
     setObjectName(QStringLiteral("registerWindow"));
     setAcceptDrops(true);
@@ -111,35 +142,16 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     m_stack->addWidget(firstUse);
     m_stack->addWidget(makeRight());
     m_side = makeLeft();
-    auto *splitter = new ThinSplitter(Qt::Horizontal);
-    splitter->addWidget(m_side);
-    splitter->addWidget(m_stack);
-    splitter->setStretchFactor(1, 1);
-    splitter->setSizes({listWidth, usual.width() - listWidth});
-    setCentralWidget(splitter);
-    m_total = new QLabel;
-    m_total->setObjectName(QStringLiteral("total"));
-    m_state = new QLabel;
-    m_state->setObjectName(QStringLiteral("scanState"));
-    m_unreadable = new QLabel;
-    m_unreadable->setObjectName(QStringLiteral("unreadable"));
-    m_progress = new QProgressBar;
-    m_progress->setMaximumWidth(140);
-    m_progress->setTextVisible(false);
-    m_progress->hide();
-    for (QWidget *one : std::initializer_list<QWidget *>{m_total, m_state, m_progress, m_unreadable})
-        statusBar()->addWidget(one);
-    statusBar()->setContentsMargins(margin, 0, margin, 0);
-    statusBar()->setFixedHeight(statusHeight);
-    statusBar()->setSizeGripEnabled(false);
+    m_parts = new ThinSplitter(Qt::Horizontal);
+    m_parts->addWidget(m_side);
+    m_parts->addWidget(m_stack);
+    m_parts->setStretchFactor(1, 1);
+    m_parts->setSizes({listWidth, usual.width() - listWidth});
+    setCentralWidget(m_parts);
+    makeStatus();
     connect(&m_service, &RegisterService::changed, this, &RegisterWindow::loadMachines);
     connect(&m_service, &RegisterService::stateChanged, this, &RegisterWindow::showState);
-    connect(&m_service, &RegisterService::progressed, this, [this](int done, int total) {
-        m_progress->setRange(0, total);
-        m_progress->setValue(done);
-        m_progress->setVisible(done < total);
-        m_state->setText(tr("reading %1 of %2 files").arg(done).arg(total));
-    });
+    connect(&m_service, &RegisterService::progressed, this, &RegisterWindow::showProgress);
     retranslate();
     resize(sizeOnScreen(*this, usual));
     loadMachines();
@@ -149,54 +161,85 @@ RegisterWindow::~RegisterWindow() = default;
 
 bool RegisterWindow::isQuiet() const {
     return !m_machineLane.isBusy() && !m_testLane.isBusy() && !m_historyLane.isBusy() &&
-           !m_service.isScanning();
+           !m_filesLane.isBusy() && !m_service.isScanning();
 }
 
 void RegisterWindow::makeActions() {
     menuBar()->setFixedHeight(menuHeight);
-    m_registerMenu = menuBar()->addMenu(QString());
-    m_testMenu = menuBar()->addMenu(QString());
-    const auto action = [this](QMenu *menu, const char *name, const char *icon) {
-        auto *made = new QAction(this);
-        made->setObjectName(QString::fromLatin1(name));
-        if (icon)
-            made->setIcon(lineIcon(QString::fromLatin1(icon)));
-        menu->addAction(made);
-        return made;
-    };
-    m_foldersAction = action(m_registerMenu, "folders", "folder");
-    m_rescanAction = action(m_registerMenu, "rescan", "redo");
-    m_rescanAction->setShortcut(QKeySequence::Refresh);
-    m_registerMenu->addSeparator();
-    m_closeAction = action(m_registerMenu, "closeRegister", nullptr);
-    m_closeAction->setShortcut(QKeySequence::Close);
-    m_openAction = action(m_testMenu, "openTest", "open");
-    m_compareAction = action(m_testMenu, "compareCurves", "curves");
-    m_compareAction->setCheckable(true);
-    m_historyAction = action(m_testMenu, "history", "report");
     auto *bar = addToolBar(QString());
     bar->setObjectName(QStringLiteral("registerTools"));
     bar->setMovable(false);
     bar->setFixedHeight(toolHeight);
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->setIconSize({16, 16});
-    bar->addAction(m_foldersAction);
-    bar->addAction(m_rescanAction);
-    bar->addSeparator();
-    bar->addAction(m_openAction);
-    bar->addAction(m_compareAction);
-    bar->addSeparator();
-    bar->addAction(m_historyAction);
+    m_menus.fill(*bar);
     auto *space = new QWidget;
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);
     bar->addWidget(new LanguageSwitch(LanguageSwitch::Names::codes));
-    connect(m_foldersAction, &QAction::triggered, this, &RegisterWindow::chooseFolders);
-    connect(m_rescanAction, &QAction::triggered, &m_service, &RegisterService::rescan);
-    connect(m_closeAction, &QAction::triggered, this, &QWidget::close);
-    connect(m_openAction, &QAction::triggered, this, &RegisterWindow::openChosen);
-    connect(m_compareAction, &QAction::toggled, this, &RegisterWindow::compareCurves);
-    connect(m_historyAction, &QAction::triggered, this, &RegisterWindow::writeHistory);
+    connect(m_menus.folders, &QAction::triggered, this, &RegisterWindow::chooseFolders);
+    connect(m_menus.rescan, &QAction::triggered, &m_service, [this] { m_service.rescan(); });
+    connect(m_menus.troubled, &QAction::triggered, this, &RegisterWindow::showTroubledFiles);
+    connect(m_menus.close, &QAction::triggered, this, &QWidget::close);
+    connect(m_menus.find, &QAction::triggered, this, [this] {
+        m_search->setFocus(Qt::ShortcutFocusReason);
+        m_search->selectAll();
+    });
+    connect(m_menus.previous, &QAction::triggered, this, [this] { moveInMachines(-1); });
+    connect(m_menus.next, &QAction::triggered, this, [this] { moveInMachines(1); });
+    connect(m_menus.history, &QAction::triggered, this, &RegisterWindow::writeHistory);
+    connect(m_menus.intervals, &QMenu::aboutToShow, this, &RegisterWindow::fillIntervals);
+    connect(m_menus.open, &QAction::triggered, this, &RegisterWindow::openChosen);
+    connect(m_menus.compare, &QAction::toggled, this, &RegisterWindow::compareCurves);
+    connect(m_menus.under, &QMenu::aboutToShow, this, &RegisterWindow::fillEditions);
+    connect(m_menus.clear, &QAction::triggered, this, &RegisterWindow::clearFilters);
+    connect(m_menus.help, &QAction::triggered, this, &RegisterWindow::showHelp);
+    connect(m_menus.shortcuts, &QAction::triggered, this, [this] {
+        auto *dialog = new ShortcutsDialog(*menuBar(), this, false);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->show();
+    });
+    connect(m_menus.about, &QAction::triggered, this, [this] { showAbout(this); });
+}
+
+void RegisterWindow::makeStatus() {
+    m_total = new QLabel;
+    m_total->setObjectName(QStringLiteral("total"));
+    m_state = new ElidedLabel; // a sentence of the database has any length
+    m_state->setObjectName(QStringLiteral("scanState"));
+    m_unreadable = new QPushButton;
+    m_unreadable->setObjectName(QStringLiteral("unreadable"));
+    m_unreadable->setProperty("link", true);
+    m_unreadable->setProperty("bad", true);
+    m_progress = new QProgressBar;
+    m_progress->setObjectName(QStringLiteral("scanProgress"));
+    m_progress->setFixedSize(140, 6);
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    m_stop = new QPushButton;
+    m_stop->setObjectName(QStringLiteral("stopScan"));
+    m_stop->setProperty("link", true);
+    m_stop->hide();
+    m_shown = new QLabel;
+    m_shown->setObjectName(QStringLiteral("shownAndChosen"));
+    for (QFrame *&rule : m_rules) {
+        rule = new QFrame;
+        rule->setProperty("rule", true);
+        rule->setFixedSize(1, 14);
+    }
+    for (QWidget *one : std::initializer_list<QWidget *>{m_total, m_rules[0], m_state, m_progress, m_stop,
+                                                         m_rules[1], m_unreadable})
+        statusBar()->addWidget(one);
+    statusBar()->addPermanentWidget(m_shown);
+    statusBar()->setContentsMargins(margin, 0, margin, 0);
+    statusBar()->setFixedHeight(statusHeight);
+    statusBar()->setSizeGripEnabled(false);
+    for (QPushButton *link : {m_unreadable, m_stop}) {
+        link->setFont(themeFont(TextSize::base));
+        link->setFixedHeight(statusHeight - 4);
+    }
+    connect(m_unreadable, &QPushButton::clicked, this, &RegisterWindow::showTroubledFiles);
+    connect(m_stop, &QPushButton::clicked, &m_service, &RegisterService::stop);
 }
 
 QWidget *RegisterWindow::makeLeft() {
@@ -206,6 +249,8 @@ QWidget *RegisterWindow::makeLeft() {
     m_search = new QLineEdit;
     m_search->setObjectName(QStringLiteral("machineSearch"));
     m_search->setClearButtonEnabled(true);
+    m_search->addAction(lineIcon(QStringLiteral("search"), QPalette::PlaceholderText),
+                        QLineEdit::LeadingPosition);
     m_all = new QToolButton;
     m_toDo = new QToolButton;
     m_all->setObjectName(QStringLiteral("allMachines"));
@@ -227,6 +272,7 @@ QWidget *RegisterWindow::makeLeft() {
     m_machineList->setItemDelegate(new MachineDelegate(m_machineList));
     m_machineList->setFrameShape(QFrame::NoFrame);
     m_machineList->setUniformItemSizes(true);
+    m_machineList->setMinimumHeight(0);
     m_machineList->setMouseTracking(true);
     m_machineList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_noMachine = made("noMachine", TextSize::base);
@@ -246,15 +292,15 @@ QWidget *RegisterWindow::makeLeft() {
     m_ghosts = new GhostRows;
     m_ghosts->setObjectName(QStringLiteral("ghostRows"));
     layout->addWidget(m_ghosts, 1);
-    const auto filter = [this] {
-        const int before = m_machine;
-        m_machines->setFilter(m_search->text(), m_toDo->isChecked());
-        const int row = m_machines->rowOf(before);
-        if (row >= 0)
-            m_machineList->setCurrentIndex(m_machines->index(row));
-    };
-    connect(m_search, &QLineEdit::textChanged, this, filter);
-    connect(choice, &QButtonGroup::buttonClicked, this, filter);
+    m_unidentified = new UnidentifiedRow;
+    m_unidentified->setObjectName(QStringLiteral("unidentified"));
+    layout->addWidget(m_unidentified);
+    connect(m_search, &QLineEdit::textChanged, this, &RegisterWindow::filterMachines);
+    connect(choice, &QButtonGroup::buttonClicked, this, [this] {
+        m_unidentified->setChecked(false);
+        filterMachines();
+    });
+    connect(m_unidentified, &QAbstractButton::clicked, this, &RegisterWindow::filterMachines);
     connect(m_machineList->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &RegisterWindow::chooseMachine);
     return side;
@@ -266,8 +312,9 @@ QWidget *RegisterWindow::makeRight() {
     side->setBackgroundRole(QPalette::Base);
     m_head = new QWidget;
     m_head->setFixedHeight(headHeight);
-    m_name = made("machineName", TextSize::title);
-    m_facts = made("machineFacts", TextSize::small);
+    m_name = elided("machineName", TextSize::title); // of any length
+    m_facts = elided("machineFacts", TextSize::small);
+    m_facts->setProperty("secondary", true);
     m_intervalLabel = made("intervalLabel", TextSize::small);
     m_interval = new QComboBox;
     m_interval->setObjectName(QStringLiteral("interval"));
@@ -307,30 +354,25 @@ QWidget *RegisterWindow::makeTests() {
     constexpr std::array names{"filterAxis", "filterSince",  "filterEdition",   "filterPurpose",
                                "filterRole", "filterLimits", "filterAccordance"};
     for (std::size_t i = 0; i < filterCount; ++i) {
-        auto *button = new QPushButton;
+        auto *button = new FilterChip;
         button->setObjectName(QString::fromLatin1(names.at(i)));
-        button->setMenu(new QMenu(button));
-        button->setFixedHeight(24);
         m_filters.at(i).button = button;
         row->addWidget(button);
         connect(button->menu(), &QMenu::aboutToShow, this,
                 [this, i] { fillFilterMenu(static_cast<Filter>(i)); });
+        connect(button, &FilterChip::cleared, this, [this, i] { setFilter(static_cast<Filter>(i), {}); });
     }
-    row->addStretch();
-    m_shownCount = new ElidedLabel; // gives way in a narrow window
+    m_shownCount = new ElidedLabel; // has what the filters leave
+    m_shownCount->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_shownCount->setObjectName(QStringLiteral("shownCount"));
     m_shownCount->setFont(themeFont(TextSize::small));
     m_shownCount->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_clear = new QPushButton;
     m_clear->setObjectName(QStringLiteral("clearFilters"));
     m_clear->setProperty("link", true);
-    row->addWidget(m_shownCount);
+    row->addWidget(m_shownCount, 1);
     row->addWidget(m_clear);
-    connect(m_clear, &QPushButton::clicked, this, [this] {
-        for (FilterButton &filter : m_filters)
-            filter.chosen.clear();
-        showTests();
-    });
+    connect(m_clear, &QPushButton::clicked, this, &RegisterWindow::clearFilters);
     m_tests = new TestTableModel(this);
     m_sorted = new QSortFilterProxyModel(this);
     m_sorted->setSourceModel(m_tests);
@@ -355,6 +397,8 @@ QWidget *RegisterWindow::makeTests() {
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setStretchLastSection(true);
     connect(m_table, &QTableView::doubleClicked, this, &RegisterWindow::openChosen);
+    auto *enter = new QShortcut(Qt::Key_Return, m_table, this, &RegisterWindow::openChosen);
+    enter->setContext(Qt::WidgetShortcut);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &RegisterWindow::showChosen);
     auto *layout = new QVBoxLayout(part);
@@ -378,28 +422,14 @@ QToolButton *RegisterWindow::makeTrendButton(const char *name, const char *icon)
 
 QWidget *RegisterWindow::makeTrend() {
     auto *part = new QWidget;
-    m_trendTitle = made("trendTitle", TextSize::head);
+    m_trendTitle = elided("trendTitle", TextSize::head);
     m_parameterButtons = new QButtonGroup(this);
     m_parameterRow = new QHBoxLayout;
     m_parameterRow->setSpacing(0);
     m_under = new QPushButton;
     m_under->setObjectName(QStringLiteral("evaluateUnder"));
-    m_under->setMenu(new QMenu(m_under));
-    connect(m_under->menu(), &QMenu::aboutToShow, this, [this] {
-        m_under->menu()->clear();
-        m_under->menu()->addAction(tr("Each test under its own edition"), this,
-                                   [this] { evaluateUnder({}); });
-        for (const Edition *edition : editions()) {
-            const bool fits = std::ranges::any_of(m_allTests, [&](const ListedTest &test) {
-                return test.test.kind == edition->kind &&
-                       QString::fromStdString(test.test.axis) == trendAxis();
-            });
-            if (fits)
-                m_under->menu()->addAction(
-                    QString::fromUtf8(edition->word), this,
-                    [this, word = std::string(edition->word)] { evaluateUnder(word); });
-        }
-    });
+    m_under->setMinimumWidth(1); // it is hidden before it has no room
+    m_under->setMenu(m_menus.under);
     m_copy = makeTrendButton("copyTrend", "copy");
     connect(m_copy, &QToolButton::clicked, this, [this] {
         if (!m_trend->panel().values.empty())
@@ -408,13 +438,14 @@ QWidget *RegisterWindow::makeTrend() {
     m_maximise = makeTrendButton("maximiseTrend", "maxi");
     m_maximise->setCheckable(true);
     connect(m_maximise, &QToolButton::toggled, this, &RegisterWindow::maximiseTrend);
+    connect(m_maximise, &QToolButton::toggled, m_menus.trendAlone, &QAction::setChecked);
+    connect(m_menus.trendAlone, &QAction::toggled, m_maximise, &QToolButton::setChecked);
     auto *restore = new QAction(this);
     restore->setShortcut(Qt::Key_Escape);
     addAction(restore);
     connect(restore, &QAction::triggered, m_maximise, [this] { m_maximise->setChecked(false); });
     auto *head = new QHBoxLayout;
-    head->addWidget(m_trendTitle);
-    head->addStretch();
+    head->addWidget(m_trendTitle, 1);
     head->addLayout(m_parameterRow);
     head->addWidget(m_under);
     m_trend = new TrendChart;
@@ -429,8 +460,9 @@ QWidget *RegisterWindow::makeTrend() {
     m_legend->setWordWrap(true);
     m_legend->setSizePolicy(QSizePolicy::Ignored,
                             QSizePolicy::Preferred); // the list of machines keeps its width
-    auto *left = new QWidget;
-    auto *leftLayout = new QVBoxLayout(left);
+    m_trendPart = new QWidget;
+    m_trendPart->setMinimumWidth(1); // beside the curves it is hidden before it has no room
+    auto *leftLayout = new QVBoxLayout(m_trendPart);
     leftLayout->setContentsMargins(margin, 8, 8, 8);
     leftLayout->addLayout(head);
     leftLayout->addWidget(m_trend, 1);
@@ -455,12 +487,12 @@ QWidget *RegisterWindow::makeTrend() {
     facts->addWidget(area, 1);
     m_comparison = new CurveComparison;
     m_comparison->hide();
-    connect(m_comparison, &CurveComparison::closed, this, [this] { m_compareAction->setChecked(false); });
+    connect(m_comparison, &CurveComparison::closed, this, [this] { m_menus.compare->setChecked(false); });
     connect(m_trend, &TrendChart::testChosen, this, &RegisterWindow::chooseByDigest);
     auto *layout = new QHBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(left, 3);
+    layout->addWidget(m_trendPart, 3);
     layout->addWidget(m_factsColumn);
     layout->addWidget(m_comparison, 3);
     return part;
@@ -470,18 +502,15 @@ void RegisterWindow::changeEvent(QEvent *event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    else if (event->type() == QEvent::PaletteChange && m_legend) { // what takes its colours when it is made
+        showLegend();
+        showTroubled();
+    }
 }
 
 void RegisterWindow::retranslate() {
     setWindowTitle(tr("Register") + QStringLiteral(" – Palmer"));
-    m_registerMenu->setTitle(tr("&Register"));
-    m_testMenu->setTitle(tr("&Test"));
-    m_foldersAction->setText(tr("&Folders…"));
-    m_rescanAction->setText(tr("&Rescan"));
-    m_closeAction->setText(tr("&Close"));
-    m_openAction->setText(tr("&Open test"));
-    m_compareAction->setText(tr("&Compare curves"));
-    m_historyAction->setText(tr("&History report…"));
+    m_menus.retranslate();
     m_search->setPlaceholderText(tr("Machine, serial number, type"));
     m_search->setAccessibleName(tr("Search machines"));
     m_machineList->setAccessibleName(tr("Machines"));
@@ -490,6 +519,8 @@ void RegisterWindow::retranslate() {
     m_interval->setAccessibleName(tr("Interval"));
     m_clear->setText(tr("Clear filters"));
     m_under->setText(tr("Evaluate all under…"));
+    m_stop->setText(tr("Stop"));
+    m_stop->setToolTip(tr("Stop reading: what was read stays, Rescan goes on"));
     m_copy->setToolTip(tr("Copy the chart"));
     m_copy->setAccessibleName(tr("Copy the chart"));
     maximiseTrend(m_maximise->isChecked());
@@ -501,19 +532,49 @@ void RegisterWindow::retranslate() {
             m_interval->addItem(count == 0 ? tr("none") : tr("%n month(s)", nullptr, count), count);
         m_interval->setCurrentIndex(std::max(before, 0));
     }
-    QStringList legend;
-    for (const QString &text : trendLegend(windowLanguage()))
-        legend << text;
-    constexpr std::array signs{"○ ", "● ", "□ ", "━ ", "▬ ", "┊ "};
-    for (qsizetype i = 0; i < legend.size(); ++i)
-        legend[i].prepend(QString::fromUtf8(signs.at(static_cast<std::size_t>(i))));
-    for (QString &text : legend)
-        text.replace(u' ', QChar(QChar::Nbsp)); // it breaks between the marks alone
-    m_legend->setText(legend.join(QStringLiteral("     ")));
+    showLegend();
     m_tests->retranslate();
     showHead();
     showTests();
     showState();
+}
+
+/// The marks in the colours of the chart.
+void RegisterWindow::showLegend() {
+    const QString accent = token(Token::accent, palette()).name();
+    const QString secondary = token(Token::secondaryText, palette()).name();
+    const QString text = palette().color(QPalette::WindowText).name();
+    const QString explanation = token(Token::explanation, palette()).name();
+    const std::array<std::pair<const char *, QString>, 6> signs{
+        {{"○", accent}, {"●", accent}, {"□", secondary}, {"━", text}, {"▬", accent}, {"┊", explanation}}};
+    QStringList legend;
+    for (const QString &one : trendLegend(windowLanguage())) {
+        const auto &[sign, colour] = signs.at(static_cast<std::size_t>(legend.size()));
+        // It breaks between the marks alone.
+        legend << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")
+                      .arg(colour, QString::fromUtf8(sign),
+                           one.toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;")));
+    }
+    m_legend->setTextFormat(Qt::RichText);
+    m_legend->setText(legend.join(QStringLiteral(" &nbsp;&nbsp;&nbsp; ")));
+}
+
+void RegisterWindow::filterMachines() {
+    const int before = m_machine;
+    m_machines->setFilter(m_search->text(), m_unidentified->isChecked() ? MachineModel::Show::unidentified
+                                            : m_toDo->isChecked()       ? MachineModel::Show::toDo
+                                                                        : MachineModel::Show::identified);
+    const int row = m_machines->rowOf(before);
+    if (row >= 0)
+        m_machineList->setCurrentIndex(m_machines->index(row));
+    else if (m_unidentified->isChecked() && m_machines->rowCount() > 0)
+        m_machineList->setCurrentIndex(m_machines->index(0));
+}
+
+void RegisterWindow::moveInMachines(int rows) {
+    const int row = m_machineList->currentIndex().row() + rows;
+    if (row >= 0 && row < m_machines->rowCount())
+        m_machineList->setCurrentIndex(m_machines->index(row));
 }
 
 void RegisterWindow::setFolders(const QStringList &folders) {
@@ -545,6 +606,7 @@ void RegisterWindow::loadMachines() {
                 }
                 const auto due = dueDates(reg.database(), list);
                 const auto states = axisStates(reg.database());
+                const auto counts = testCounts(reg.database());
                 for (ListedMachine &machine : list) {
                     MachineRow row;
                     const int id = machine.id;
@@ -553,6 +615,8 @@ void RegisterWindow::loadMachines() {
                         row.due = found->second;
                     if (const auto found = states.find(id); found != states.end())
                         row.axes = found->second;
+                    if (const auto found = counts.find(id); found != counts.end())
+                        row.tests = found->second;
                     read.rows.push_back(std::move(row));
                 }
             } catch (const Error &error) {
@@ -579,7 +643,13 @@ void RegisterWindow::takeMachines(std::vector<MachineRow> rows) {
         if (known == identity)
             m_machine = id;
     }
+    m_unidentified->setTests(m_machines->unidentifiedTests());
     int row = m_machines->rowOf(m_machine);
+    if (row < 0 && m_machines->rowCount() == 0 && m_machines->unidentifiedTests() > 0 &&
+        m_search->text().isEmpty() && !m_toDo->isChecked()) { // there are no others
+        m_unidentified->setChecked(true);
+        m_machines->setFilter({}, MachineModel::Show::unidentified);
+    }
     if (row < 0 && m_machines->rowCount() > 0)
         row = 0;
     m_machine = row < 0 ? 0 : m_machines->row(row).machine.id;
@@ -625,6 +695,10 @@ void RegisterWindow::loadTests() {
 }
 
 void RegisterWindow::takeTests(std::vector<ListedTest> tests) {
+    if (sameTests(tests, m_allTests)) { // what is chosen stays chosen
+        showHead();
+        return;
+    }
     m_allTests = std::move(tests);
     const bool hasAxis = std::ranges::any_of(m_allTests, [this](const ListedTest &test) {
         return filterValue(byAxis, test) == m_filters[byAxis].chosen;
@@ -734,23 +808,58 @@ void RegisterWindow::fillFilterMenu(Filter filter) {
     std::set<QString> values;
     for (const ListedTest &test : m_allTests)
         values.insert(filterValue(filter, test));
-    const auto choose = [this, filter](const QString &value) {
-        m_filters.at(filter).chosen = value;
-        if (filter == byAxis) {
-            m_edition.clear();
-            m_anew.clear();
-        }
-        showTests();
-    };
-    menu->addAction(tr("All"), this, [choose] { choose({}); });
+    menu->addAction(tr("All"), this, [this, filter] { setFilter(filter, {}); });
     menu->addSeparator();
     for (const QString &value : values) {
         if (value.isEmpty())
             continue;
-        QAction *action =
-            menu->addAction(filterName(filter, value), this, [choose, value] { choose(value); });
+        QAction *action = menu->addAction(filterName(filter, value), this,
+                                          [this, filter, value] { setFilter(filter, value); });
         action->setCheckable(true);
         action->setChecked(value == m_filters.at(filter).chosen);
+    }
+}
+
+void RegisterWindow::setFilter(Filter filter, const QString &value) {
+    m_filters.at(filter).chosen = value;
+    if (filter == byAxis) {
+        m_edition.clear();
+        m_anew.clear();
+    }
+    showTests();
+}
+
+void RegisterWindow::clearFilters() {
+    for (FilterButton &filter : m_filters)
+        filter.chosen.clear();
+    m_edition.clear();
+    m_anew.clear();
+    showTests();
+}
+
+void RegisterWindow::fillEditions() {
+    m_menus.under->clear();
+    m_menus.under->addAction(tr("Each test under its own edition"), this, [this] { evaluateUnder({}); });
+    for (const Edition *edition : editions()) {
+        const bool fits = std::ranges::any_of(m_allTests, [&](const ListedTest &test) {
+            return test.test.kind == edition->kind && QString::fromStdString(test.test.axis) == trendAxis();
+        });
+        if (fits)
+            m_menus.under->addAction(QString::fromUtf8(edition->word), this,
+                                     [this, word = std::string(edition->word)] { evaluateUnder(word); });
+    }
+}
+
+void RegisterWindow::fillIntervals() {
+    m_menus.intervals->clear();
+    for (int i = 0; i < m_interval->count(); ++i) {
+        QAction *action = m_menus.intervals->addAction(m_interval->itemText(i), this, [this, i] {
+            m_interval->setCurrentIndex(i);
+            setMonths(i);
+        });
+        action->setCheckable(true);
+        action->setChecked(i == m_interval->currentIndex());
+        action->setEnabled(m_interval->isEnabled());
     }
 }
 
@@ -774,13 +883,13 @@ void RegisterWindow::showFilters() {
         const FilterButton &filter = m_filters.at(i);
         const bool isSet = !filter.chosen.isEmpty();
         any = any || isSet;
-        filter.button->setText(!isSet        ? names.at(i)
-                               : i == byAxis ? tr("Axis %1").arg(filter.chosen)
-                                             : filterName(static_cast<Filter>(i), filter.chosen));
-        filter.button->setCheckable(true);
-        filter.button->setChecked(isSet);
+        filter.button->setContent(names.at(i), !isSet ? QString()
+                                               : i == byAxis
+                                                   ? tr("Axis %1").arg(filter.chosen)
+                                                   : filterName(static_cast<Filter>(i), filter.chosen));
     }
     m_clear->setEnabled(any);
+    m_menus.clear->setEnabled(any);
 }
 
 void RegisterWindow::showTests() {
@@ -789,7 +898,10 @@ void RegisterWindow::showTests() {
         if (passes(test))
             shown.push_back(test);
     }
-    m_shownCount->setText(tr("%1 of %2 tests").arg(shown.size()).arg(m_allTests.size()));
+    const auto grouped = [](std::size_t number) {
+        return windowLanguage().number(static_cast<double>(number), Quantity::count);
+    };
+    m_shownCount->setText(tr("%1 of %2 tests").arg(grouped(shown.size()), grouped(m_allTests.size())));
     m_tests->setTests(std::move(shown));
     fitColumns();
     showFilters();
@@ -804,7 +916,8 @@ void RegisterWindow::fitColumns() {
     constexpr int accordanceWidth = 110;
     constexpr int padding = 10;
     constexpr int leastWord = 64; ///< of a column that gives way; what it says is elided
-    constexpr int wide = 1250;    ///< of the table: all results find room
+    constexpr int leastAxis = 40;
+    constexpr int wide = 1250; ///< of the table: all results find room
     constexpr int fewResults = 3;
     m_table->resizeColumnsToContents();
     for (int i = TestTableModel::dateColumn; i < TestTableModel::firstResult; ++i)
@@ -824,9 +937,12 @@ void RegisterWindow::fitColumns() {
     int tooWide = accordanceWidth - m_table->viewport()->width(); // what is left the last one takes
     for (int i = 0; i <= limits; ++i)
         tooWide += m_table->isColumnHidden(i) ? 0 : m_table->columnWidth(i);
-    for (const int column : {TestTableModel::purposeColumn, TestTableModel::roleColumn}) {
+    for (const auto &[column, least] : {std::pair(int(TestTableModel::purposeColumn), leastWord),
+                                        std::pair(int(TestTableModel::roleColumn), leastWord),
+                                        std::pair(int(TestTableModel::editionColumn), leastWord),
+                                        std::pair(int(TestTableModel::axisColumn), leastAxis)}) {
         const int before = m_table->columnWidth(column);
-        const int after = std::clamp(before - tooWide, std::min(before, leastWord), before);
+        const int after = std::clamp(before - tooWide, std::min(before, least), before);
         m_table->setColumnWidth(column, after);
         tooWide -= before - after;
     }
@@ -841,6 +957,24 @@ bool RegisterWindow::eventFilter(QObject *watched, QEvent *event) {
     if (watched == m_table->viewport() && event->type() == QEvent::Resize)
         fitColumns();
     return QMainWindow::eventFilter(watched, event);
+}
+
+void RegisterWindow::resizeEvent(QResizeEvent *event) {
+    constexpr int veryWide = 1600;
+    fitTrend();
+    const int usual = event->oldSize().width() >= veryWide ? wideListWidth : listWidth;
+    const int wanted = event->size().width() >= veryWide ? wideListWidth : listWidth;
+    if (wanted != usual && m_side->width() == usual) // and was not drawn to another width
+        m_parts->setSizes({wanted, event->size().width() - wanted});
+    QMainWindow::resizeEvent(event);
+}
+
+/// A narrow window shows the curves in the place of the trend; editions stand in the menu alone.
+void RegisterWindow::fitTrend() {
+    constexpr int wide = 1180;
+    const bool isWide = width() >= wide;
+    m_under->setVisible(isWide);
+    m_trendPart->setVisible(isWide || !m_menus.compare->isChecked());
 }
 
 QString RegisterWindow::trendAxis() const {
@@ -917,8 +1051,11 @@ void RegisterWindow::showFacts(const MachineTrend &trend) {
             "<p style='margin-top:2px;margin-bottom:8px;font-size:large'><b>%1</b></p><table width='100%'>")
             .arg(trendStatement(trend, language).toHtmlEscaped());
     for (const KeyValue &fact : trendFacts(trend, language))
-        html += QStringLiteral("<tr><td style='padding:2px 8px 2px 0'>%1</td><td align='right'>%2</td></tr>")
-                    .arg(fact.key.toHtmlEscaped(), fact.value.toHtmlEscaped());
+        html +=
+            QStringLiteral(
+                "<tr><td style='padding:2px 8px 2px 0'>%1</td><td align='right'><nobr>%2</nobr></td></tr>")
+                .arg(fact.key.toHtmlEscaped(), // in one piece: a word joiner where a line would break
+                     fact.value.toHtmlEscaped().replace(u'/', QStringLiteral("/\u2060")));
     html += QStringLiteral("</table>");
     for (std::size_t i = 1; i < trend.series.size(); ++i)
         html += QStringLiteral("<p>□ %1</p>")
@@ -950,25 +1087,33 @@ void RegisterWindow::showChosen() {
     }
     m_tests->setNumbers(std::move(numbers));
     m_trend->setChosen(digests);
-    m_openAction->setEnabled(chosen.size() == 1);
+    m_menus.open->setEnabled(chosen.size() == 1);
     const bool comparable =
         chosen.size() > 1 && std::ranges::all_of(chosen, [&](const ListedTest *test) {
             return test->test.axis == chosen.front()->test.axis && !test->test.curve.empty();
         });
-    m_compareAction->setEnabled(comparable || m_compareAction->isChecked());
-    if (m_compareAction->isChecked() && comparable) {
+    m_menus.compare->setEnabled(comparable || m_menus.compare->isChecked());
+    if (m_menus.compare->isChecked() && comparable) {
         std::vector<ListedTest> list;
         list.reserve(static_cast<std::size_t>(chosen.size()));
         for (const ListedTest *test : chosen)
             list.push_back(*test);
         m_comparison->setTests(std::move(list));
     }
-    m_historyAction->setEnabled(m_machine != 0);
+    m_menus.history->setEnabled(m_machine != 0);
+    const int tests = m_sorted->rowCount();
+    const auto count = static_cast<int>(chosen.size());
+    m_shown->setText(
+        m_stack->currentIndex() == 0
+            ? tr("F1 help")
+            : counted(tr("%n test(s) shown", nullptr, tests), tests) +
+                  (count == 0 ? QString() : QStringLiteral(" · ") + tr("%n chosen", nullptr, count)));
 }
 
 void RegisterWindow::compareCurves(bool compare) {
     m_factsColumn->setVisible(!compare);
     m_comparison->setVisible(compare);
+    fitTrend();
     showChosen();
 }
 
@@ -1027,10 +1172,13 @@ void RegisterWindow::showState() {
     m_stack->setCurrentIndex(isEmpty ? 0 : 1);
     if (isEmpty)
         m_maximise->setChecked(false);
-    m_rescanAction->setEnabled(hasFolders);
-    m_historyAction->setEnabled(m_machine != 0);
+    m_menus.rescan->setEnabled(hasFolders);
+    m_menus.history->setEnabled(m_machine != 0);
+    m_menus.intervals->setEnabled(m_machine != 0);
+    m_menus.under->setEnabled(!m_allTests.empty());
     const int count = m_machines->machineCount();
-    m_machinesTitle->setText(tr("Machines") + (count == 0 ? QString() : QStringLiteral("  %1").arg(count)));
+    const int listed = m_machines->identifiedCount();
+    m_machinesTitle->setText(tr("Machines") + (listed == 0 ? QString() : QStringLiteral("  %1").arg(listed)));
     m_all->setText(tr("All"));
     m_toDo->setText(tr("To do %1").arg(m_machines->toDoCount()));
     m_noMachine->setText(m_service.isScanning() ? tr("The folders are being read…") : tr("No machine yet"));
@@ -1040,36 +1188,107 @@ void RegisterWindow::showState() {
     m_search->setEnabled(count > 0);
     m_all->setVisible(count > 0);
     m_toDo->setVisible(count > 0);
-    const ScanResult &result = m_service.result();
-    m_total->setText(count == 0 ? QString()
-                                : tr("%n machine(s)", nullptr, count) + QStringLiteral(" · ") +
-                                      tr("%n test(s)", nullptr, result.tests));
-    m_total->setVisible(result.tests > 0);
-    const QString folders =
-        hasFolders ? tr("%n folder(s) watched", nullptr, static_cast<int>(m_service.folders().size()))
-                   : tr("No folder is watched");
+    m_unidentified->setVisible(m_machines->unidentifiedTests() > 0);
+    const int tests = m_machines->testCount();
+    m_total->setText(counted(tr("%n machine(s)", nullptr, listed), listed) + QStringLiteral(" · ") +
+                     counted(tr("%n test(s)", nullptr, tests), tests));
+    m_total->setVisible(tests > 0);
+    m_rules[0]->setVisible(tests > 0);
+    const auto folders = static_cast<int>(m_service.folders().size());
+    showScanState(hasFolders ? tr("%n folder(s) watched", nullptr, folders) : tr("No folder is watched"));
+    showTroubled();
+    showChosen();
+}
+
+void RegisterWindow::showScanState(const QString &folders) {
+    const bool isScanning = m_service.isScanning();
     if (!m_service.trouble().isEmpty())
         m_state->setText(m_service.trouble());
-    else if (m_service.isScanning())
+    else if (isScanning)
         m_state->setText(folders + QStringLiteral(", ") + tr("being read"));
+    else if (m_service.isStopped())
+        m_state->setText(folders + QStringLiteral(", ") + tr("reading stopped"));
     else if (m_service.scannedAt().isValid())
         m_state->setText(folders + QStringLiteral(", ") +
                          tr("up to date at %1").arg(m_service.scannedAt().toString(QStringLiteral("HH:mm"))));
     else
         m_state->setText(folders);
-    m_progress->setVisible(m_progress->isVisible() && m_service.isScanning());
-    const int unreadable = static_cast<int>(result.unreadable.size());
-    m_unreadable->setVisible(unreadable > 0);
-    m_unreadable->setText(tr("%n unreadable file(s)", nullptr, unreadable));
-    QPalette look = m_unreadable->palette();
-    look.setColor(QPalette::WindowText, token(Token::bad, palette()));
-    m_unreadable->setPalette(look);
+    m_progress->setVisible(m_progress->isVisible() && isScanning);
+    m_stop->setVisible(m_progress->isVisible());
+}
+
+void RegisterWindow::showProgress(int done, int total) {
+    constexpr double soonest = 2; // s, before that nothing is known of the pace
+    if (!m_service.isScanning())
+        return;
+    m_progress->setRange(0, total);
+    m_progress->setValue(done);
+    m_progress->setVisible(done < total);
+    m_stop->setVisible(done < total);
+    const auto grouped = [](int number) { return windowLanguage().number(number, Quantity::count); };
+    QString said = tr("reading %1 of %2 files").arg(grouped(done), grouped(total));
+    const double passed = m_service.secondsOfScan();
+    if (done > 0 && passed >= soonest)
+        said +=
+            QStringLiteral(" · ") + tr("%1 s left").arg(std::ceil(passed * (total - done) / done), 0, 'f', 0);
+    m_state->setText(said);
+}
+
+void RegisterWindow::showTroubled() {
+    const ScanResult &result = m_service.result();
+    const auto unreadable = static_cast<int>(result.unreadable.size());
+    QStringList said;
+    if (unreadable > 0)
+        said << counted(tr("%n unreadable file(s)", nullptr, unreadable), unreadable);
+    if (result.notFound > 0)
+        said << counted(tr("%n file(s) not found", nullptr, result.notFound), result.notFound);
+    m_unreadable->setVisible(!said.isEmpty());
+    m_rules[1]->setVisible(!said.isEmpty());
+    m_unreadable->setText(said.join(QStringLiteral(" · ")));
+    QPixmap mark(QSize(16, 16) * devicePixelRatioF());
+    mark.setDevicePixelRatio(devicePixelRatioF());
+    mark.fill(Qt::transparent);
+    QPainter painter(&mark);
+    drawLineIcon(painter, QRect(0, 0, 16, 16), QStringLiteral("miss"), token(Token::bad, palette()));
+    painter.end();
+    m_unreadable->setIcon(QIcon(mark));
+    m_menus.troubled->setEnabled(!m_service.folders().isEmpty() || m_machines->machineCount() > 0);
     QStringList reasons;
     constexpr std::size_t most = 12;
     for (std::size_t i = 0; i < std::min(result.unreadable.size(), most); ++i)
         reasons << result.unreadable[i].path + QStringLiteral(": ") +
                        sentenceFrom(result.unreadable[i].error, windowLanguage());
     m_unreadable->setToolTip(reasons.join(u'\n'));
+}
+
+void RegisterWindow::showTroubledFiles() {
+    m_filesLane.cancel();
+    m_filesLane.start(
+        [address = m_service.address()](const Background::Job &) {
+            std::vector<ListedSource> files;
+            try {
+                Register reg(address);
+                files = troubledSources(reg.database());
+            } catch (const Error &) { // said where the machines are read
+                files.clear();
+            }
+            return files;
+        },
+        [this](const std::vector<ListedSource> &files) {
+            auto *dialog = new TroubledFiles(files, this);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            connect(dialog, &QDialog::accepted, &m_service, [this] { m_service.rescan(true); });
+            dialog->open();
+        });
+}
+
+void RegisterWindow::showHelp() {
+    if (!m_help)
+        m_help = new HelpWindow(this);
+    m_help->showPage(QStringLiteral("register"));
+    m_help->show();
+    m_help->raise();
+    m_help->activateWindow();
 }
 
 void RegisterWindow::chooseFolders() {

@@ -5,6 +5,7 @@
 #include "register/machinetrend.h"
 #include "ui/model/background.h"
 #include "ui/register/machinelist.h"
+#include "ui/register/registermenus.h"
 
 #include <QMainWindow>
 #include <array>
@@ -14,6 +15,7 @@
 class QAction;
 class QButtonGroup;
 class QComboBox;
+class QFrame;
 class QHBoxLayout;
 class QLabel;
 class QLineEdit;
@@ -30,10 +32,13 @@ namespace palmer::ui {
 
 class Chip;
 class CurveComparison;
+class FilterChip;
 class GhostRows;
+class HelpWindow;
 class RegisterService;
 class TestTableModel;
 class TrendChart;
+class UnidentifiedRow;
 
 /// The register: machines at the left, the tests of one of them, the trend of a parameter, curves over each
 /// other. Shows what the register says, which is read beside the window; computes nothing.
@@ -57,10 +62,11 @@ protected:
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     struct FilterButton {
-        QPushButton *button = nullptr;
+        FilterChip *button = nullptr;
         QString chosen; ///< empty: all
     };
     enum Filter { byAxis, bySince, byEdition, byPurpose, byRole, byLimits, byAccordance, filterCount };
@@ -70,9 +76,13 @@ private:
     QWidget *makeTests();
     QWidget *makeTrend();
     void makeActions();
+    void makeStatus();
     static QToolButton *makeTrendButton(const char *name, const char *icon);
     void retranslate();
+    void showLegend();
 
+    void filterMachines();
+    void moveInMachines(int rows);
     void loadMachines();
     void takeMachines(std::vector<MachineRow> rows);
     void chooseMachine(const QModelIndex &index);
@@ -82,7 +92,12 @@ private:
     void showTests();
     void showFilters();
     void fitColumns();
+    void fitTrend();
     void fillFilterMenu(Filter filter);
+    void fillEditions();
+    void fillIntervals();
+    void setFilter(Filter filter, const QString &value);
+    void clearFilters();
     [[nodiscard]] static QString filterValue(Filter filter, const ListedTest &listed);
     [[nodiscard]] static QString filterName(Filter filter, const QString &value);
     [[nodiscard]] bool passes(const ListedTest &test) const;
@@ -90,6 +105,9 @@ private:
     void showFacts(const MachineTrend &trend);
     void showChosen();
     void showState();
+    void showScanState(const QString &folders);
+    void showTroubled();
+    void showProgress(int done, int total);
     [[nodiscard]] QString trendAxis() const;
     [[nodiscard]] QString axisName(const std::vector<ListedTest> &list) const;
     [[nodiscard]] std::vector<const ListedTest *> chosenTests() const;
@@ -102,6 +120,8 @@ private:
     void addFolder();
     void writeHistory();
     void setMonths(int index);
+    void showTroubledFiles();
+    void showHelp();
 
     RegisterService &m_service;
     QStackedWidget *m_stack = nullptr; ///< first use, or what the register says
@@ -110,6 +130,7 @@ private:
     QLineEdit *m_search = nullptr;
     QToolButton *m_all = nullptr;
     QToolButton *m_toDo = nullptr;
+    UnidentifiedRow *m_unidentified = nullptr;
     QLabel *m_machinesTitle = nullptr;
     QLabel *m_noMachine = nullptr;
     QLabel *m_name = nullptr;
@@ -132,24 +153,23 @@ private:
     TrendChart *m_trend = nullptr;
     QLabel *m_legend = nullptr;
     QLabel *m_statement = nullptr;
+    QWidget *m_trendPart = nullptr;
     QWidget *m_factsColumn = nullptr;
     CurveComparison *m_comparison = nullptr;
+    QSplitter *m_parts = nullptr;
     QWidget *m_side = nullptr;
     QWidget *m_head = nullptr;
     QWidget *m_testsPart = nullptr;
     GhostRows *m_ghosts = nullptr;
     QLabel *m_total = nullptr;
     QLabel *m_state = nullptr;
-    QLabel *m_unreadable = nullptr;
+    std::array<QFrame *, 2> m_rules{}; ///< between total, state and troubles
+    QPushButton *m_unreadable = nullptr;
+    QLabel *m_shown = nullptr;
     QProgressBar *m_progress = nullptr;
-    QAction *m_foldersAction = nullptr;
-    QAction *m_rescanAction = nullptr;
-    QAction *m_openAction = nullptr;
-    QAction *m_compareAction = nullptr;
-    QAction *m_historyAction = nullptr;
-    QAction *m_closeAction = nullptr;
-    QMenu *m_registerMenu = nullptr;
-    QMenu *m_testMenu = nullptr;
+    QPushButton *m_stop = nullptr;
+    RegisterMenus m_menus;
+    HelpWindow *m_help = nullptr;
 
     int m_machine = 0;                  ///< id of the chosen one; 0: none
     std::vector<ListedTest> m_allTests; ///< of the chosen machine
@@ -160,6 +180,7 @@ private:
     Background m_machineLane;
     Background m_testLane;
     Background m_historyLane;
+    Background m_filesLane;
 };
 
 } // namespace palmer::ui

@@ -10,6 +10,7 @@
 #include "editing/newtest.h"
 #include "editing/takestatements.h"
 #include "ui/circles/circlespage.h"
+#include "ui/dialogs/aboutbox.h"
 #include "ui/dialogs/comparedialog.h"
 #include "ui/dialogs/compensationdialog.h"
 #include "ui/dialogs/feeddialog.h"
@@ -1314,16 +1315,7 @@ void MainWindow::showSettings() {
 }
 
 void MainWindow::about() {
-    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("About Palmer"),
-                                QStringLiteral("Palmer " PALMER_VERSION), QMessageBox::Ok, this);
-    box->setObjectName(QStringLiteral("aboutBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setIconPixmap(QIcon(QStringLiteral(":/icons/palmer.svg")).pixmap(QSize(64, 64)));
-    box->setInformativeText(
-        tr("Evaluates tests of machine tools after ISO 230-2 and ISO 230-4 and prints the "
-           "report. Free software under the GNU General Public License, version 3 or later; "
-           "without any warranty."));
-    box->open();
+    showAbout(this);
 }
 
 void MainWindow::changeEvent(QEvent *event) {

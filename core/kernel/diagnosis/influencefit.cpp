@@ -21,9 +21,9 @@ constexpr double leastAmplitude = 2e-5; ///< mm: no instrument for circles tells
 constexpr double mostByChance = 1e-3;   ///< probability
 constexpr double worthATrial = 1e-2;    ///< probability, by the quick test
 
-/// Pitches of screws and racks, mm.
-constexpr std::array plausiblePitches{1.0,  2.0,  2.5,  3.0,  4.0,  5.0,  6.0,  8.0,  10.0, 12.0,
-                                      12.7, 15.0, 16.0, 20.0, 25.0, 25.4, 30.0, 32.0, 40.0, 50.0};
+/// Pitches of screws and racks, mm; those of inches among them.
+constexpr std::array plausiblePitches{1.0,  2.0,  2.5,  3.0,  4.0,  5.0,  5.08, 6.0,  6.35, 8.0,  10.0,
+                                      12.0, 12.7, 15.0, 16.0, 20.0, 25.0, 25.4, 30.0, 32.0, 40.0, 50.0};
 /// Widths of spikes, degrees; each half of the one before.
 constexpr std::array plausibleWidths{8.0, 4.0, 2.0, 1.0, 0.5};
 

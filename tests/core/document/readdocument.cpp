@@ -516,6 +516,23 @@ private slots:
             positioningFile(noReadings + R"(, "id": "x", "uncertainty": {"driftTest": "x"})"), content,
             "tests[0].uncertainty.driftTest", "expected the id of a drift test of this file; “%1” is none");
     }
+    /// A word that the sentence names can be written.
+    void wordsThatAreNamedAreTaken() {
+        const QByteArray two =
+            R"({"format": "palmer test report", "version": 2, "report": {"leaveOut": ["%"]}})";
+        std::string named;
+        try {
+            (void)readDocument(QByteArray(two).replace("%", "all"));
+        } catch (const Error &error) {
+            named = std::get<std::string>(error.message.arguments.at(1));
+        }
+        const QStringList words = QString::fromStdString(named).split(" · ");
+        QCOMPARE(words.size(), 6);
+        for (const QString &word : words)
+            QCOMPARE(readDocument(QByteArray(two).replace("%", word.toUtf8())).report.leaveOut.size(),
+                     std::size_t(1));
+    }
+
     void aDiagnosisLeftOutOfAnOlderFileMeantNothing() {
         const Document document =
             readDocument(head + R"(, "report": {"leaveOut": ["diagnosis", "findings", "readings"]}})");

@@ -63,6 +63,33 @@ private slots:
         QVERIFY(std::get<Paragraph>(page[1]).text.contains("no part of the verdict"));
     }
 
+    /// What a further circle says is not what the first said, and is headed as interpretation, too.
+    void everyCircleHasItsHeading_data() {
+        QTest::addColumn<Language::Id>("language");
+        QTest::newRow("English") << Language::Id::english;
+        QTest::newRow("French") << Language::Id::french;
+    }
+    void everyCircleHasItsHeading() {
+        QFETCH(Language::Id, language);
+        constexpr int circles = 3;
+        std::vector<CircularSynthesis> asked(circles, mixedCircle());
+        for (std::size_t i = 0; i < asked.size(); ++i)
+            asked[i].radius += 10.0 * double(i); // circles of a plane, but not one circle at several feeds
+        Document document = *madeCircles(asked);
+        document.report.include.push_back(ReportExtra::diagnosis);
+        const Report report = composed(document, language);
+        int headings = 0;
+        for (std::size_t i = 0; i < report.blocks.size(); ++i) {
+            const auto *heading = std::get_if<Heading>(&report.blocks[i]);
+            if (!heading || heading->level != 1 || !heading->text.contains("interpr"))
+                continue;
+            ++headings;
+            QVERIFY(heading->note.plain().contains("ISO 230-4"));
+            QVERIFY(std::holds_alternative<Paragraph>(report.blocks[i + 1]));
+        }
+        QCOMPARE(headings, circles);
+    }
+
     void beginsAPageBehindTheTest() {
         const Report report = composed(circleFile(mixedCircle(), true), Language::Id::french);
         const auto page = pageOf(report);

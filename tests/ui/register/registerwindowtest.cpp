@@ -5,7 +5,9 @@
 #include "ui/register/registerwindow.h"
 #include "core/register/postgresqlserver.h"
 #include "core/register/registerdata.h"
+#include "ui/help/helpwindow.h"
 #include "ui/register/curvechart.h"
+#include "ui/register/filterchip.h"
 #include "ui/register/folderlist.h"
 #include "ui/register/foldersdialog.h"
 #include "ui/register/numbertag.h"
@@ -13,6 +15,8 @@
 #include "ui/register/registersettings.h"
 #include "ui/register/testtable.h"
 #include "ui/register/trendchart.h"
+#include "ui/register/troubledfiles.h"
+#include "ui/register/unidentifiedrow.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractItemModelTester>
@@ -23,12 +27,14 @@
 #include <QListView>
 #include <QListWidget>
 #include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <algorithm>
 
 using namespace palmer;
@@ -132,7 +138,247 @@ private slots:
         QCOMPARE(tests->model()->rowCount(), 8);
         choose("filterLimits", "exceeded");
         QCOMPARE(tests->model()->rowCount(), 1);
-        QVERIFY(find<QPushButton>("filterLimits")->isChecked());
+        auto *limits = find<FilterChip>("filterLimits");
+        QVERIFY(limits->isChecked());
+        QCOMPARE(limits->text(), QString("exceeded"));
+        // Its ✕ takes the filter away, the rest of it does not.
+        QTest::mouseClick(limits, Qt::LeftButton, {}, QPoint(limits->width() - 16, limits->height() / 2));
+        QVERIFY(!limits->isChecked());
+        QVERIFY(!limits->menu()->isVisible());
+        QCOMPARE(tests->model()->rowCount(), 8);
+        choose("filterLimits", "exceeded");
+        QTest::keyClick(limits, Qt::Key_Delete);
+        QVERIFY(!limits->isChecked());
+        choose("filterAxis", "Y");
+        m_window->findChild<QAction *>("clearAllFilters")->trigger();
+        QCOMPARE(tests->model()->rowCount(), 8);
+        QVERIFY(!m_window->findChild<QAction *>("clearAllFilters")->isEnabled());
+    }
+
+    void noStateMakesItWiderThanItMayBe_data() {
+        QTest::addColumn<Language::Id>("language");
+        QTest::addColumn<bool>("isEmpty");
+        QTest::newRow("first use, English") << Language::Id::english << true;
+        QTest::newRow("first use, French") << Language::Id::french << true;
+        QTest::newRow("English") << Language::Id::english << false;
+        QTest::newRow("French") << Language::Id::french << false;
+    }
+    /// 960 × 600: what any window of the program may be made to.
+    void noStateMakesItWiderThanItMayBe() {
+        QFETCH(Language::Id, language);
+        QFETCH(bool, isEmpty);
+        setWindowLanguage(language);
+        if (!isEmpty) {
+            Sample sample;
+            sample.machine = QString("A machine of a long name ").repeated(12).toStdString();
+            sample.serial = "0";
+            writeFile(folder() + "/long.palmer", fileOf(sample));
+            scan();
+        }
+        const auto isNarrow = [this](const char *state) {
+            m_window->resize(960, 600);
+            QCoreApplication::processEvents();
+            QVERIFY2(
+                m_window->width() <= 960 && m_window->height() <= 600,
+                qPrintable(QString("%1: %2 × %3").arg(state).arg(m_window->width()).arg(m_window->height())));
+        };
+        isNarrow("at first");
+        if (isEmpty)
+            return;
+        m_window->resize(1600, 900); // and back from wide
+        isNarrow("after wide");
+        auto *machines = find<QListView>("machines");
+        for (int row = 0; row < machines->model()->rowCount(); ++row) {
+            machines->setCurrentIndex(machines->model()->index(row, 0));
+            settle();
+            isNarrow("of a machine");
+        }
+        for (const char *filter :
+             {"filterSince", "filterEdition", "filterPurpose", "filterRole", "filterLimits"}) {
+            auto *menu = find<FilterChip>(filter)->menu();
+            emit menu->aboutToShow();
+            menu->actions().back()->trigger();
+        }
+        isNarrow("with filters");
+        find<QPushButton>("clearFilters")->click();
+        machines->setCurrentIndex(machines->model()->index(1, 0));
+        settle();
+        find<QTableView>("tests")->selectAll();
+        m_window->findChild<QAction *>("compareCurves")->trigger();
+        isNarrow("with curves");
+        QVERIFY(find<TaggedChart>("curves")->height() >= 80);
+        QVERIFY(!find<TrendChart>("trendChart")->isVisible());
+        QVERIFY(!find<QPushButton>("evaluateUnder")->isVisible()); // it stands in the menu
+        m_window->resize(1400, 800);
+        QCoreApplication::processEvents();
+        QVERIFY(find<TrendChart>("trendChart")->isVisible());
+        QVERIFY(find<QPushButton>("evaluateUnder")->isVisible());
+    }
+
+    void menusHoldWhatTheWindowCan() {
+        scan();
+        QStringList titles;
+        for (const QAction *action : m_window->menuBar()->actions()) {
+            titles << action->text().remove('&');
+            QVERIFY2(action->menu() && !action->menu()->actions().isEmpty(), qPrintable(action->text()));
+        }
+        QCOMPARE(titles, (QStringList{"Register", "Machine", "Test", "View", "Help"}));
+        // Of one menu no two letters are alike, in either language.
+        for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+            setWindowLanguage(language);
+            QCoreApplication::processEvents();
+            const auto lettersDiffer = [](const QList<QAction *> &actions) {
+                QStringList letters;
+                for (const QAction *action : actions) {
+                    if (const qsizetype at = action->text().indexOf('&'); at >= 0)
+                        letters << action->text().mid(at + 1, 1).toLower();
+                }
+                const qsizetype all = letters.size();
+                letters.removeDuplicates();
+                return letters.size() == all;
+            };
+            QVERIFY(lettersDiffer(m_window->menuBar()->actions()));
+            for (const QAction *action : m_window->menuBar()->actions())
+                QVERIFY2(lettersDiffer(action->menu()->actions()), qPrintable(action->text()));
+        }
+        // Machines one after another, and the search.
+        auto *machines = find<QListView>("machines");
+        m_window->findChild<QAction *>("nextMachine")->trigger();
+        settle();
+        QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 2"));
+        m_window->findChild<QAction *>("nextMachine")->trigger(); // there is none
+        QCOMPARE(machines->currentIndex().row(), 1);
+        m_window->findChild<QAction *>("previousMachine")->trigger();
+        settle();
+        QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 1"));
+        // The interval, as in the head.
+        auto *intervals = m_window->findChild<QMenu *>("intervals");
+        emit intervals->aboutToShow();
+        QCOMPARE(intervals->actions().size(), find<QComboBox>("interval")->count());
+        intervals->actions()[4]->trigger();
+        settle();
+        QCOMPARE(find<QComboBox>("interval")->currentIndex(), 4);
+        QVERIFY(find<QWidget>("due")->isVisible());
+        // The trend alone, both ways.
+        auto *alone = m_window->findChild<QAction *>("trendAlone");
+        alone->trigger();
+        QVERIFY(!find<QTableView>("tests")->isVisible());
+        find<QToolButton>("maximiseTrend")->click();
+        QVERIFY(!alone->isChecked());
+        QVERIFY(find<QTableView>("tests")->isVisible());
+        // Help opens with its page.
+        m_window->findChild<QAction *>("help")->trigger();
+        auto *help = m_window->findChild<HelpWindow *>();
+        QVERIFY(help && help->isVisible());
+        QCOMPARE(help->currentPage(), QString("register"));
+    }
+
+    void machinesWithoutSerialNumberStandApart() {
+        Sample sample;
+        sample.machine = "Unknown";
+        sample.serial = "";
+        writeFile(folder() + "/unknown.palmer", fileOf(sample));
+        scan();
+        auto *machines = find<QListView>("machines");
+        auto *row = find<UnidentifiedRow>("unidentified");
+        QCOMPARE(machines->model()->rowCount(), 2);
+        QVERIFY(row->isVisible());
+        QCOMPARE(row->height(), 44);
+        QVERIFY(row->accessibleName().contains("1 test without serial number"));
+        row->click();
+        settle();
+        QCOMPARE(machines->model()->rowCount(), 1);
+        QVERIFY(find<QLabel>("machineFacts")->text().contains("not identified"));
+        find<QToolButton>("allMachines")->click();
+        QCOMPARE(machines->model()->rowCount(), 2);
+        QVERIFY(!row->isChecked());
+    }
+
+    void theStatusBarCounts() {
+        scan();
+        auto *tests = find<QTableView>("tests");
+        QCOMPARE(find<QLabel>("shownAndChosen")->text(), QString("7 tests shown"));
+        tests->selectRow(0);
+        QCOMPARE(find<QLabel>("shownAndChosen")->text(), QString("7 tests shown · 1 chosen"));
+        QCOMPARE(find<QLabel>("total")->text(), QString("2 machines · 9 tests"));
+    }
+
+    /// What one has chosen stays chosen while other files come in.
+    void whatIsChosenStaysChosen() {
+        scan();
+        auto *tests = find<QTableView>("tests");
+        tests->selectRow(3);
+        Sample sample;
+        sample.machine = "Machine 3";
+        sample.serial = "Machine 3";
+        writeFile(folder() + "/new.palmer", fileOf(sample));
+        m_service->rescan();
+        settle();
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 3);
+        QCOMPARE(selected().size(), 1);
+        QCOMPARE(selected().front().row(), 3);
+    }
+
+    void vanishedFilesAreTakenOutByHand() {
+        scan();
+        const QString last = QString("/%1.palmer").arg(m_files);
+        QVERIFY(QFile::remove(folder() + last)); // all of machine 2
+        m_service->rescan();
+        settle();
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 2);
+        auto *troubled = find<QPushButton>("unreadable");
+        QVERIFY(troubled->isVisible());
+        QCOMPARE(troubled->text(), QString("1 file not found"));
+        troubled->click();
+        settle();
+        auto *dialog = m_window->findChild<TroubledFiles *>();
+        QVERIFY(dialog);
+        const auto *list = dialog->findChild<QTreeWidget *>("troubledList");
+        QCOMPARE(list->topLevelItemCount(), 1);
+        QVERIFY(list->topLevelItem(0)->text(0).endsWith(last));
+        QCOMPARE(list->topLevelItem(0)->text(1), QString("not found any more"));
+        dialog->findChild<QPushButton *>("removeNotFound")->click();
+        settle();
+        QVERIFY(!troubled->isVisible());
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 1);
+    }
+
+    /// Stopped, what was read is there, and nothing goes on by itself; Rescan reads the rest.
+    void aScanIsStoppedAndGoesOn() {
+        for (int i = 0; i < 400; ++i) {
+            Sample sample;
+            sample.machine = "Many " + std::to_string(i % 20);
+            sample.serial = sample.machine;
+            sample.date = QDate(2020, 1, 1).addDays(i).toString(Qt::ISODate).toStdString();
+            writeFile(folder() + QString("/many%1.palmer").arg(i), fileOf(sample));
+        }
+        bool shown = false;
+        connect(m_service.get(), &RegisterService::progressed, m_window.get(), [&](int done, int total) {
+            if (done == total || shown)
+                return;
+            shown = true;
+            QVERIFY(find<QWidget>("scanProgress")->isVisible());
+            QVERIFY(find<QLabel>("scanState")->text().startsWith("reading "));
+            QVERIFY(find<QPushButton>("stopScan")->isVisible());
+            find<QPushButton>("stopScan")->click();
+        });
+        m_window->setFolders({folder()});
+        settle();
+        if (!shown)
+            QSKIP("all was read in one go");
+        QVERIFY(!find<QWidget>("stopScan")->isVisible());
+        QVERIFY(!find<QWidget>("scanProgress")->isVisible());
+        const int read = m_service->result().tests;
+        if (m_service->isStopped()) {
+            QVERIFY(find<QLabel>("scanState")->text().endsWith("reading stopped"));
+            QVERIFY(read > 0 && read <= 409);
+        }
+        m_service->rescan();
+        settle();
+        QVERIFY(!m_service->isStopped());
+        QVERIFY(m_service->scannedAt().isValid());
+        QCOMPARE(m_service->result().tests, 409);
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 22);
     }
 
     void theTrendIsThatOfTheKernel() {
@@ -295,6 +541,36 @@ private slots:
         for (int row = 0; row < model->rowCount(); ++row)
             QCOMPARE(model->index(row, TestTableModel::markColumn).data(TestTableModel::asLeftRole).toBool(),
                      model->index(row, TestTableModel::roleColumn).data().toString() == "as left");
+    }
+
+    void theListIsWiderInAVeryWideWindow() {
+        scan();
+        auto *machines = find<QListView>("machines");
+        m_window->resize(1280, 800);
+        QCoreApplication::processEvents();
+        QCOMPARE(machines->width(), 248);
+        m_window->resize(1600, 900);
+        QCoreApplication::processEvents();
+        QCOMPARE(machines->width(), 264);
+        m_window->resize(1599, 900);
+        QCoreApplication::processEvents();
+        QCOMPARE(machines->width(), 248);
+    }
+
+    void allCurvesAreNamed() {
+        scan();
+        m_window->resize(1600, 1000);
+        auto *tests = find<QTableView>("tests");
+        QItemSelection some;
+        for (const int row : {0, 1, 2})
+            some.select(tests->model()->index(row, 0), tests->model()->index(row, 5));
+        tests->selectionModel()->select(some,
+                                        QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+        m_window->findChild<QAction *>("compareCurves")->trigger();
+        QCoreApplication::processEvents();
+        const auto *list = find<QLabel>("curveList");
+        QVERIFY2(list->parentWidget()->height() >= list->sizeHint().height(),
+                 qPrintable(QString::number(list->parentWidget()->height())));
     }
 
     void numbersOfCurvesKeepApart() {
@@ -472,8 +748,13 @@ private slots:
     void unreadableFilesAreNamed() {
         writeFile(folder() + "/broken.palmer", "{");
         scan();
-        QVERIFY(find<QLabel>("unreadable")->isVisible());
-        QVERIFY(find<QLabel>("unreadable")->toolTip().contains("broken.palmer"));
+        QVERIFY(find<QPushButton>("unreadable")->isVisible());
+        QVERIFY(find<QPushButton>("unreadable")->toolTip().contains("broken.palmer"));
+        m_window->findChild<QAction *>("troubledFiles")->trigger();
+        settle();
+        auto *dialog = m_window->findChild<TroubledFiles *>();
+        QVERIFY(dialog && dialog->isVisible());
+        QVERIFY(!dialog->findChild<QPushButton *>("removeNotFound")->isEnabled());
     }
 
     void bothLanguages() {
@@ -517,7 +798,7 @@ private:
         settle();
     }
     void choose(const char *filter, const QString &word) {
-        auto *menu = find<QPushButton>(filter)->menu();
+        auto *menu = find<FilterChip>(filter)->menu();
         emit menu->aboutToShow();
         for (QAction *action : menu->actions()) {
             if (action->text() == word) {

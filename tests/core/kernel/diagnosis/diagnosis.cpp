@@ -261,6 +261,8 @@ void DiagnosisTest::eachSourceIsRecognised_data() {
     row("B.2.2 squareness", InfluenceId::squareness, none, 35e-6);
     row("B.2.3 X with its pitch", InfluenceId::cyclic, x, 2e-3, 10);
     row("B.2.3 Y with its pitch", InfluenceId::cyclic, y, 1e-3, 4);
+    row("B.2.3 X with a pitch of inches", InfluenceId::cyclic, x, 2e-3, 5.08);
+    row("B.2.3 Y with a pitch of inches", InfluenceId::cyclic, y, 2e-3, 6.35);
     row("B.3.2 backlash X", InfluenceId::backlash, x, 5e-3);
     row("B.3.2 backlash Y, overcompensated", InfluenceId::backlash, y, -5e-3);
     row("B.3.2 spikes of X", InfluenceId::reversalSpike, x, 6e-3, 1.3);

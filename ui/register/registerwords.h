@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace palmer::ui {
+
+/// A translated text of %n with that number in groups of thousands, as the language of the window writes it.
+[[nodiscard]] QString counted(QString text, int number);
+
+} // namespace palmer::ui

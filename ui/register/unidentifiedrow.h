@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+
+namespace palmer::ui {
+
+/// The row below the list of machines that shows those without serial number instead, while it is checked.
+class UnidentifiedRow : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit UnidentifiedRow(QWidget *parent = nullptr);
+
+    void setTests(int tests);
+
+    [[nodiscard]] QSize sizeHint() const override { return {100, rowHeight}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    static constexpr int rowHeight = 44;
+
+    void retranslate();
+
+    int m_tests = 0;
+    QString m_below;
+};
+
+} // namespace palmer::ui
