@@ -3,7 +3,7 @@
 #include "windowoptions.h"
 
 #include "document/filename.h"
-#include "ui/fonts.h"
+#include "ui/application.h"
 #include "ui/register/openregister.h"
 #include "ui/settings.h"
 #include "ui/standardbuttons.h"
@@ -47,22 +47,20 @@ int main(int argc, char *argv[]) {
         words << palmer::fileNameOf(argv[i]);
     if (const auto code = palmer::answeredWithoutWindow(words))
         return *code;
-    QApplication application(argc, argv);
+    const auto application = makeApplication(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("palmer"));
     QCoreApplication::setOrganizationName(QStringLiteral("palmer"));
     QCoreApplication::setApplicationVersion(QStringLiteral(PALMER_VERSION));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Palmer"));
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.palmer_metrology.Palmer"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/palmer.svg")));
-    QApplication::setStyle(QStringLiteral("fusion"));
     useSafeSettings();
-    loadFonts();
     restoreWindowLanguage();
     installTheme();
-    guardWheel(application);
-    nameStandardButtons(application);
-    keepCopiesAtEnd(application);
-    guardTyping(application);
+    guardWheel(*application);
+    nameStandardButtons(*application);
+    keepCopiesAtEnd(*application);
+    guardTyping(*application);
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();

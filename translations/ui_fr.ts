@@ -1732,6 +1732,26 @@
         <source>Correction to 20 °C: %1.</source>
         <translation>Correction à 20 °C&#xa0;: %1.</translation>
     </message>
+    <message>
+        <source>air %1</source>
+        <translation>air %1</translation>
+    </message>
+    <message>
+        <source>machine %1</source>
+        <translation>machine %1</translation>
+    </message>
+    <message>
+        <source>instrument %1</source>
+        <translation>instrument %1</translation>
+    </message>
+    <message>
+        <source>%1: no</source>
+        <translation>%1&#xa0;: non</translation>
+    </message>
+    <message>
+        <source>%1 of %2 apply</source>
+        <translation>%1 sur %2 déclarées satisfaites</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::CurveComparison</name>
@@ -2347,6 +2367,10 @@
         <source>Next (F8)</source>
         <translation>Suivante (F8)</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::HelpWindow</name>
@@ -2754,6 +2778,10 @@
         <source>Being drawn…</source>
         <translation>Tracé en cours…</translation>
     </message>
+    <message>
+        <source>Importing %1…</source>
+        <translation>Importation de %1…</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::InstrumentsPage</name>
@@ -2931,6 +2959,10 @@
     <message>
         <source>Nothing was pasted</source>
         <translation>Rien n’a été collé</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
     </message>
 </context>
 <context>
@@ -5063,6 +5095,17 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Being computed; shown is what was before</source>
         <translation>Calcul en cours&#x202f;; affiché&#xa0;: l’état précédent</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::SectionHead</name>
+    <message>
+        <source>Unfold the section</source>
+        <translation>Déplier la section</translation>
+    </message>
+    <message>
+        <source>Fold the section away</source>
+        <translation>Replier la section</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,8 @@ namespace palmer::ui {
 
 namespace {
 
+constexpr QLatin1StringView family("Liberation Sans");
+
 #ifdef PALMER_FONTS
 /// That of the distribution.
 QByteArray fontFile(const QString &name) {
@@ -38,7 +40,7 @@ bool load() {
     for (const char *face : {"Regular", "Bold", "Italic", "BoldItalic"}) {
         const QByteArray data = fontFile(QStringLiteral("LiberationSans-%1.ttf").arg(QLatin1String(face)));
         const int id = QFontDatabase::addApplicationFontFromData(data);
-        if (id < 0 || QFontDatabase::applicationFontFamilies(id).value(0) != paperFamily())
+        if (id < 0 || QFontDatabase::applicationFontFamilies(id).value(0) != family)
             throw std::runtime_error("the font of the reports is damaged");
         const QRawFont raw(data, 10);
         for (const QChar sign : signs) {
@@ -58,7 +60,8 @@ void loadFonts() {
 }
 
 QString paperFamily() {
-    return QStringLiteral("Liberation Sans");
+    loadFonts();
+    return family;
 }
 
 QFont paperFont(int pixelSize, bool bold, bool italic) {

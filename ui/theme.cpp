@@ -121,9 +121,10 @@ QMenuBar::item:selected { background: @selected; color: @text; }
 QToolTip { background: @base; color: @text; border: 1px solid @field; padding: 3px; }
 QToolBar { background: @window; border: none; border-bottom: 1px solid @line; padding: 0 8px; spacing: 4px; }
 QToolBar::separator { background: @line; width: 1px; margin: 8px 6px; }
-QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @field; border-radius: 3px; background: @base; }
-QCheckBox::indicator:hover, QCheckBox::indicator:focus { border-color: @accent; }
-QCheckBox::indicator:checked { image: url(:/icons/check-@kind.svg); background: @selected; border-color: @accent; }
+QCheckBox::indicator, QListView::indicator { width: 14px; height: 14px; border: 1px solid @field; border-radius: 3px;
+    background: @base; }
+QCheckBox::indicator:hover, QCheckBox::indicator:focus, QListView::indicator:hover { border-color: @accent; }
+QCheckBox::indicator:checked, QListView::indicator:checked { image: url(:/icons/check-@kind.svg); background: @selected; border-color: @accent; }
 QCheckBox::indicator:disabled { border-color: @line; }
 QScrollBar { background: transparent; border: none; }
 QScrollBar:vertical { width: 9px; }
@@ -197,6 +198,8 @@ QFrame[notice="good"] { background: @okGround; border: none; border-bottom: 1px 
 QFrame[notice="true"] { background: @unsureGround; border: none; border-bottom: 1px solid @line; }
 QFrame[bar="true"] { background: @selected; border: 1px solid @accent; border-radius: 4px; }
 QLabel[secondary="true"] { color: @secondary; }
+QLabel[tone="unsure"] { color: @unsure; }
+QLabel[tone="bad"] { color: @bad; }
 )";
 
 QString filledStyleSheet(const QPalette &palette) {

@@ -117,13 +117,17 @@ QTableWidgetItem *valueCell(const QString &value, const QString &first) {
 
 /// The numbers of the reasons of a row, "1, 3"; a reason that is new is added.
 QString notesOf(const ComparisonRow &row, QStringList &footnotes) {
-    QStringList numbers;
+    std::vector<qsizetype> numbers;
     for (const QString &reason : row.reasons) {
         if (!footnotes.contains(reason))
             footnotes << reason;
-        numbers << QString::number(footnotes.indexOf(reason) + 1);
+        numbers.push_back(footnotes.indexOf(reason) + 1);
     }
-    return numbers.join(QStringLiteral(", "));
+    std::ranges::sort(numbers);
+    QStringList words;
+    for (const qsizetype number : numbers)
+        words << QString::number(number);
+    return words.join(QStringLiteral(", "));
 }
 
 /// Fills a table; `differences`: a column beside every value but the first; else the numbers of the reasons
@@ -161,6 +165,7 @@ QStringList fill(QTableWidget &table, const ResultComparison &comparison, const 
     table.resizeColumnsToContents();
     if (table.columnCount() > nameColumn)
         table.setColumnWidth(nameColumn, nameLetters * table.fontMetrics().averageCharWidth());
+    table.horizontalHeader()->setStretchLastSection(!differences); // the rules end where the table does
     table.resizeRowsToContents();
     return footnotes;
 }

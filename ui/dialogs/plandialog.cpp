@@ -32,6 +32,7 @@
 #include <QPrinter>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <algorithm>
 #include <cmath>
 
@@ -149,16 +150,29 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     right->addWidget(m_targets);
     auto *body = new QHBoxLayout;
     body->setSpacing(16);
-    body->addWidget(fields);
+    auto *place = new QScrollArea(this); // on low screens the fields are higher than their place
+    place->setFrameShape(QFrame::NoFrame);
+    place->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    place->setFocusPolicy(Qt::NoFocus);
+    place->setWidgetResizable(true);
+    place->setWidget(fields);
+    place->setFixedWidth(fieldsWidth + place->verticalScrollBar()->sizeHint().width());
+    body->addWidget(place);
     body->addLayout(right, 1);
 
     auto *program = makeButtons();
+    auto *decision =
+        new QHBoxLayout; // a row of its own: both have no room beside each other on small screens
+    decision->addStretch();
+    for (QPushButton *button : {m_fill, m_make, m_close})
+        decision->addWidget(button);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(16);
     layout->addLayout(body, 1);
     layout->addWidget(m_programReason);
     layout->addLayout(program);
+    layout->addLayout(decision);
     connect(m_dialect, &QComboBox::currentIndexChanged, this, &PlanDialog::showWhyNoProgram);
     connect(m_saveProgram, &QPushButton::clicked, this, &PlanDialog::chooseProgramFile);
     connect(m_print, &QPushButton::clicked, this, &PlanDialog::choosePrinter);
@@ -297,9 +311,6 @@ QHBoxLayout *PlanDialog::makeButtons() {
     program->addWidget(m_print);
     program->addWidget(m_savePlan);
     program->addStretch();
-    program->addWidget(m_fill);
-    program->addWidget(m_make);
-    program->addWidget(m_close);
     for (QPushButton *button : {m_saveProgram, m_print, m_savePlan, m_fill, m_make, m_close})
         button->setAutoDefault(false);
     return program;

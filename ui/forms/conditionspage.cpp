@@ -197,6 +197,7 @@ ConditionsPage::ConditionsPage(DocumentModel &model, Selection &selection, QWidg
     follow(selection);
     addToBar(new TemplateButton(TemplateButton::Kind::conditions, model, selection, this));
     setObjectName(QStringLiteral("conditionsPage"));
+    body()->setObjectName(QStringLiteral("conditionsFields"));
     refresh();
 }
 
@@ -231,49 +232,52 @@ void ConditionsPage::prepare() {
     addDeclarations(edition);
     addLoad(measurement != nullptr, rotary);
     addPositions(measurement != nullptr);
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks"));
-    beginRow();
+    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks"));
+    beginColumns();
     addLongText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks on the test"),
-                ofTest([](auto &test) { return &test.remarks; }));
+                ofTest([](auto &test) { return &test.remarks; }), 12);
     addStretch();
 }
 
 void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
-    beginRow();
+    beginColumns();
     const SensorLabels labels = labelsOf(what, ordinal > 0);
     const QString argument = ordinal > 0 ? QString::number(ordinal + 1) : QString();
-    Field *start = addNumber("sensors", labels.start, Quantity::temperature, startOf(what, ordinal), 5);
+    Field *start = addNumber("sensors", labels.start, Quantity::temperature, startOf(what, ordinal), 3);
     start->setLabelArgument(argument);
-    addNumber("sensors", labels.end, Quantity::temperature, endOf(what, ordinal), 5)
+    addNumber("sensors", labels.end, Quantity::temperature, endOf(what, ordinal), 3)
         ->setLabelArgument(argument);
     addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
-            ofSensor<&Sensor::position>(what, ordinal), 6);
+            ofSensor<&Sensor::position>(what, ordinal), 3);
     m_lastSensors[what] = start;
 }
 
 void ConditionsPage::addTemperatures(const Test &test) {
     const Conditions &conditions = *conditionsOf(test);
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperatures"));
+    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperatures"),
+                      [this] { return temperatureSummary(); });
     for (const SensorMeasures what : kinds) {
         const std::size_t count = shownSensors(conditions, what);
         for (std::size_t ordinal = 0; ordinal < count; ++ordinal) {
             addSensor(what, ordinal);
             if (ordinal > 0) {
-                addButton(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remove the sensor"),
-                          [this, what, ordinal] {
-                              edit(QT_TRANSLATE_NOOP("edits", "remove a sensor"), [&](Document &document) {
-                                  editTest(document, this->test(), [&](Test &changed) {
-                                      removeSensor(*conditionsOf(changed), what, ordinal);
-                                  });
-                              });
-                          });
+                addButton(
+                    QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remove the sensor"),
+                    [this, what, ordinal] {
+                        edit(QT_TRANSLATE_NOOP("edits", "remove a sensor"), [&](Document &document) {
+                            editTest(document, this->test(), [&](Test &changed) {
+                                removeSensor(*conditionsOf(changed), what, ordinal);
+                            });
+                        });
+                    },
+                    3);
             } else if (what == SensorMeasures::machine) {
                 addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
-                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::machine>(), 6);
+                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::machine>(), 3);
             } else if (what == SensorMeasures::instrument) {
                 addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
                           Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::instrument>(),
-                          6);
+                          3);
             } else {
                 addChoice("correctionTo20",
                           QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Correction to 20 °C"),
@@ -285,33 +289,37 @@ void ConditionsPage::addTemperatures(const Test &test) {
                                                    {CorrectionTo20::notStated, CorrectionTo20::notApplied,
                                                     CorrectionTo20::appliedByInstrument,
                                                     CorrectionTo20::appliedHere}),
-                          true, 6);
+                          true, 3);
             }
         }
     }
-    beginRow();
+    beginColumns();
     m_correction = new QLabel(body());
     m_correction->setObjectName(QStringLiteral("correctionSize"));
     m_correction->setFont(themeFont(TextSize::small));
     m_correction->setProperty("secondary", true);
     m_correction->setWordWrap(true);
-    addWidget(m_correction);
-    beginRow();
+    addWidget(m_correction, 12);
+    beginColumns();
     const auto addOne = [this](const char *text, SensorMeasures what, const QString &name) {
-        addButton(text, [this, what] {
-            edit(QT_TRANSLATE_NOOP("edits", "add a sensor"), [&](Document &document) {
-                editTest(document, this->test(), [&](Test &changed) {
-                    Conditions &kept = *conditionsOf(changed);
-                    Sensor sensor;
-                    sensor.measures = what;
-                    // The first row stands there without a sensor.
-                    const std::size_t rows = shownSensors(kept, what) + 1;
-                    while (countSensors(kept, what) < rows)
-                        kept.sensors.push_back(sensor);
+        addButton(
+            text,
+            [this, what] {
+                edit(QT_TRANSLATE_NOOP("edits", "add a sensor"), [&](Document &document) {
+                    editTest(document, this->test(), [&](Test &changed) {
+                        Conditions &kept = *conditionsOf(changed);
+                        Sensor sensor;
+                        sensor.measures = what;
+                        // The first row stands there without a sensor.
+                        const std::size_t rows = shownSensors(kept, what) + 1;
+                        while (countSensors(kept, what) < rows)
+                            kept.sensors.push_back(sensor);
+                    });
                 });
-            });
-            focusPart(*m_lastSensors.at(what));
-        })->setObjectName(name);
+                focusPart(*m_lastSensors.at(what));
+            },
+            4)
+            ->setObjectName(name);
     };
     addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another air sensor"), SensorMeasures::air,
            QStringLiteral("addAirSensor"));
@@ -319,11 +327,10 @@ void ConditionsPage::addTemperatures(const Test &test) {
            QStringLiteral("addMachineSensor"));
     addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another instrument sensor"),
            SensorMeasures::instrument, QStringLiteral("addInstrumentSensor"));
-    addWidget(new QWidget(body()));
-    beginRow();
+    beginColumns();
     addYesNo("temperatureControlled",
              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Room temperature can be controlled"),
-             common<&Conditions::temperatureControlled>());
+             common<&Conditions::temperatureControlled>(), 6);
     addChoice("instrumentCompensation",
               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Compensation by the instrument"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
@@ -333,28 +340,31 @@ void ConditionsPage::addTemperatures(const Test &test) {
               choiceOf<InstrumentCompensation>(common<&Conditions::instrumentCompensation>(),
                                                {InstrumentCompensation::notStated, InstrumentCompensation::on,
                                                 InstrumentCompensation::off, InstrumentCompensation::none}),
-              true);
+              true, 6);
     if (!std::holds_alternative<PositioningMeasurement>(test.measurement))
         return;
     constexpr auto conditionsMember = &PositioningMeasurement::conditions;
-    beginRow();
+    beginColumns();
     addNumber("airPressure", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air pressure"),
-              Quantity::pressure, positioning<conditionsMember, &PositioningConditions::airPressure>());
+              Quantity::pressure, positioning<conditionsMember, &PositioningConditions::airPressure>(), 4);
     addNumber("airHumidity", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Relative humidity"),
-              Quantity::percent, positioning<conditionsMember, &PositioningConditions::airHumidity>());
+              Quantity::percent, positioning<conditionsMember, &PositioningConditions::airHumidity>(), 4);
     addNumber("gradientPerHour", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperature gradient"),
-              Quantity::gradient, positioning<conditionsMember, &PositioningConditions::gradientPerHour>());
-    beginRow();
+              Quantity::gradient, positioning<conditionsMember, &PositioningConditions::gradientPerHour>(),
+              4);
+    beginColumns();
     addNumber("gradientHoursBefore",
               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Gradient: hours before the test"),
-              Quantity::number, positioning<conditionsMember, &PositioningConditions::gradientHoursBefore>());
+              Quantity::number, positioning<conditionsMember, &PositioningConditions::gradientHoursBefore>(),
+              6);
     addNumber("gradient", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed limit of the gradient"),
-              Quantity::gradient, agreedValue("gradient"));
+              Quantity::gradient, agreedValue("gradient"), 6);
 }
 
 void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Cycle and load"));
-    beginRow();
+    constexpr int third = 4;
+    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Cycle and load"));
+    beginColumns();
     if (isPositioning) {
         constexpr auto conditionsMember = &PositioningMeasurement::conditions;
         addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Feed rate"),
@@ -367,7 +377,7 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
                                      {FeedMode::programmed, FeedMode::rapid}),
                   false, 3);
         addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"),
-                  Quantity::time, positioning<conditionsMember, &PositioningConditions::dwell>(), 4);
+                  Quantity::time, positioning<conditionsMember, &PositioningConditions::dwell>(), 3);
         addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Approach distance"),
                   rotary ? Quantity::angle : Quantity::position,
                   positioning<conditionsMember, &PositioningConditions::approachDistance>(), 3);
@@ -375,12 +385,12 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
         addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed"), Quantity::feed,
                   circular<&CircularMeasurement::feed>(), 4);
         addText("smoothing", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Data smoothing"),
-                circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>(), 3);
+                circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>(), 4);
         addYesNo("recentredBetweenRuns",
                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Re-centred between the runs"),
                  circular<&CircularMeasurement::conditions, &CircularConditions::recentredBetweenRuns>(), 4);
     }
-    beginRow();
+    beginColumns();
     addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreed or the maker's procedure"),
@@ -389,45 +399,47 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
               choiceOf<WarmUpKind>(
                   commonPart<&Conditions::warmUp, &WarmUp::kind>(),
                   {WarmUpKind::notStated, WarmUpKind::procedure, WarmUpKind::dryRun, WarmUpKind::setUpOnly}),
-              true, 8);
+              true, 6);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details"),
-            commonPart<&Conditions::warmUp, &WarmUp::text>(), 7);
-    beginRow();
+            commonPart<&Conditions::warmUp, &WarmUp::text>(), 6);
+    beginColumns();
     addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up specified by"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "the maker"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreement")},
               choiceOf<SpecifiedBy>(commonPart<&Conditions::warmUp, &WarmUp::specifiedBy>(),
                                     {SpecifiedBy::notStated, SpecifiedBy::maker, SpecifiedBy::agreement}),
-              true);
+              true, third);
     if (isPositioning)
         addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate"),
-                  rotary ? Quantity::angularFeed : Quantity::feed, agreedValue("feed"));
+                  rotary ? Quantity::angularFeed : Quantity::feed, agreedValue("feed"), third);
     if (isPositioning && rotary)
-        addYesNo(
-            "continuousDevice",
-            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Continuous measuring device"),
-            positioning<&PositioningMeasurement::conditions, &PositioningConditions::continuousDevice>());
+        addYesNo("continuousDevice",
+                 QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Continuous measuring device"),
+                 positioning<&PositioningMeasurement::conditions, &PositioningConditions::continuousDevice>(),
+                 third);
     if (!isPositioning) {
         addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified diameter"),
                   Quantity::position, circular<&CircularMeasurement::specified, &SpecifiedCircle::diameter>(),
-                  1, Allowed::positive);
+                  third, Allowed::positive);
         addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified feed"), Quantity::feed,
-                  circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), 1, Allowed::positive);
+                  circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), third,
+                  Allowed::positive);
     }
-    beginRow();
+    beginColumns();
     addText("compensation", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Active compensation"),
-            common<&Conditions::compensation>());
-    addText("load", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), common<&Conditions::load>());
-    beginRow();
+            common<&Conditions::compensation>(), 6);
+    addText("load", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), common<&Conditions::load>(), 6);
+    beginColumns();
     addText("soak", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Soaking time"),
-            common<&Conditions::soak>(), 2);
+            common<&Conditions::soak>(), 4);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Thermal guidelines of the maker"),
-            common<&Conditions::thermalGuidelines>(), 3);
+            common<&Conditions::thermalGuidelines>(), 8);
 }
 
 void ConditionsPage::addDeclarations(const Edition *edition) {
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declarations"));
+    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declarations"),
+                      [this] { return declarationSummary(); });
     addSectionButton(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "All of these apply"), [this] {
         edit(QT_TRANSLATE_NOOP("edits", "declare what was not declared"), [&](Document &document) {
             editTest(document, this->test(), [](Test &changed) {
@@ -444,50 +456,60 @@ void ConditionsPage::addDeclarations(const Edition *edition) {
         if (std::ranges::find(clauses, clause) == clauses.end())
             clauses.push_back(clause);
     }
-    for (const std::string &clause : clauses) {
-        beginRow();
-        if (!clause.empty()) {
-            auto *label = new QLabel(QString::fromStdString(clause), body());
-            label->setProperty("secondary", true);
-            addWidget(label, 0);
-        }
-        for (const Declaration &declaration : declarations) {
-            if (clause == (edition ? clauseOf(*edition, declaration.id) : std::string()))
-                addYesNo(declaration.key, declaration.label, ofDeclaration(declaration.member));
-        }
-    }
-    beginRow();
+    for (const std::string &clause : clauses)
+        addDeclarationsOf(edition, clause);
+    beginColumns();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Rest of the requirements declared met by"),
-            ofTest([](auto &test) { return &test.declaredAccordance.by; }), 6);
+            ofTest([](auto &test) { return &test.declaredAccordance.by; }), 5);
     addDate("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declared on"),
-            ofTest([](auto &test) { return &test.declaredAccordance.date; }), 4);
+            ofTest([](auto &test) { return &test.declaredAccordance.date; }), 3);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Text of the declaration"),
-            ofTest([](auto &test) { return &test.declaredAccordance.text; }), 6);
+            ofTest([](auto &test) { return &test.declaredAccordance.text; }), 4);
+}
+
+/// Those of one clause beside its number, three in a row.
+void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string &clause) {
+    constexpr int inRow = 3;
+    const int width = clause.empty() ? 4 : 11 / inRow;
+    int count = 0;
+    for (const Declaration &declaration : declarations) {
+        if (clause != (edition ? clauseOf(*edition, declaration.id) : std::string()))
+            continue;
+        if (count++ % inRow == 0) {
+            beginColumns();
+            if (!clause.empty()) {
+                auto *label = new QLabel(count == 1 ? QString::fromStdString(clause) : QString(), body());
+                label->setProperty("secondary", true);
+                addWidget(label);
+            }
+        }
+        addYesNo(declaration.key, declaration.label, ofDeclaration(declaration.member), width);
+    }
 }
 
 void ConditionsPage::addPositions(bool isPositioning) {
     constexpr auto mm = Quantity::position;
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
-    beginRow();
+    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
+    beginColumns();
     addText("instrumentPosition",
             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the instrument"),
-            common<&Conditions::instrumentPosition>());
+            common<&Conditions::instrumentPosition>(), 6);
     addText("otherAxes", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axes not under test"),
-            common<&Conditions::otherAxes>());
-    beginRow();
+            common<&Conditions::otherAxes>(), 6);
+    beginColumns();
     addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, X"), mm,
-              coordinate<&Conditions::toolOffset, 0>());
+              coordinate<&Conditions::toolOffset, 0>(), 4);
     addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Y"), mm,
-              coordinate<&Conditions::toolOffset, 1>());
+              coordinate<&Conditions::toolOffset, 1>(), 4);
     addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Z"), mm,
-              coordinate<&Conditions::toolOffset, 2>());
-    beginRow();
+              coordinate<&Conditions::toolOffset, 2>(), 4);
+    beginColumns();
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, X"),
-              mm, coordinate<&Conditions::workpieceOffset, 0>());
+              mm, coordinate<&Conditions::workpieceOffset, 0>(), 4);
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Y"),
-              mm, coordinate<&Conditions::workpieceOffset, 1>());
+              mm, coordinate<&Conditions::workpieceOffset, 1>(), 4);
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Z"),
-              mm, coordinate<&Conditions::workpieceOffset, 2>());
+              mm, coordinate<&Conditions::workpieceOffset, 2>(), 4);
     if (isPositioning)
         return;
     const auto centre = []<std::size_t axis>() {
@@ -496,30 +518,30 @@ void ConditionsPage::addPositions(bool isPositioning) {
             return measurement ? &measurement->conditions.centre[axis] : nullptr;
         });
     };
-    beginRow();
+    beginColumns();
     addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, X"), mm,
-              centre.operator()<0>());
+              centre.operator()<0>(), 4);
     addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Y"), mm,
-              centre.operator()<1>());
+              centre.operator()<1>(), 4);
     addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Z"), mm,
-              centre.operator()<2>());
-    beginRow();
+              centre.operator()<2>(), 4);
+    beginColumns();
     addText("startPoint", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Start point"),
-            circular<&CircularMeasurement::conditions, &CircularConditions::startPoint>());
+            circular<&CircularMeasurement::conditions, &CircularConditions::startPoint>(), 6);
     addText("stopPoint", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Stop point"),
-            circular<&CircularMeasurement::conditions, &CircularConditions::stopPoint>());
+            circular<&CircularMeasurement::conditions, &CircularConditions::stopPoint>(), 6);
 }
 
 void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test and axis"));
-    beginRow();
+    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test and axis"));
+    beginColumns();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Title of the test"),
-            ofTest([](auto &test) { return &test.title; }), 6);
+            ofTest([](auto &test) { return &test.title; }), 5);
     addDate("date", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Date of test"),
-            ofTest([](auto &test) { return &test.date; }), 5);
+            ofTest([](auto &test) { return &test.date; }), 4);
     addTime("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Time"),
             ofTest([](auto &test) { return &test.time; }), 3);
-    beginRow();
+    beginColumns();
     addChoice("purpose", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Purpose of the test"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "type test"),
@@ -534,50 +556,50 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
                                 {Purpose::notStated, Purpose::type, Purpose::acceptance, Purpose::comparison,
                                  Purpose::periodic, Purpose::compensation, Purpose::afterRepair,
                                  Purpose::afterCollision, Purpose::other}),
-              true);
+              true, 6);
     addChoice("role", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "As found or as left"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as found"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as left")},
               choiceOf<TestRole>(ofTest([](auto &test) { return &test.role; }),
                                  {TestRole::notStated, TestRole::asFound, TestRole::asLeft}),
-              true);
+              true, 6);
     addInstruments();
     if (!measurement) {
-        beginRow();
+        beginColumns();
         addText("positionFeedback",
                 QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
-                circular<&CircularMeasurement::positionFeedback>());
+                circular<&CircularMeasurement::positionFeedback>(), 6);
         addYesNo("referenceLength",
                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Reference length calibrated"),
-                 circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>());
+                 circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
         return;
     }
     using Measurement = PositioningMeasurement;
     const Quantity position = positionQuantity(measurement->axis);
-    beginRow();
+    beginColumns();
     addText("name", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis"),
-            positioning<&Measurement::axis, &Axis::name>());
+            positioning<&Measurement::axis, &Axis::name>(), 2);
     addChoice(
         "", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Motion"),
         {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "linear"),
          QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rotary")},
         choiceOf<Motion>(positioning<&Measurement::axis, &Axis::motion>(), {Motion::linear, Motion::rotary}),
-        false);
+        false, 3);
     addNumber("travel", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis travel"), position,
-              positioning<&Measurement::axis, &Axis::travel>(), 1, Allowed::positive);
+              positioning<&Measurement::axis, &Axis::travel>(), 3, Allowed::positive);
     addInterval("ends", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Ends of the axis"), position,
-                positioning<&Measurement::axis, &Axis::range>(), 2);
-    beginRow();
+                positioning<&Measurement::axis, &Axis::range>(), 4);
+    beginColumns();
     addText("positionFeedback",
             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
-            positioning<&Measurement::axis, &Axis::positionFeedback>());
+            positioning<&Measurement::axis, &Axis::positionFeedback>(), 4);
     addInterval("zone", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed working zone"), position,
-                positioning<&Measurement::zone>());
+                positioning<&Measurement::zone>(), 4);
     addNumber("referencePosition",
               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Zero of the displacement"), position,
-              positioning<&Measurement::conditions, &PositioningConditions::referencePosition>());
-    beginRow();
+              positioning<&Measurement::conditions, &PositioningConditions::referencePosition>(), 4);
+    beginColumns();
     addChoice("targetChoice", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Choice of targets"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "chosen freely"),
@@ -586,32 +608,30 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
               choiceOf<TargetChoiceKind>(positioning<&Measurement::targetChoice, &TargetChoice::kind>(),
                                          {TargetChoiceKind::notStated, TargetChoiceKind::free,
                                           TargetChoiceKind::polygon, TargetChoiceKind::fixed}),
-              true);
+              true, 4);
     addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Nominal interval"), position,
-              positioning<&Measurement::targetChoice, &TargetChoice::interval>());
+              positioning<&Measurement::targetChoice, &TargetChoice::interval>(), 4);
     addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Period of the error"), position,
-              positioning<&Measurement::targetChoice, &TargetChoice::period>());
-    beginRow();
+              positioning<&Measurement::targetChoice, &TargetChoice::period>(), 4);
+    beginColumns();
     addNumber("faces", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Faces of the polygon, number"),
-              Quantity::count, faces(), 1, Allowed::positive);
+              Quantity::count, faces(), 6, Allowed::positive);
     if (measurement->axis.motion == Motion::linear)
         addNumber("scaleElement",
                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Element of the scale (0: continuous)"),
-                  position, positioning<&Measurement::axis, &Axis::scaleElement>());
-    beginRow();
+                  position, positioning<&Measurement::axis, &Axis::scaleElement>(), 6);
+    beginColumns();
     addChoice("cycle", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test cycle"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "standard test cycle"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "step cycle")},
-              choiceOf<Cycle>(positioning<&Measurement::cycle>(), {Cycle::standard, Cycle::step}), false);
+              choiceOf<Cycle>(positioning<&Measurement::cycle>(), {Cycle::standard, Cycle::step}), false, 6);
     if (m_built.contains(QStringLiteral(" range"))) {
         addChoice("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Standard deviation"),
                   {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by calculation"),
                    QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the range method")},
                   choiceOf<DeviationMethod>(positioning<&Measurement::standardDeviation>(),
                                             {DeviationMethod::calculation, DeviationMethod::range}),
-                  false);
-    } else {
-        addWidget(new QWidget(body()));
+                  false, 6);
     }
 }
 
@@ -620,11 +640,11 @@ void ConditionsPage::addInstruments() {
     const auto &instruments = evaluated().document->instruments;
     if (instruments.empty())
         return;
-    beginRow();
     for (const Instrument &instrument : instruments) {
+        beginColumns();
         auto *box = new QCheckBox(body());
         box->setObjectName(QStringLiteral("uses.") + QString::fromStdString(instrument.id));
-        addWidget(box, 0);
+        addWidget(box, 12);
         m_instruments.push_back(box);
         connect(box, &QCheckBox::clicked, this, [this, id = instrument.id](bool used) {
             edit(QT_TRANSLATE_NOOP("edits", "change the instruments of the test"), [&](Document &document) {
@@ -636,7 +656,47 @@ void ConditionsPage::addInstruments() {
             });
         });
     }
-    addWidget(new QWidget(body()));
+    sectionNeeds("instruments");
+}
+
+/// Of each kind its first sensor.
+QString ConditionsPage::temperatureSummary() const {
+    const Test *shown = shownTest();
+    const Conditions *conditions = shown ? conditionsOf(*shown) : nullptr;
+    QStringList parts;
+    for (const SensorMeasures what : kinds) {
+        const Sensor *sensor = conditions ? sensorOf(*conditions, what, 0) : nullptr;
+        const auto start = sensor ? startTemperature(*sensor) : std::nullopt;
+        const auto end = sensor ? endTemperature(*sensor) : std::nullopt;
+        if (!start && !end)
+            continue;
+        const double from = start.value_or(end.value_or(0));
+        const double until = end.value_or(from);
+        const QString last = language().quantity(until, Quantity::temperature);
+        const QString range =
+            from == until ? last
+                          : language().number(from, Quantity::temperature) + QStringLiteral(" … ") + last;
+        parts << (what == SensorMeasures::air       ? tr("air %1").arg(range)
+                  : what == SensorMeasures::machine ? tr("machine %1").arg(range)
+                                                    : tr("instrument %1").arg(range));
+    }
+    return parts.join(QStringLiteral(" · "));
+}
+
+/// What does not apply by name, the rest as a number.
+QString ConditionsPage::declarationSummary() const {
+    const Test *shown = shownTest();
+    const Conditions *conditions = shown ? conditionsOf(*shown) : nullptr;
+    QStringList parts;
+    int apply = 0;
+    for (const Declaration &declaration : declarations) {
+        const std::optional<bool> declared = conditions ? conditions->*declaration.member : std::nullopt;
+        apply += declared == true;
+        if (declared == false)
+            parts << tr("%1: no").arg(word(declaration.label));
+    }
+    parts << tr("%1 of %2 apply").arg(apply).arg(declarations.size());
+    return parts.join(QStringLiteral(" · "));
 }
 
 bool ConditionsPage::focusField(const QString &id) {

@@ -31,6 +31,9 @@ private:
     void addLoad(bool positioning, bool rotary);
     /// What only a declaration can meet, by clause of the edition, and a button that says yes to the rest.
     void addDeclarations(const Edition *edition);
+    void addDeclarationsOf(const Edition *edition, const std::string &clause);
+    [[nodiscard]] QString temperatureSummary() const;
+    [[nodiscard]] QString declarationSummary() const;
     void addPositions(bool positioning);
     void addTestAndAxis(const PositioningMeasurement *measurement);
     void addInstruments();

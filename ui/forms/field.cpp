@@ -31,12 +31,6 @@ constexpr int margin = 8;
 constexpr int iconSize = 16;
 constexpr qsizetype longestToolTip = 1000;
 
-void colour(QWidget *widget, QPalette::ColorRole role, const QColor &colour) {
-    QPalette palette = widget->palette();
-    palette.setColor(role, colour);
-    widget->setPalette(palette);
-}
-
 /// The bar at the left of a field that is required and empty.
 class RequiredBar : public QWidget {
 public:
@@ -113,6 +107,7 @@ Field::Field(Kind kind, QWidget *parent)
     m_label->setProperty("secondary", true);
     m_label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_mark->setFixedHeight(labelHeight);
+    m_mark->setProperty("tone", QStringLiteral("unsure"));
     m_label->setBuddy(edit);
     m_unit->setProperty("secondary", true);
     m_unit->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -120,6 +115,7 @@ Field::Field(Kind kind, QWidget *parent)
     m_reasonRow = new QWidget(this);
     m_reason = new QLabel(m_reasonRow);
     m_reason->setObjectName(QStringLiteral("refusal"));
+    m_reason->setProperty("tone", QStringLiteral("bad"));
     m_reason->setWordWrap(true);
     auto *reasonLayout = new QHBoxLayout(m_reasonRow);
     reasonLayout->setContentsMargins(0, 0, 0, 0);
@@ -162,6 +158,11 @@ QString Field::refusal() const {
 
 void Field::setLabel(const QString &label) {
     m_labelSource = label;
+    retranslate();
+}
+
+void Field::setHeading(const QString &heading) {
+    m_heading = heading;
     retranslate();
 }
 
@@ -360,7 +361,7 @@ void Field::retranslate() {
     const QString label = m_labelArgument.isEmpty() || m_labelSource.isEmpty()
                               ? m_labelSource
                               : m_labelSource.arg(m_labelArgument);
-    m_label->setText(label);
+    m_label->setText(m_heading.isEmpty() ? label : m_heading);
     m_mark->setVisible(m_required && !m_bare && !m_labelHidden);
     const QString placeholder = !m_placeholder.isEmpty()                              ? m_placeholder
                                 : m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
@@ -376,8 +377,6 @@ void Field::retranslate() {
     setStyled(shown, "refused", isRefused());
     shown->setAccessibleName(label);
     shown->setAccessibleDescription(description());
-    colour(m_mark, QPalette::WindowText, token(Token::unsure, palette()));
-    colour(m_reason, QPalette::WindowText, token(Token::bad, palette()));
     placeParts();
 }
 

@@ -34,6 +34,8 @@ public:
     explicit Field(Kind kind, QWidget *parent = nullptr);
 
     void setLabel(const QString &label);
+    /// What is shown in the place of the label, which stays the name of the field: the head of a column.
+    void setHeading(const QString &heading);
     /// Stands for %1 in the label.
     void setLabelArgument(const QString &argument);
     [[nodiscard]] QString labelArgument() const { return m_labelArgument; }
@@ -112,6 +114,7 @@ private:
     QString m_refusal;      ///< why the text in the field is no value; empty: it is one
     QString m_labelSource;
     QString m_labelArgument;
+    QString m_heading;
     QString m_placeholder;
     QLabel *m_label;
     QLabel *m_mark;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/forms/form.h"
 
+#include "ui/forms/columnslayout.h"
+#include "ui/forms/sectionhead.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/results/chip.h"
@@ -84,52 +86,110 @@ QString Form::word(const char *source) const {
     return QCoreApplication::translate(m_context, source);
 }
 
+QWidget *Form::body() const {
+    const bool folds = !m_sections.empty() && m_sections.back().content;
+    return folds ? m_sections.back().content : page();
+}
+
 void Form::addSection(const char *title, const QString &argument) {
-    if (!m_titles.empty())
+    if (!m_sections.empty())
         m_body->addSpacing(sectionGap - fieldGap);
-    auto *label = new QLabel(body());
+    auto *label = new QLabel(page());
     m_head = new QHBoxLayout;
     m_head->addWidget(label);
     m_head->addStretch();
     m_body->addLayout(m_head);
     m_titles.push_back({label, title, argument});
+    m_sections.push_back({nullptr, nullptr, title, {}, {}, {}, m_entries.size()});
+}
+
+void Form::addFoldingSection(const char *title, std::function<QString()> summary) {
+    if (!m_sections.empty())
+        m_body->addSpacing(sectionGap - fieldGap);
+    auto *head = new SectionHead(page());
+    head->setObjectName(QStringLiteral("section.") + QString::fromLatin1(title));
+    m_head = new QHBoxLayout;
+    m_head->addWidget(head, 1);
+    m_body->addLayout(m_head);
+    m_sections.push_back({head, nullptr, title, std::move(summary), {}, {}, m_entries.size()});
+    connect(head, &QAbstractButton::clicked, this, [this, place = m_sections.size() - 1] {
+        const Section &section = m_sections[place];
+        fold(section, !section.head->isFolded());
+        m_chosen[section.title] = section.head->isFolded();
+        refreshSummaries();
+    });
 }
 
 QPushButton *Form::addSectionButton(const char *text, std::function<void()> pressed) {
-    auto *button = new QPushButton(body());
+    auto *button = new QPushButton(page());
     button->setProperty("link", true);
     button->setAutoDefault(false);
     connect(button, &QPushButton::clicked, this, [pressed = std::move(pressed)] { pressed(); });
-    m_head->addWidget(button);
+    addToSection(button);
     m_buttons.push_back({button, text});
     return button;
 }
 
 void Form::addToSection(QWidget *widget, int stretch) {
     m_head->addWidget(widget, stretch);
+    m_sections.back().atHead.push_back(widget);
 }
 
-QPushButton *Form::addButton(const char *text, std::function<void()> pressed) {
+QPushButton *Form::addButton(const char *text, std::function<void()> pressed, int weight) {
     auto *button = new QPushButton(body());
     button->setAutoDefault(false);
     connect(button, &QPushButton::clicked, this, [pressed = std::move(pressed)] { pressed(); });
-    m_row->addWidget(button, 0, m_column++, Qt::AlignLeft | Qt::AlignBottom);
+    const Qt::Alignment place = Qt::AlignLeft | Qt::AlignBottom;
+    if (m_columns)
+        m_columns->add(button, weight, place);
+    else
+        m_row->addWidget(button, 0, m_column++, place);
     m_buttons.push_back({button, text});
     return button;
 }
 
 void Form::addWidget(QWidget *widget, int weight) {
-    m_row->addWidget(widget, 0, m_column);
+    if (m_columns)
+        m_columns->add(widget, weight);
+    else
+        m_row->addWidget(widget, 0, m_column);
     if (body()->isVisible())
         widget->show(); // the layout would do so later, after the focus was to come here
-    m_row->setColumnStretch(m_column++, weight);
+    if (!m_columns)
+        m_row->setColumnStretch(m_column++, weight);
 }
 
 void Form::beginRow() {
     m_row = new QGridLayout;
     m_row->setHorizontalSpacing(fieldGap);
     m_column = 0;
-    m_body->addLayout(m_row);
+    m_columns = nullptr;
+    addToPlace(m_row);
+}
+
+void Form::beginColumns() {
+    m_columns = new ColumnsLayout(fieldGap);
+    addToPlace(m_columns);
+}
+
+void Form::addToPlace(QLayout *row) {
+    Section *section = m_sections.empty() ? nullptr : &m_sections.back();
+    if (!section || !section->head) {
+        m_body->addLayout(row);
+        return;
+    }
+    if (!section->content) { // after all that stands in its head, in the order of Tab
+        section->content = new QWidget(page());
+        auto *rows = new QVBoxLayout(section->content);
+        rows->setContentsMargins(0, 0, 0, 0);
+        rows->setSpacing(fieldGap);
+        m_body->addWidget(section->content);
+        if (page()->isVisible())
+            section->content->show();
+        const auto before = m_folded.find(section->title);
+        fold(*section, before != m_folded.end() && before->second);
+    }
+    static_cast<QVBoxLayout *>(section->content->layout())->addLayout(row);
 }
 
 Field *Form::add(Field::Kind kind, const char *key, const char *label, const QString &unit, int weight) {
@@ -319,6 +379,8 @@ void Form::show(const EvaluatedDocument &evaluated, std::size_t test) {
         keepRefused();
         for (const Entry &entry : m_entries)
             entry.field->forget();
+        m_chosen.clear();
+        m_isFoldDue = true;
     }
     // Pages out of view cost nothing while something else is typed.
     m_isStale = parentWidget() && !isVisibleTo(window());
@@ -327,8 +389,11 @@ void Form::show(const EvaluatedDocument &evaluated, std::size_t test) {
 }
 
 void Form::showEvent(QShowEvent *event) {
+    m_isFoldDue = m_isFoldDue || !event->spontaneous();
     if (std::exchange(m_isStale, false))
         refresh();
+    else
+        foldComplete();
     QWidget::showEvent(event);
 }
 
@@ -393,13 +458,19 @@ void Form::clear() {
     keepRefused();
     const QWidget *focused = QWidget::focusWidget();
     m_focused =
-        focused && body()->isAncestorOf(focused) && focused->hasFocus() ? focused->objectName() : QString();
+        focused && page()->isAncestorOf(focused) && focused->hasFocus() ? focused->objectName() : QString();
     if (std::ranges::none_of(m_entries, [&](const Entry &entry) { return entry.field->edit() == focused; }))
         startOver(); // other fields come
+    for (const Section &section : m_sections) {
+        if (section.head)
+            m_folded[section.title] = section.head->isFolded();
+    }
     m_entries.clear();
     m_titles.clear();
     m_buttons.clear();
+    m_sections.clear();
     m_row = nullptr;
+    m_columns = nullptr;
     m_head = nullptr;
     m_isRebuilt = true;
     removeItems(*m_body);
@@ -411,6 +482,10 @@ void Form::refreshTexts() {
         const QString text = word(title.source);
         title.shown->setText(title.argument.isEmpty() ? text : text.arg(title.argument));
         title.shown->setFont(themeFont(TextSize::head));
+    }
+    for (const Section &section : m_sections) {
+        if (section.head)
+            section.head->setTitle(word(section.title));
     }
     for (const Button &button : m_buttons)
         button.shown->setText(word(button.source));
@@ -451,6 +526,8 @@ void Form::refresh() {
     for (const Entry &entry : m_entries)
         m_refused.giveBack(m_of, *entry.field);
     refreshOthers();
+    foldComplete();
+    refreshSummaries();
     if (std::exchange(m_isRebuilt, false))
         chainFields();
     if (!m_focused.isEmpty()) {
@@ -462,6 +539,91 @@ void Form::refresh() {
     m_next->setVisible(missing > 0);
     if (missing > 0)
         m_chip->setContent(missingText(missing), QStringLiteral("warn"), Token::unsure, Token::unsureGround);
+}
+
+std::span<const Form::Entry> Form::fieldsOf(const Section &section) const {
+    const auto next = static_cast<std::size_t>(&section - m_sections.data()) + 1;
+    const std::size_t end = next < m_sections.size() ? m_sections[next].begin : m_entries.size();
+    return std::span(m_entries).subspan(section.begin, end - section.begin);
+}
+
+int Form::countMissingIn(const Section &section) const {
+    const auto missing = std::ranges::count_if(fieldsOf(section),
+                                               [](const Entry &entry) { return entry.field->isRequired(); });
+    const auto others =
+        std::ranges::count_if(section.needs, [this](const char *key) { return isMissingHere(key); });
+    return static_cast<int>(missing + others);
+}
+
+/// Something is stated in it, and all that must be.
+bool Form::isComplete(const Section &section) const {
+    const auto fields = fieldsOf(section);
+    return countMissingIn(section) == 0 &&
+           std::ranges::none_of(fields, [](const Entry &entry) { return entry.field->isRefused(); }) &&
+           std::ranges::any_of(fields, [](const Entry &entry) { return !entry.field->text().isEmpty(); });
+}
+
+/// With their units, of yes and no with the question.
+QString Form::valuesOf(const Section &section) const {
+    QStringList values;
+    for (const Entry &entry : fieldsOf(section)) {
+        const QString text = entry.field->text().simplified();
+        if (text.isEmpty())
+            continue;
+        const bool answers = entry.words.size() > 1 && std::string_view(entry.words[1]) == "yes";
+        const QString unit = entry.quantity ? m_language.unit(*entry.quantity) : QString();
+        const bool apart = !unit.isEmpty() && unit != u"°" && unit != u"″"; // as in Language::quantity
+        values << (answers ? tr("%1: %2").arg(word(entry.label), text)
+                   : apart ? text + QChar(u'\u00A0') + unit
+                           : text + unit);
+    }
+    return values.join(QStringLiteral(" · "));
+}
+
+void Form::fold(const Section &section, bool folded) {
+    section.head->setFolded(folded);
+    if (section.content)
+        section.content->setVisible(!folded);
+    for (QWidget *widget : section.atHead)
+        widget->setVisible(!folded);
+}
+
+/// When the page came into view, or another test. While it is looked at nothing moves under the user's hands,
+/// and where the keyboard is, never.
+void Form::foldComplete() {
+    if (!m_isFoldDue || !isVisible() || m_test >= m_evaluated.tests.size() || m_evaluated.isPending(m_test))
+        return;
+    m_isFoldDue = false;
+    const QWidget *focused = window()->focusWidget();
+    for (const Section &section : m_sections) {
+        if (!section.head || !section.content)
+            continue;
+        const auto chosen = m_chosen.find(section.title);
+        const bool isHeld = focused && section.content->isAncestorOf(focused);
+        fold(section, chosen != m_chosen.end() ? chosen->second : !isHeld && isComplete(section));
+    }
+    refreshSummaries();
+}
+
+void Form::unfoldAround(const QWidget &part) {
+    for (const Section &section : m_sections) {
+        if (!section.head || !section.head->isFolded() || !section.content->isAncestorOf(&part))
+            continue;
+        fold(section, false);
+        m_chosen.erase(section.title);
+    }
+}
+
+void Form::refreshSummaries() {
+    for (const Section &section : m_sections) {
+        if (!section.head || !section.head->isFolded())
+            continue;
+        const int missing = countMissingIn(section);
+        section.head->setSummary(missing > 0       ? missingText(missing)
+                                 : section.summary ? section.summary()
+                                                   : valuesOf(section),
+                                 missing > 0);
+    }
 }
 
 QString stated(const std::string &text) {
@@ -512,7 +674,7 @@ void Form::chainFields() {
         if (QWidget *widget = m_bar->itemAt(i)->widget())
             chain(widget);
     }
-    for (QWidget *widget : body()->findChildren<QWidget *>())
+    for (QWidget *widget : page()->findChildren<QWidget *>())
         chain(widget);
 }
 
@@ -531,6 +693,11 @@ bool Form::focusLabel(const QByteArray &label, const QString &argument) {
 void Form::focusFirst() {
     if (m_entries.empty())
         return;
+    if (!m_sections.empty() && m_sections.front().head && m_sections.front().head->isFolded()) {
+        m_scroll->ensureWidgetVisible(m_sections.front().head);
+        m_sections.front().head->setFocus(Qt::TabFocusReason);
+        return;
+    }
     Field &field = *m_entries.front().field;
     showPart(field);
     field.edit()->setFocus(Qt::TabFocusReason); // selects what is in it, to be typed over
@@ -560,6 +727,7 @@ bool Form::focusNextRequired(bool forward) {
 }
 
 void Form::showPart(QWidget &part) {
+    unfoldAround(part);
     m_scroll->ensureWidgetVisible(&part);
     // Again when a page that was built just now has its places.
     QTimer::singleShot(0, &part, [this, shown = &part] { m_scroll->ensureWidgetVisible(shown); });

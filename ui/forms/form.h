@@ -13,7 +13,9 @@
 #include <QScrollArea>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +28,9 @@ class QVBoxLayout;
 namespace palmer::ui {
 
 class Chip;
+class ColumnsLayout;
 class DocumentModel;
+class SectionHead;
 
 // What is stated, as fields show it; empty for what is not.
 [[nodiscard]] QString stated(const std::string &text);
@@ -75,12 +79,19 @@ protected:
     // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP
     // of the context.
     void addSection(const char *title, const QString &argument = {});
+    /// A section that is folded where all that it must state is stated, when the page comes into view: never
+    /// while it is looked at. `summary`: what the folded one says in a line; without it the values in it.
+    void addFoldingSection(const char *title, std::function<QString()> summary = {});
+    /// The section added last is not complete while that is missing, for which it has no field.
+    void sectionNeeds(const char *key) { m_sections.back().needs.push_back(key); }
     /// A button at the right of the title added last.
     QPushButton *addSectionButton(const char *text, std::function<void()> pressed);
     /// Something else at the right of the title added last.
     void addToSection(QWidget *widget, int stretch = 0);
     /// Begins a row; its fields share the width by their weights.
     void beginRow();
+    /// Begins a row of twelve columns, which are the same in all of them; a weight is a number of columns.
+    void beginColumns();
     /// `key`: id of the findings that say it is missing, which is the key in the file; empty: never asked
     /// for.
     Field *addText(const char *key, const char *label, Member<std::string> member, int weight = 1);
@@ -97,7 +108,7 @@ protected:
                      bool none, int weight = 1);
     Field *addYesNo(const char *key, const char *label, Member<std::optional<bool>> member, int weight = 1);
     /// A button below the rows, or in one.
-    QPushButton *addButton(const char *text, std::function<void()> pressed);
+    QPushButton *addButton(const char *text, std::function<void()> pressed, int weight = 1);
     void addWidget(QWidget *widget, int weight = 1);
     void addStretch();
     void showPart(QWidget &part); ///< scrolls to it
@@ -115,7 +126,8 @@ protected:
     [[nodiscard]] const Test *shownTest() const;
     [[nodiscard]] const Language &language() const { return m_language; }
     [[nodiscard]] QString word(const char *source) const;
-    [[nodiscard]] QWidget *body() const { return m_scroll->widget(); }
+    /// The parent of what is added next.
+    [[nodiscard]] QWidget *body() const;
 
     /// Called before the fields are filled, for pages whose fields depend on the document.
     virtual void prepare() {}
@@ -152,6 +164,16 @@ private:
         QPushButton *shown = nullptr;
         const char *source = nullptr;
     };
+    /// Of fields from `begin` to that of the next section.
+    struct Section {
+        SectionHead *head = nullptr; ///< null: it does not fold
+        QWidget *content = nullptr;
+        const char *title = nullptr;
+        std::function<QString()> summary;
+        std::vector<const char *> needs;
+        std::vector<QWidget *> atHead; ///< seen while it is open
+        std::size_t begin = 0;
+    };
 
     Field *add(Field::Kind kind, const char *key, const char *label, const QString &unit, int weight);
     Entry &last() { return m_entries.back(); }
@@ -160,6 +182,16 @@ private:
     void keepRefused();
     void chainFields();
     void removeItems(class QLayout &layout);
+    void addToPlace(QLayout *row);
+    [[nodiscard]] QWidget *page() const { return m_scroll->widget(); }
+    [[nodiscard]] std::span<const Entry> fieldsOf(const Section &section) const;
+    [[nodiscard]] int countMissingIn(const Section &section) const;
+    [[nodiscard]] bool isComplete(const Section &section) const;
+    [[nodiscard]] QString valuesOf(const Section &section) const;
+    static void fold(const Section &section, bool folded);
+    void foldComplete();
+    void unfoldAround(const QWidget &part);
+    void refreshSummaries();
     [[nodiscard]] bool isMissingHere(const char *key) const;
 
     const char *m_context;
@@ -178,10 +210,15 @@ private:
     QHBoxLayout *m_head = nullptr; ///< of the section added last
     QGridLayout *m_row = nullptr;
     int m_column = 0;
-    bool m_isRebuilt = true;            ///< the fields came after others in the order of Tab
-    bool m_isStale = false;             ///< not filled since the document changed: out of view
-    int m_visit = 0;                    ///< counts the fields the focus came to
-    std::optional<std::size_t> m_place; ///< of the field the focus came to last while the page is in view
+    ColumnsLayout *m_columns = nullptr; ///< of the row, where it has twelve
+    std::vector<Section> m_sections;
+    std::map<std::string, bool> m_folded; ///< by title, of the sections that stood there before
+    std::map<std::string, bool> m_chosen; ///< what the user folded or unfolded in this test
+    bool m_isFoldDue = false;             ///< the page came into view, or shows another test
+    bool m_isRebuilt = true;              ///< the fields came after others in the order of Tab
+    bool m_isStale = false;               ///< not filled since the document changed: out of view
+    int m_visit = 0;                      ///< counts the fields the focus came to
+    std::optional<std::size_t> m_place;   ///< of the field the focus came to last while the page is in view
     QString m_focused;
     std::vector<Entry> m_entries;
     std::vector<Title> m_titles;

@@ -128,6 +128,7 @@ void LimitsPage::prepare() {
     m_built = wanted;
     m_quantity = rotary ? Quantity::angularDeviation : Quantity::deviation;
     m_names.clear();
+    m_first = nullptr;
     m_ids.clear();
     m_edits.clear();
     clear();
@@ -184,10 +185,12 @@ void LimitsPage::addLimit(const Name &of, const std::string &id, Quantity quanti
                                choiceOf(ofLimit<&Limit::edition>(id), values), false, 3);
     Field *origin =
         addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source"), ofLimit<&Limit::source>(id), 3);
-    if (!first) {
-        for (Field *field : {limit, edition, origin})
-            field->hideLabel();
+    if (first) {
+        m_first = limit;
+        return;
     }
+    for (Field *field : {limit, edition, origin})
+        field->hideLabel();
 }
 
 bool LimitsPage::eventFilter(QObject *watched, QEvent *event) {
@@ -227,6 +230,8 @@ void LimitsPage::pasteLimits(std::size_t row) {
 }
 
 void LimitsPage::refreshOthers() {
+    if (m_first)
+        m_first->setHeading(tr("Limit"));
     for (const Name &of : m_names) {
         const auto labelled = [&](const QString &name) {
             return name.isEmpty() ? of.symbol : of.symbol + QStringLiteral("   ") + name;

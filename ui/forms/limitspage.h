@@ -35,6 +35,7 @@ private:
     void addLimit(const Name &of, const std::string &id, Quantity quantity, Kind kind);
 
     std::vector<Name> m_names;
+    Field *m_first = nullptr;       ///< the limit below the head of its column
     std::vector<LimitName> m_ids;   ///< of the rows
     std::vector<QWidget *> m_edits; ///< their limits
     Quantity m_quantity = Quantity::deviation;

@@ -320,16 +320,42 @@ bool ImportAssistant::wantsNewDocument() const {
     return !m_document || m_destination->currentIndex() == 1;
 }
 
-void ImportAssistant::addTo(Document &document) const {
-    Imported taken; // all but the table as it was read, which may be large
-    taken.test = m_file.imported.test;
+Document ImportAssistant::destination() const {
+    return wantsNewDocument() ? Document() : *m_document;
+}
+
+/// What puts the measurement into a document, on any thread; it holds no more than that needs.
+std::function<std::variant<Document, Error>(Document)> ImportAssistant::taking() const {
+    Imported taken; // all but the table as it was read and the test, which may be large
     taken.sensors = m_file.imported.sensors;
     taken.gradientPerHour = m_file.imported.gradientPerHour;
     taken.seriesStart = m_file.imported.seriesStart;
     taken.machine = m_file.imported.machine;
     taken.instrument = m_file.imported.instrument;
     taken.operatorName = m_file.imported.operatorName;
-    addImported(document, std::move(taken), m_file.bytes, m_file.name, m_keep->isChecked());
+    return [taken = std::move(taken), test = m_file.test, bytes = m_file.bytes, name = m_file.name,
+            keep = m_keep->isChecked()](Document document) -> std::variant<Document, Error> {
+        Imported imported = taken;
+        if (test)
+            imported.test = *test;
+        try {
+            addImported(document, std::move(imported), bytes, name, keep);
+        } catch (const Error &error) {
+            return error;
+        }
+        return document;
+    };
+}
+
+void ImportAssistant::addTo(Document &document) const {
+    if (m_taken && document == destination()) {
+        document = *m_taken;
+        return;
+    }
+    auto outcome = taking()(document);
+    if (const auto *error = std::get_if<Error>(&outcome))
+        throw *error; // NOLINT(cert-err09-cpp,cert-err61-cpp): that of addImported
+    document = std::move(std::get<Document>(outcome));
 }
 
 /// Small files at once.
@@ -788,14 +814,29 @@ void ImportAssistant::accept() {
     takeTyped();
     if (!m_import->isEnabled())
         return;
-    try {
-        Document trial = wantsNewDocument() ? Document() : *m_document;
-        addTo(trial);
-    } catch (const Error &error) {
-        refuse(error, {});
-        showRemarks();
+    const auto work = [take = taking(), document = destination()] { return take(document); };
+    if (!isLargeFile(m_file.bytes.size())) {
+        finish(work());
         return;
     }
+    m_reader.start([work](const Background::Job &) { return work(); },
+                   [this](std::variant<Document, Error> outcome) {
+                       m_work->end();
+                       finish(std::move(outcome));
+                   });
+    m_work->begin(tr("Importing %1…").arg(m_file.name));
+    showState();
+}
+
+/// Closes with what came of it; what cannot be put into the document is said.
+void ImportAssistant::finish(std::variant<Document, Error> outcome) {
+    if (const auto *error = std::get_if<Error>(&outcome)) {
+        refuse(*error, {});
+        showRemarks();
+        showState();
+        return;
+    }
+    m_taken = std::move(std::get<Document>(outcome));
     QSettings settings;
     settings.setValue(QStringLiteral("import/keepBytes"), m_keep->isChecked());
     settings.setValue(profileSetting(m_file.name),

@@ -72,6 +72,7 @@ public:
     [[nodiscard]] const Imported &imported() const { return m_file.imported; }
     /// Whether the measurement shall be a new document and not go into the open one.
     [[nodiscard]] bool wantsNewDocument() const;
+    /// At once for the document that it was accepted for: all was done before.
     void addTo(Document &document) const;
 
     /// Chooses a word, number or text for a choice, as its box does; empty: what is found in the file.
@@ -87,6 +88,7 @@ public:
     /// confirmed. False, and a message, when that fails.
     bool saveProfile(const QString &name);
 
+    /// Puts a large measurement into the document beside the window, and closes when that is done.
     void accept() override;
 
 protected:
@@ -115,6 +117,9 @@ private:
     void settle();
     void cancelReading();
     void takeOther(MeasurementFile file);
+    [[nodiscard]] Document destination() const;
+    [[nodiscard]] std::function<std::variant<Document, Error>(Document)> taking() const;
+    void finish(std::variant<Document, Error> outcome);
     void showEvaluated(const EvaluatedDocument &evaluated, std::optional<CurveFigure> curve);
     void useProfile(const QString &name);
     void fillProfiles(const QString &current);
@@ -139,6 +144,7 @@ private:
     ImportOptions m_options;
     ImportOptions m_settled; ///< those that what is shown was read with
     QString m_settledProfile;
+    std::optional<Document> m_taken; ///< the document with the measurement, when it was accepted
     ImportProfiles m_profiles;
     std::optional<QString> m_refusal; ///< why the latest choices cannot be used
     Selection m_selection;

@@ -90,15 +90,19 @@ void ReadingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
     const bool missing = index.data(ReadingsModel::missingRole).toBool();
     QFont font = option.font;
     font.setStrikeOut(excluded);
-    font.setBold(ruling && !computed);
+    const QRect textArea = cell.adjusted(2, 0, -textMargin, 0);
+    const QString text = index.data(Qt::DisplayRole).toString();
+    // In narrow columns the ground says it alone: no digit is cut off.
+    QFont bold = font;
+    bold.setBold(true);
+    if (ruling && !computed && QFontMetrics(bold).horizontalAdvance(text) <= textArea.width())
+        font = bold;
     painter->setFont(font);
     const bool secondary =
         excluded || missing || computed || (index.column() == ReadingsModel::numberColumn && !ruling);
     painter->setPen(refused     ? token(Token::bad, palette)
                     : secondary ? token(Token::secondaryText, palette)
                                 : palette.color(QPalette::Text));
-    const QRect textArea = cell.adjusted(2, 0, -textMargin, 0);
-    const QString text = index.data(Qt::DisplayRole).toString();
     painter->drawText(textArea, Qt::AlignRight | Qt::AlignVCenter,
                       refused ? painter->fontMetrics().elidedText(text, Qt::ElideRight, textArea.width())
                               : text);

@@ -11,13 +11,15 @@ namespace palmer::ui {
 struct Example {
     QString path; ///< in the resources
     QString name; ///< in the window's language
-    QString detail;
     QString year; ///< of the edition
     bool circular = false;
 };
 
 /// The examples, the published one first.
 [[nodiscard]] std::vector<Example> examples();
+
+/// Edition and size of an example, in the window's language; reads it.
+[[nodiscard]] QString exampleDetail(const QString &path);
 
 /// Whether the path is that of an example, which is opened as a document without file.
 [[nodiscard]] bool isExample(const QString &path);

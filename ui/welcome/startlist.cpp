@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/welcome/startlist.h"
 
+#include "ui/welcome/examples.h"
+
 #include <QKeyEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
@@ -118,13 +120,14 @@ QVariant StartModel::data(const QModelIndex &index, int role) const {
     case Qt::DisplayRole:
         return entry.name;
     case Qt::ToolTipRole: {
-        const bool example = entry.path.startsWith(u':'); // in a line of its own its detail has no room
-        QStringList lines{example ? entry.detail : entry.path, entry.mark.word, entry.accordance.word};
+        QStringList lines{isExample(entry.path) ? exampleDetail(entry.path) : entry.path, entry.mark.word,
+                          entry.accordance.word};
         lines.removeAll(QString());
         return lines.join(u'\n');
     }
     case Qt::AccessibleTextRole: {
-        QStringList parts{entry.name, entry.detail, entry.right, entry.mark.word, entry.accordance.word};
+        QStringList parts{entry.name, isExample(entry.path) ? exampleDetail(entry.path) : entry.detail,
+                          entry.right, entry.mark.word, entry.accordance.word};
         parts.removeAll(QString());
         return parts.join(QStringLiteral(", "));
     }

@@ -197,8 +197,7 @@ void WelcomePage::refresh() {
 
     std::vector<StartEntry> carried;
     for (const Example &example : examples())
-        carried.push_back(
-            {example.path, kindIcon(example.circular), example.name, example.detail, example.year, {}});
+        carried.push_back({example.path, kindIcon(example.circular), example.name, {}, example.year, {}});
     m_examples.setEntries(std::move(carried));
 }
 

@@ -126,15 +126,13 @@ MainWindow::MainWindow(QWidget *parent)
     , m_notice(new NoticeBar(m_centre))
     , m_reportBar(new ReportBar(m_centre))
     , m_stack(new QStackedWidget(m_centre))
-    , m_welcome(new WelcomePage(m_stack))
-    , m_workplace(new Workplace(m_model, m_evaluator, m_stack)) {
+    , m_welcome(new WelcomePage(m_stack)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
-    setMinimumSize(640, 480);
+    setMinimumSize(640, 440);
     setCentralWidget(m_centre);
     m_stack->addWidget(m_welcome);
-    m_stack->addWidget(m_workplace);
     auto *column = new QVBoxLayout(m_centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -223,8 +221,7 @@ void MainWindow::makeActions() {
     m_redoAction->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
 
-    m_editMenu->addSeparator();
-    m_editMenu->addActions(m_workplace->readings().editActions());
+    m_editMenu->addSeparator(); // what is done to readings comes with the workplace
 
     m_addTestAction = addAction(m_testMenu, QStringLiteral("addTest"), QStringLiteral("plus"));
     m_addTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
@@ -236,10 +233,8 @@ void MainWindow::makeActions() {
     m_repeatTestAction = addAction(m_testMenu, QStringLiteral("repeatTest"));
     m_deleteTestAction = addAction(m_testMenu, QStringLiteral("deleteTest"));
     m_testMenu->addSeparator();
-    m_testMenu->addActions(m_workplace->readings().testActions());
-    m_testMenu->addSeparator();
-    m_testMenu->addActions(m_workplace->circles().testActions());
-    m_testMenu->addSeparator();
+    m_afterReadings = m_testMenu->addSeparator();
+    m_afterCircles = m_testMenu->addSeparator();
     m_previousTestAction = addAction(m_testMenu, QStringLiteral("previousTest"));
     m_previousTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
     m_nextTestAction = addAction(m_testMenu, QStringLiteral("nextTest"));
@@ -379,9 +374,6 @@ void MainWindow::connectParts() {
     connect(m_duplicateTestAction, &QAction::triggered, this, [this] { duplicateTest(true); });
     connect(m_repeatTestAction, &QAction::triggered, this, [this] { duplicateTest(false); });
     connect(m_deleteTestAction, &QAction::triggered, this, &MainWindow::deleteTest);
-    m_workplace->setTestActions(
-        {m_addTestAction, m_addCircleAction, m_addDriftAction},
-        {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction});
     connect(&m_autosave, &Autosave::saved, this, [this] {
         m_autosavedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
         showState();
@@ -400,11 +392,10 @@ void MainWindow::connectParts() {
     connect(m_reportAction, &QAction::triggered, this, &MainWindow::showReport);
     connect(m_planAction, &QAction::triggered, this, &MainWindow::showPlan);
     connect(m_exportReadingsAction, &QAction::triggered, this, [this] {
-        askExportOfReadings(this, m_evaluator.current(), m_workplace->selection().test(),
-                            QFileInfo(m_model.path()).fileName());
+        askExportOfReadings(this, m_evaluator.current(), testInView(), QFileInfo(m_model.path()).fileName());
     });
     connect(m_exportFigureAction, &QAction::triggered, this,
-            [this] { askExportOfFigure(this, m_evaluator.current(), m_workplace->selection().test()); });
+            [this] { askExportOfFigure(this, m_evaluator.current(), testInView()); });
     connect(m_compensationAction, &QAction::triggered, this, &MainWindow::showCompensation);
     connect(m_compareAction, &QAction::triggered, this, &MainWindow::showComparison);
     connect(m_helpAction, &QAction::triggered, this, &MainWindow::showHelp);
@@ -417,33 +408,31 @@ void MainWindow::connectParts() {
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
     connect(m_examplesMenu, &QMenu::aboutToShow, this, &MainWindow::fillExamplesMenu);
     connect(m_previousTestAction, &QAction::triggered, this, [this] {
-        if (m_workplace->selection().test() > 0)
-            m_workplace->showTest(m_workplace->selection().test() - 1);
+        if (testInView() > 0)
+            workplace().showTest(testInView() - 1);
     });
-    connect(m_nextTestAction, &QAction::triggered, this,
-            [this] { m_workplace->showTest(m_workplace->selection().test() + 1); });
+    connect(m_nextTestAction, &QAction::triggered, this, [this] { workplace().showTest(testInView() + 1); });
     connect(m_setEditionAction, &QAction::triggered, this, [this] {
-        const std::size_t test = m_workplace->selection().test();
+        const std::size_t test = testInView();
         setEdition(test, QString::fromUtf8(m_evaluator.latest().tests[test]->edition->word));
     });
-    connect(m_ownEditionAction, &QAction::triggered, this,
-            [this] { m_evaluator.setView(m_workplace->selection().test(), {}); });
+    connect(m_ownEditionAction, &QAction::triggered, this, [this] { m_evaluator.setView(testInView(), {}); });
     connect(m_feedAction, &QAction::triggered, this, &MainWindow::showFeed);
     connect(m_registerAction, &QAction::triggered, this, &showRegister);
     constexpr std::array pages{Page::readings, Page::conditions,  Page::agreedPoints,
                                Page::limits,   Page::uncertainty, Page::diagnosis};
     for (std::size_t i = 0; i < pages.size(); ++i)
         connect(m_pageActions[i], &QAction::triggered, this, [this, page = pages[i]] {
-            m_workplace->showPage(page);
-            m_workplace->focusPage();
+            workplace().showPage(page);
+            workplace().focusPage();
         });
-    connect(m_nextMissingAction, &QAction::triggered, this, [this] { m_workplace->showNextMissing(true); });
+    connect(m_nextMissingAction, &QAction::triggered, this, [this] { workplace().showNextMissing(true); });
     connect(m_previousMissingAction, &QAction::triggered, this,
-            [this] { m_workplace->showNextMissing(false); });
-    connect(m_nextPaneAction, &QAction::triggered, this, [this] { m_workplace->focusNextPane(true); });
-    connect(m_previousPaneAction, &QAction::triggered, this, [this] { m_workplace->focusNextPane(false); });
+            [this] { workplace().showNextMissing(false); });
+    connect(m_nextPaneAction, &QAction::triggered, this, [this] { workplace().focusNextPane(true); });
+    connect(m_previousPaneAction, &QAction::triggered, this, [this] { workplace().focusNextPane(false); });
     connect(m_maximiseAction, &QAction::triggered, this,
-            [this] { m_workplace->setFigureMaximised(!m_workplace->isFigureMaximised()); });
+            [this] { workplace().setFigureMaximised(!workplace().isFigureMaximised()); });
     for (std::size_t i = 0; i < m_lengthActions.size(); ++i)
         connect(m_lengthActions.at(i), &QAction::triggered, this, [i] {
             setWindowUnits({static_cast<LengthDisplay>(i), windowLanguage().units().angles});
@@ -471,14 +460,30 @@ void MainWindow::connectParts() {
     connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
     connect(&m_model, &DocumentModel::fileChanged, this, &MainWindow::showState);
     connect(&m_evaluator, &Evaluator::evaluated, this, [this](const EvaluatedDocument &evaluated) {
-        m_workplace->show(evaluated);
+        workplace().show(evaluated);
         if (std::exchange(m_rememberNext, false))
             remember();
         showState();
     });
     connect(&m_evaluator, &Evaluator::awaiting, this,
-            [this](const EvaluatedDocument &awaiting) { m_workplace->show(awaiting); });
+            [this](const EvaluatedDocument &awaiting) { workplace().show(awaiting); });
     connect(&m_evaluator, &Evaluator::busyChanged, this, &MainWindow::showState);
+    for (const QMenu *menu : {m_editMenu, m_testMenu}) // to show what can be done
+        connect(menu, &QMenu::aboutToShow, this, [this] { workplace(); });
+}
+
+/// Made when it is needed first: who starts the program does not wait for pages that are out of view.
+Workplace &MainWindow::workplace() {
+    if (m_workplace)
+        return *m_workplace;
+    m_workplace = new Workplace(m_model, m_evaluator, m_stack);
+    m_stack->addWidget(m_workplace);
+    m_editMenu->addActions(m_workplace->readings().editActions());
+    m_testMenu->insertActions(m_afterReadings, m_workplace->readings().testActions());
+    m_testMenu->insertActions(m_afterCircles, m_workplace->circles().testActions());
+    m_workplace->setTestActions(
+        {m_addTestAction, m_addCircleAction, m_addDriftAction},
+        {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction});
     connect(m_workplace, &Workplace::viewChosen, this, [this](std::size_t test, const QString &edition) {
         m_evaluator.setView(test, edition.toStdString());
     });
@@ -486,6 +491,11 @@ void MainWindow::connectParts() {
     connect(m_workplace, &Workplace::contentChanged, m_content, &QLabel::setText);
     connect(m_workplace, &Workplace::hintChanged, m_hint, &QLabel::setText);
     connect(&m_workplace->selection(), &Selection::testChanged, this, &MainWindow::showState);
+    return *m_workplace;
+}
+
+std::size_t MainWindow::testInView() const {
+    return m_workplace ? m_workplace->selection().test() : 0;
 }
 
 void MainWindow::chooseFile() {
@@ -602,17 +612,17 @@ void MainWindow::takeImport(const ImportAssistant &assistant) {
         m_model.edit(QT_TRANSLATE_NOOP("edits", "import a measurement file"),
                      [&](Document &document) { assistant.addTo(document); });
         if (m_model.document()->tests.size() > before) {
-            m_workplace->showTest(before);
-            m_workplace->showPage(Page::readings);
+            workplace().showTest(before);
+            workplace().showPage(Page::readings);
         }
         return;
     }
     Document document;
+    assistant.addTo(document);
     document.writtenBy = "Palmer " PALMER_VERSION;
     document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
                                                                                : ReportLanguage::en};
-    assistant.addTo(document);
-    take(std::move(document), {}, true)->m_workplace->showPage(Page::readings);
+    take(std::move(document), {}, true)->workplace().showPage(Page::readings);
 }
 
 void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) {
@@ -628,7 +638,7 @@ void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) 
             other->raise();
             other->activateWindow();
             if (test)
-                other->m_workplace->showTest(*test);
+                other->workplace().showTest(*test);
             return;
         }
     }
@@ -658,7 +668,7 @@ void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
         else if (auto *document = std::get_if<Document>(&outcome)) // other names: to be saved under another
             window = take(std::move(*document), isUtf8FileName(path) ? path : QString());
         if (window && test)
-            window->m_workplace->showTest(*test);
+            window->workplace().showTest(*test);
     };
     const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulations
     if (!isLargeFile(QFileInfo(path).size()) && !mayTakeLong) {
@@ -690,7 +700,10 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
     m_savedAt.clear();
     m_reportPath = reportPath;
     m_rememberNext = !isExample(path);
-    m_stack->setCurrentWidget(m_workplace); // has its size before it is filled
+    const bool wasWelcome = m_stack->currentWidget() == m_welcome;
+    m_stack->setCurrentWidget(&workplace()); // has its size before it is filled
+    if (wasWelcome)
+        m_workplace->setFocus(); // and not a button that comes next
     m_model.setDocument(std::move(document), isExample(path) ? QString() : path, modified);
     watchFile();
     showState();
@@ -736,12 +749,12 @@ void MainWindow::newFile(Kind kind) {
     document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
                                                                                : ReportLanguage::en};
     insertTest(document, 0, *test);
-    take(std::move(document), {}, true)->m_workplace->beginTyping();
+    take(std::move(document), {}, true)->workplace().beginTyping();
 }
 
 const Test *MainWindow::currentTest() const {
     const auto &tests = m_model.document()->tests;
-    const std::size_t test = m_workplace->selection().test();
+    const std::size_t test = testInView();
     return m_open && test < tests.size() ? tests[test].get() : nullptr;
 }
 
@@ -752,8 +765,8 @@ void MainWindow::addTest(Kind kind) {
     const std::size_t place = m_model.document()->tests.size();
     m_model.edit(QT_TRANSLATE_NOOP("edits", "add a test"),
                  [&](Document &document) { insertTest(document, place, *test); });
-    m_workplace->showTest(place);
-    m_workplace->beginTyping();
+    workplace().showTest(place);
+    workplace().beginTyping();
 }
 
 /// A drift test of the axis in view: what it gives is for the tests of that axis.
@@ -767,8 +780,8 @@ void MainWindow::addDriftTest() {
     const std::size_t place = m_model.document()->tests.size();
     m_model.edit(QT_TRANSLATE_NOOP("edits", "add a drift test"),
                  [&](Document &document) { insertTest(document, place, newDriftTest(axis)); });
-    m_workplace->showTest(place);
-    m_workplace->showPage(Page::readings);
+    workplace().showTest(place);
+    workplace().showPage(Page::readings);
 }
 
 void MainWindow::renameTest() {
@@ -782,7 +795,7 @@ void MainWindow::renameTest() {
     dialog->setLabelText(tr("Name of the test"));
     dialog->setTextValue(QString::fromStdString(test->title));
     connect(dialog, &QInputDialog::textValueSelected, this,
-            [this, index = m_workplace->selection().test()](const QString &title) {
+            [this, index = testInView()](const QString &title) {
                 m_model.edit(QT_TRANSLATE_NOOP("edits", "rename the test"), [&](Document &document) {
                     auto renamed = std::make_shared<Test>(*document.tests.at(index));
                     renamed->title = title.trimmed().toStdString();
@@ -795,17 +808,17 @@ void MainWindow::renameTest() {
 void MainWindow::duplicateTest(bool withReadings) {
     if (!currentTest())
         return;
-    const std::size_t test = m_workplace->selection().test();
+    const std::size_t test = testInView();
     const char *name = withReadings ? QT_TRANSLATE_NOOP("edits", "duplicate the test")
                                     : QT_TRANSLATE_NOOP("edits", "repeat the test");
     m_model.edit(name, [&](Document &document) { palmer::duplicateTest(document, test, withReadings); });
-    m_workplace->showTest(test + 1);
+    workplace().showTest(test + 1);
 }
 
 void MainWindow::deleteTest() {
     if (!currentTest())
         return;
-    const std::size_t test = m_workplace->selection().test();
+    const std::size_t test = testInView();
     m_model.edit(QT_TRANSLATE_NOOP("edits", "delete the test"),
                  [&](Document &document) { removeTest(document, test); });
 }
@@ -1031,7 +1044,7 @@ bool MainWindow::mayClose() {
     m_fileGone = m_open && !m_model.path().isEmpty() && !QFileInfo::exists(m_model.path());
     if (!m_open)
         return true;
-    const QStringList refused = m_workplace->refusedTexts();
+    const QStringList refused = workplace().refusedTexts();
     if (!isUnsaved())
         return refused.isEmpty() || mayForget(refused);
     const QString name = QFileInfo(m_model.path()).fileName();
@@ -1076,7 +1089,7 @@ void MainWindow::step(bool forward) {
         stack->redo();
     else
         stack->undo();
-    m_workplace->showChange(*before, *m_model.document(), name);
+    workplace().showChange(*before, *m_model.document(), name);
 }
 
 /// Closes all windows; where several have changes, one question asks about all of them.
@@ -1167,7 +1180,7 @@ void MainWindow::showUndo() {
 
 void MainWindow::enableActions() {
     const std::size_t tests = m_open ? m_model.document()->tests.size() : 0;
-    const std::size_t test = m_workplace->selection().test();
+    const std::size_t test = testInView();
     const auto &evaluated = m_evaluator.latest().tests;
     const bool view = m_open && test < evaluated.size() && evaluated[test]->view;
     m_saveAction->setEnabled(m_open);
@@ -1243,21 +1256,21 @@ void MainWindow::showReport() {
 }
 
 void MainWindow::showPlan() {
-    PlanDialog dialog(m_model, m_workplace->selection().test(), this);
+    PlanDialog dialog(m_model, testInView(), this);
     connect(&dialog, &PlanDialog::testMade, this, [this](std::size_t test) {
-        m_workplace->showTest(test);
-        m_workplace->showPage(Page::readings);
+        workplace().showTest(test);
+        workplace().showPage(Page::readings);
     });
     dialog.exec();
 }
 
 void MainWindow::showComparison() {
-    CompareDialog dialog(m_evaluator.current(), m_workplace->selection().test(), this);
+    CompareDialog dialog(m_evaluator.current(), testInView(), this);
     dialog.exec();
 }
 
 void MainWindow::showCompensation() {
-    auto *dialog = new CompensationDialog(m_evaluator.current(), m_workplace->selection().test(), this);
+    auto *dialog = new CompensationDialog(m_evaluator.current(), testInView(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
@@ -1266,11 +1279,11 @@ void MainWindow::showCompensation() {
 void MainWindow::showHelp() {
     const QWidget *focused = QApplication::focusWidget();
     const QString topic = focused ? focused->property("helpTopic").toString() : QString();
-    const std::size_t test = m_workplace->selection().test();
+    const std::size_t test = testInView();
     const auto &evaluated = m_evaluator.latest().tests;
     if (!topic.isEmpty())
         showHelpPage(QStringLiteral("fields"), topic);
-    else if (!m_workplace->selection().parameter().isEmpty() && test < evaluated.size() &&
+    else if (m_workplace && !m_workplace->selection().parameter().isEmpty() && test < evaluated.size() &&
              evaluated[test]->edition)
         showHelpPage(QStringLiteral("editions.") + QString::fromUtf8(evaluated[test]->edition->word));
     else
@@ -1289,7 +1302,7 @@ void MainWindow::showHelpPage(const QString &id, const QString &anchor) {
 void MainWindow::showFeed() {
     auto *dialog = new FeedDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    const std::size_t test = m_workplace->selection().test();
+    const std::size_t test = testInView();
     const auto &tests = m_model.document()->tests;
     if (m_open && test < tests.size()) {
         // Of the test at hand the diameter is known; its feed may be the specified one.
@@ -1303,6 +1316,7 @@ void MainWindow::showFeed() {
 }
 
 void MainWindow::showShortcuts() {
+    workplace(); // its actions have some, too
     auto *dialog = new ShortcutsDialog(*menuBar(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->show();
@@ -1363,9 +1377,10 @@ void MainWindow::resizeEvent(QResizeEvent *event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent *event) {
-    if (event->key() == Qt::Key_Escape && m_workplace->isFigureMaximised())
+    const bool escapes = m_workplace && event->key() == Qt::Key_Escape;
+    if (escapes && m_workplace->isFigureMaximised())
         m_workplace->setFigureMaximised(false);
-    else if (event->key() == Qt::Key_Escape && !m_workplace->selection().parameter().isEmpty())
+    else if (escapes && !m_workplace->selection().parameter().isEmpty())
         m_workplace->selection().setParameter({});
     else
         QMainWindow::keyPressEvent(event);

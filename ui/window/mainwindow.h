@@ -74,7 +74,7 @@ public:
     [[nodiscard]] Autosave &autosave() { return m_autosave; }
     [[nodiscard]] DocumentModel &model() { return m_model; }
     [[nodiscard]] Evaluator &evaluator() { return m_evaluator; }
-    [[nodiscard]] Workplace &workplace() { return *m_workplace; }
+    Workplace &workplace();
     /// Whether a document is open, and not the welcome page.
     [[nodiscard]] bool hasDocument() const;
 
@@ -128,6 +128,7 @@ private:
     void duplicateTest(bool withReadings);
     void deleteTest();
     [[nodiscard]] const Test *currentTest() const;
+    [[nodiscard]] std::size_t testInView() const;
     void fileChangedOutside();
     void reload();
     void showError(const QString &title, const QString &fileName, const Error &error);
@@ -223,6 +224,8 @@ private:
     QAction *m_deleteTestAction = nullptr;
     QAction *m_previousTestAction = nullptr;
     QAction *m_nextTestAction = nullptr;
+    QAction *m_afterReadings = nullptr; ///< separators behind what the workplace puts into the menu
+    QAction *m_afterCircles = nullptr;
     QAction *m_setEditionAction = nullptr;
     QAction *m_ownEditionAction = nullptr;
     QAction *m_feedAction = nullptr;

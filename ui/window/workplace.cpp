@@ -55,11 +55,12 @@ constexpr int rightWidth = 496;
 constexpr int leastRightWidth = 380;
 constexpr int railBelow = 1180;
 constexpr int stackedBelow = 1000;
-/// Under the table of a low window the figure would leave no rows: there it stays beside a narrower centre.
+/// Under the table of a low window the figure would leave two rows: there it stays beside a narrower centre.
 constexpr int narrowCentreWidth = 528;
 constexpr int narrowRightWidth = 366;
+constexpr int moreForCircles = 28; ///< the page of circles is wider by as much as their results need less
 constexpr int besideFrom = narrowCentreWidth + narrowRightWidth + 50; ///< with the rail
-constexpr int stackedFrom = 700 - 99;                                 ///< of the height
+constexpr int stackedFrom = 1200 - 99;                                ///< of the height
 constexpr int wideFrom = 1580;
 constexpr int wideShare = 42; ///< per cent of the right side in a wide window
 // Heights of the workplace; menu, toolbar and status bar take 99 of the window's.
@@ -140,6 +141,7 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     , m_navigation(new NavigationList(m_navigationModel, m_side))
     , m_addTest(new QToolButton(m_side)) {
     setObjectName(QStringLiteral("workplace"));
+    setFocusProxy(m_navigation);
     m_outer->setObjectName(QStringLiteral("outerSplitter"));
     m_inner->setObjectName(QStringLiteral("innerSplitter"));
     m_centre = makeCentre();
@@ -438,7 +440,7 @@ void Workplace::presentTest() {
     presentResults();
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->setCount(static_cast<int>(i), countMissing(m_evaluated, test, testPages.at(i)));
-    if (wantsStack() != m_right->isTabbed())
+    if (wantsStack() != m_right->isTabbed() || width() < stackedBelow)
         arrange();
     restoreSizes();
     presentStatus();
@@ -495,13 +497,15 @@ void Workplace::presentCard() {
     const bool explains = !m_selection.parameter().isEmpty();
     const bool wanted = explains || (m_selection.page() == Page::readings && isPositioning());
     // One height for both, so that nothing above moves when a result is explained.
-    const bool readings = m_selection.page() == Page::readings && isPositioning() && height() >= noCardBelow;
-    m_card->setMinimumHeight(readings ? m_target->sizeHint().height() : 0);
+    const bool stacked = m_right->isTabbed();
+    const bool hasRoom = height() >= (stacked ? stackedFrom : noCardBelow);
+    const bool hasRoomForKeys = height() >= (stacked ? stackedFrom : noKeysBelow);
+    const bool readings = m_selection.page() == Page::readings && isPositioning();
+    m_card->setMinimumHeight(readings && hasRoom ? m_target->sizeHint().height() : 0);
     m_explanation->setVisible(explains);
     m_target->setVisible(!explains);
-    m_card->setVisible(wanted && (explains || height() >= noCardBelow) && !m_maximised);
-    m_keys->setVisible(m_selection.page() == Page::readings && isPositioning() && height() >= noKeysBelow &&
-                       !m_maximised);
+    m_card->setVisible(wanted && (explains || hasRoom) && !m_maximised);
+    m_keys->setVisible(readings && hasRoomForKeys && !m_maximised);
 }
 
 void Workplace::presentStatus() {
@@ -663,8 +667,9 @@ void Workplace::arrange() {
     const bool rail = width() < railBelow;
     const bool stacked = wantsStack();
     const bool narrow = width() < stackedBelow && !stacked;
-    m_centre->setMinimumWidth(narrow ? narrowCentreWidth : centreWidth);
-    m_right->setMinimumWidth(stacked ? 0 : narrow ? narrowRightWidth : leastRightWidth);
+    const int more = isCircular() ? moreForCircles : 0;
+    m_centre->setMinimumWidth(narrow ? narrowCentreWidth + more : centreWidth);
+    m_right->setMinimumWidth(stacked ? 0 : narrow ? narrowRightWidth - more : leastRightWidth);
     if (rail != m_navigation->isRail() || m_side->maximumWidth() > NavigationList::fullWidth * 2) {
         m_navigation->setRail(rail);
         m_addTest->setToolButtonStyle(rail ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
@@ -685,7 +690,7 @@ void Workplace::arrange() {
 
 /// Whether the figure goes under the centre.
 bool Workplace::wantsStack() const {
-    const bool beside = width() >= besideFrom && height() < stackedFrom && isPositioning();
+    const bool beside = width() >= besideFrom && height() < stackedFrom;
     return width() < stackedBelow && !beside;
 }
 

@@ -46,7 +46,10 @@ private slots:
             const QString numbers = table->item(row, 7)->text();
             QVERIFY2(!numbers.isEmpty(), qPrintable(table->item(row, 0)->text()));
             QVERIFY(!table->item(row, 1)->text().isEmpty());
+            int before = 0;
             for (const QString &number : numbers.split(", ")) {
+                QVERIFY2(number.toInt() > before, qPrintable(numbers));
+                before = number.toInt();
                 const QString line = lines.value(number.toInt() - 1);
                 QVERIFY2(line.startsWith(number + QChar(0x2002)), qPrintable(line));
                 QVERIFY(table->item(row, 7)->toolTip().contains(line.section(QChar(0x2002), 1)));

@@ -12,6 +12,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
+#include <QListWidget>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -82,12 +83,22 @@ void SettingsDialogTest::theThemeHoldsAtOnce() {
     QVERIFY(qApp->styleSheet().contains(u"check-dark"_s));
     QCOMPARE(themeChoice(), ThemeChoice::dark);
     // An unchecked box is to be seen on its ground.
-    QImage picture = dialog->findChild<QCheckBox *>(u"settingsBackup"_s)->grab().toImage();
-    int lightest = 0;
-    for (int x = 0; x < 20; ++x)
-        lightest = std::max(lightest, qGray(picture.pixel(x, picture.height() / 2)));
-    QVERIFY2(lightest > qGray(QApplication::palette().color(QPalette::Window).rgb()) + 30,
-             qPrintable(QString::number(lightest)));
+    const auto lightest = [](const QImage &picture, int y) {
+        int value = 0;
+        for (int x = 0; x < 20; ++x)
+            value = std::max(value, qGray(picture.pixel(x, y)));
+        return value;
+    };
+    const int ground = qGray(QApplication::palette().color(QPalette::Window).rgb());
+    const QImage box = dialog->findChild<QCheckBox *>(u"settingsBackup"_s)->grab().toImage();
+    QVERIFY2(lightest(box, box.height() / 2) > ground + 30, qPrintable(QString::number(ground)));
+    QListWidget list;
+    list.addItem(u"edition"_s);
+    list.item(0)->setCheckState(Qt::Unchecked);
+    list.setFrameShape(QFrame::NoFrame);
+    list.show();
+    const QRect row = list.visualItemRect(list.item(0));
+    QVERIFY(lightest(list.viewport()->grab().toImage(), row.center().y()) > ground + 30);
     choose(*dialog, "settingsTheme", static_cast<int>(ThemeChoice::light));
     QVERIFY(!isDark(QApplication::palette()));
     QCOMPARE(QApplication::palette().color(QPalette::Base), QColor(Qt::white));

@@ -8,6 +8,7 @@
 #include "ui/forms/instrumentspage.h"
 #include "ui/forms/limitspage.h"
 #include "ui/forms/machinepage.h"
+#include "ui/forms/sectionhead.h"
 #include "ui/results/chip.h"
 
 #include "document/readdocument.h"
@@ -19,6 +20,7 @@
 #include "ui/model/templatestore.h"
 #include "ui/wheelguard.h"
 
+#include <QAccessible>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -111,6 +113,23 @@ void choose(Field *field, int index) {
     auto *box = qobject_cast<QComboBox *>(field->edit());
     box->setCurrentIndex(index);
     emit box->activated(index);
+}
+
+/// The head of a section of the conditions.
+SectionHead *section(const QWidget &page, const char *title) {
+    auto *found = page.findChild<SectionHead *>(u"section."_s + QLatin1StringView(title));
+    if (!found)
+        qFatal("no section %s", title);
+    return found;
+}
+
+/// As a page comes into view again.
+void showAgain(QWidget &page) {
+    page.hide();
+    page.setVisible(true);
+    page.activateWindow();
+    if (!QTest::qWaitForWindowActive(&page))
+        qFatal("the window does not become active");
 }
 
 QPushButton *button(QWidget &page, const char *name) {
@@ -792,6 +811,144 @@ private slots:
         QCOMPARE(edited.model.undoStack()->count(), 1);
         edited.model.undoStack()->undo();
         QVERIFY(*edited.model.document()->tests[0] == test);
+    }
+
+    void completeSectionsAreFoldedWhenThePageComesIntoView() {
+        Test test = example1988("ISO 230-2:2006");
+        test.remarks = "after the collision\nof May";
+        Edited<ConditionsPage> edited(documentOf(test));
+        QVERIFY(section(edited.page, "Remarks")->isFolded());
+        QCOMPARE(section(edited.page, "Remarks")->summary(), u"after the collision of May"_s);
+        SectionHead *declarations = section(edited.page, "Declarations");
+        QVERIFY(!declarations->isFolded()); // something is missing
+        Field *first = fields(edited.page, u"complete"_s).at(0);
+        first->edit()->setFocus();
+        button(edited.page, "allApply")->click();
+        QVERIFY(!declarations->isFolded() && first->isVisible()); // never under the hands
+        showAgain(edited.page);
+        QVERIFY(!declarations->isFolded()); // the keyboard is in it
+        section(edited.page, "Temperatures")->setFocus();
+        showAgain(edited.page);
+        QVERIFY(declarations->isFolded() && !first->isVisible());
+        QVERIFY(!button(edited.page, "allApply")->isVisible());
+        QCOMPARE(declarations->summary(), u"5 of 5 apply"_s);
+        QVERIFY(!section(edited.page, "Temperatures")->isFolded());
+    }
+
+    void aFoldedSectionSaysWhatIsMissingAndWhatIsNo() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).conditions.common.unloaded = false;
+        measurement(test).conditions.common.sensors = {{SensorMeasures::air, "ceiling", 20.6, 20.9, {}}};
+        Edited<ConditionsPage> edited(documentOf(test));
+        SectionHead *declarations = section(edited.page, "Declarations");
+        declarations->click();
+        QVERIFY(declarations->isFolded());
+        QVERIFY2(declarations->summary().endsWith(u"missing"_s), qPrintable(declarations->summary()));
+        edited.model.edit("declare", [](Document &document) {
+            editTest(document, 0, [](Test &changed) {
+                for (auto member : {&Conditions::stabilised, &Conditions::shielded, &Conditions::complete,
+                                    &Conditions::levelled})
+                    conditionsOf(changed)->*member = true;
+            });
+        });
+        QCOMPARE(declarations->summary(), u"Machine unloaded: no · 4 of 5 apply"_s);
+        SectionHead *temperatures = section(edited.page, "Temperatures");
+        temperatures->click();
+        QVERIFY(temperatures->summary().endsWith(u"missing"_s));
+    }
+
+    void theUserFoldsAndUnfolds() {
+        Test test = example1988("ISO 230-2:2006");
+        test.remarks = "a remark";
+        Edited<ConditionsPage> edited(documentOf(test));
+        SectionHead *remarks = section(edited.page, "Remarks");
+        auto *text = edited.page.findChildren<QPlainTextEdit *>().constLast();
+        QVERIFY(remarks->isFolded() && !text->isVisible());
+        remarks->setFocus();
+        for (const Qt::Key key : {Qt::Key_Space, Qt::Key_Return, Qt::Key_Right}) {
+            QTest::keyClick(remarks, key);
+            QVERIFY(!remarks->isFolded() && text->isVisible());
+            QTest::keyClick(remarks, key == Qt::Key_Right ? Qt::Key_Left : key);
+            QVERIFY(remarks->isFolded() && !text->isVisible());
+        }
+        QTest::mouseClick(remarks, Qt::LeftButton);
+        QVERIFY(!remarks->isFolded());
+        QTest::keyClick(remarks, Qt::Key_Tab); // into what was folded away
+        QVERIFY(text->hasFocus());
+        section(edited.page, "Temperatures")->setFocus();
+        showAgain(edited.page);
+        QVERIFY(!remarks->isFolded()); // as the user left it
+        remarks->click();
+        QVERIFY(remarks->isFolded());
+        QVERIFY(edited.page.focusLabel("Remarks on the test", {})); // as an undone step does
+        QVERIFY(!remarks->isFolded());
+        QCOMPARE(edited.page.focusWidget(), text);
+    }
+
+    void foldingIsHeard() {
+        Test test = example1988("ISO 230-2:2006");
+        test.remarks = "a remark";
+        Edited<ConditionsPage> edited(documentOf(test));
+        SectionHead *remarks = section(edited.page, "Remarks");
+        QAccessibleInterface *access = QAccessible::queryAccessibleInterface(remarks);
+        QVERIFY(access);
+        QCOMPARE(access->role(), QAccessible::Button);
+        QCOMPARE(access->text(QAccessible::Name), u"Remarks"_s);
+        QCOMPARE(access->text(QAccessible::Description), u"a remark"_s);
+        QVERIFY(access->state().expandable && access->state().collapsed && !access->state().expanded);
+        access->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(!remarks->isFolded());
+        QVERIFY(access->state().expandable && !access->state().collapsed && access->state().expanded);
+        QCOMPARE(access->text(QAccessible::Description), u"Fold the section away"_s);
+    }
+
+    void whatIsRefusedIsNotFoldedAway() {
+        Test test = example1988("ISO 230-2:2006");
+        test.declaredAccordance.by = "the laboratory";
+        auto &common = measurement(test).conditions.common;
+        common.stabilised = common.shielded = common.complete = common.levelled = common.unloaded = true;
+        Edited<ConditionsPage> edited(documentOf(test));
+        SectionHead *declarations = section(edited.page, "Declarations");
+        QVERIFY(declarations->isFolded());
+        declarations->click();
+        Field *date = nullptr;
+        for (Field *field : edited.page.findChildren<Field *>()) {
+            if (field->edit()->accessibleName() == u"Declared on"_s)
+                date = field;
+        }
+        QVERIFY(date);
+        date->edit()->setFocus();
+        QTest::keyClicks(date->edit(), u"soon"_s);
+        QVERIFY(date->isRefused());
+        section(edited.page, "Temperatures")->setFocus();
+        declarations->click(); // folded, then unfolded: no wish of the user is left
+        edited.page.focusLabel("Declared on", {});
+        section(edited.page, "Temperatures")->setFocus();
+        showAgain(edited.page);
+        QVERIFY(!declarations->isFolded() && date->isVisible());
+    }
+
+    /// The same twelve columns in every row.
+    void fieldsStandInTwelveColumns() {
+        for (const int width : {560, 752}) {
+            Edited<ConditionsPage> edited(example());
+            edited.page.resize(width, 900);
+            QCoreApplication::processEvents();
+            auto *page = edited.page.findChild<QWidget *>(u"conditionsFields"_s);
+            QVERIFY(page);
+            const double left = 16;
+            const double column = (page->width() - 2 * left + 12) / 12.0;
+            for (const Field *field : edited.page.findChildren<Field *>()) {
+                for (const double edge : {field->mapTo(page, QPoint()).x() - left,
+                                          field->mapTo(page, QPoint(field->width(), 0)).x() - left + 12}) {
+                    const double off = std::abs(edge / column - std::round(edge / column)) * column;
+                    QVERIFY2(
+                        off <= 2,
+                        qPrintable(
+                            u"%1: %2 of %3"_s.arg(field->edit()->accessibleName()).arg(edge).arg(column)));
+                }
+            }
+        }
     }
 
     void declarationsAreTemplates() {

@@ -4,6 +4,8 @@
 
 #include "ui/window/shownwindow.h"
 
+#include "ui/forms/sectionhead.h"
+
 #include "document/savedocument.h"
 #include "ui/dialogs/shortcutsdialog.h"
 #include "ui/forms/field.h"
@@ -74,6 +76,7 @@ private slots:
     void escClosesTheExplanationFromAnywhere_data();
     void escClosesTheExplanationFromAnywhere();
     void tabLeavesTheReadingsAtTheirEnd();
+    void aFileIsOpenedWithTheKeyboardInTheNavigation();
     void ctrlHomeClearsTheSelection();
     void tabWalksTheFieldsAsTheyStand_data();
     void tabWalksTheFieldsAsTheyStand();
@@ -178,6 +181,13 @@ void KeyboardTest::tabLeavesTheReadingsAtTheirEnd() {
     QTRY_VERIFY(!view->isAncestorOf(QApplication::focusWidget()) && !view->hasFocus());
 }
 
+void KeyboardTest::aFileIsOpenedWithTheKeyboardInTheNavigation() {
+    const ShownWindow shown;
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    shown.window->openFile(examplePath("rotary-axis"));
+    QTRY_VERIFY(shown.find("navigation")->hasFocus());
+}
+
 void KeyboardTest::ctrlHomeClearsTheSelection() {
     const ShownWindow shown(examplePath("rotary-axis"));
     QVERIFY(QTest::qWaitForWindowActive(shown.window));
@@ -268,6 +278,8 @@ void KeyboardTest::undoBringsTheFieldIntoView() {
          {std::pair(Page::conditions, "conditionsPage"), std::pair(Page::limits, "limitsPage"),
           std::pair(Page::machine, "machinePage")}) {
         shown.window->workplace().showPage(page);
+        for (auto *head : shown.find(form)->findChildren<SectionHead *>())
+            head->click(); // of this file all is stated
         QLineEdit *edit = nullptr;
         for (auto *candidate : shown.find(form)->findChildren<QLineEdit *>()) {
             if (candidate->isVisible() && !candidate->text().isEmpty())

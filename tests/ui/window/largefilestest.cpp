@@ -181,6 +181,36 @@ private slots:
         QTRY_VERIFY(std::abs(first() - 1000 * before) < 1e-9);
     }
 
+    void aLargeMeasurementIsTakenBesideTheWindow() {
+        ImportAssistant dialog(largeTable(), "large.csv", nullptr);
+        dialog.show();
+        const auto *import = dialog.findChild<QPushButton *>("acceptImport");
+        for (int i = 0; i < 5 && !import->isEnabled(); ++i) { // an answer may raise the next question
+            dialog.confirmAll();
+            QTest::qWait(1);
+            QTRY_VERIFY(import->isEnabled() || !dialog.imported().questions.empty());
+        }
+        QTRY_VERIFY(import->isEnabled());
+        dialog.accept();
+        QCOMPARE(dialog.result(), int(QDialog::Rejected)); // not yet
+        QVERIFY(dialog.isVisible() && !import->isEnabled());
+        dialog.findChild<QPushButton *>("cancelWork")->click();
+        QVERIFY(dialog.isVisible() && import->isEnabled()); // all as it was
+        dialog.accept();
+        QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
+        Document first;
+        dialog.addTo(first);
+        QCOMPARE(first.tests.size(), std::size_t{1});
+        QVERIFY(first.tests[0]->measurement == dialog.imported().test->measurement);
+        QVERIFY(!first.tests[0]->imports.empty());
+        Document second;
+        dialog.addTo(second);
+        QCOMPARE(second.tests[0], first.tests[0]); // nothing is copied on the thread of the window
+        Document other = largeDocument();
+        dialog.addTo(other); // another than it was accepted for
+        QCOMPARE(other.tests.size(), std::size_t{2});
+    }
+
     void aCancelledChoiceIsAsItWas() {
         ImportAssistant dialog(largeTable(), "large.csv", nullptr);
         auto *unit = dialog.findChild<QComboBox *>("import.unit");

@@ -6,6 +6,7 @@
 
 #include "document/savedocument.h"
 #include "editing/newtest.h"
+#include "ui/dialogs/plandialog.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/field.h"
 #include "ui/navigation/navigationmodel.h"
@@ -45,13 +46,16 @@ private slots:
     void nothingOfACircleIsCutOff();
     void aWideWindowGivesTheFigureItsShare();
     void nothingMovesWhenAResultIsExplained();
+    void noDigitOfARulingRowIsCutOff();
     void lowWindowsHaveRoomForAll_data();
     void lowWindowsHaveRoomForAll();
     void formsEndAt720();
     void sixTargetsAreInSight_data();
     void sixTargetsAreInSight();
+    void aPlanHasRoomOnSmallScreens();
     void limitsStandAsATable();
     void conditionsBeginWithTestAndAxis();
+    void theMarkOfWhatIsRequiredHasItsColour();
     void allExamplesAreInSight_data();
     void allExamplesAreInSight();
     void aDriftTestHasNoEmptyTable();
@@ -109,7 +113,8 @@ void LayoutTest::computedColumnsAreThereWhereTheyFit() {
 void LayoutTest::nothingOfACircleIsCutOff_data() {
     QTest::addColumn<Language::Id>("language");
     QTest::addColumn<QSize>("size");
-    for (const QSize size : {QSize(1280, 800), QSize(1180, 768), QSize(1024, 600), QSize(1920, 1080)}) {
+    for (const QSize size : {QSize(1280, 800), QSize(1180, 768), QSize(1024, 600), QSize(960, 720),
+                             QSize(950, 530), QSize(1920, 1080)}) {
         QTest::newRow(qPrintable(u"French, %1"_s.arg(size.width()))) << Language::Id::french << size;
         QTest::newRow(qPrintable(u"English, %1"_s.arg(size.width()))) << Language::Id::english << size;
     }
@@ -126,6 +131,12 @@ void LayoutTest::nothingOfACircleIsCutOff() {
     QVERIFY(place);
     QVERIFY2(page->width() <= place->viewport()->width(),
              qPrintable(u"%1 of %2"_s.arg(page->width()).arg(place->viewport()->width())));
+    QCOMPARE(shown.window->size(), size);
+    for (const char *part : {"rightSide", "centre", "figureView"}) {
+        const auto *widget = shown.find(part);
+        const QPoint end = widget->mapTo(shown.window, widget->rect().bottomRight());
+        QVERIFY2(shown.window->rect().contains(end), part);
+    }
 }
 
 void LayoutTest::aWideWindowGivesTheFigureItsShare() {
@@ -155,6 +166,29 @@ void LayoutTest::nothingMovesWhenAResultIsExplained() {
     }
 }
 
+/// Ruling rows are bold where the column has room for it.
+void LayoutTest::noDigitOfARulingRowIsCutOff() {
+    const ShownWindow shown(examplePath("rotary-axis"), {1280, 800});
+    shown.window->workplace().selection().setParameter(u"A"_s);
+    QCoreApplication::processEvents();
+    int seen = 0;
+    for (auto *view : shown.find("readingsPage")->findChildren<QTableView *>()) {
+        for (int row = 0; row < view->model()->rowCount(); ++row) {
+            for (int column = 1; column < view->model()->columnCount(); ++column) {
+                const QModelIndex index = view->model()->index(row, column);
+                const QRect cell = view->visualRect(index);
+                if (view->isColumnHidden(column) || !view->viewport()->rect().contains(cell))
+                    continue;
+                ++seen;
+                const QImage drawn = view->viewport()->grab(cell).toImage();
+                for (int y = 4; y < drawn.height() - 4; ++y)
+                    QVERIFY2(drawn.pixel(0, y) == drawn.pixel(0, 4), qPrintable(index.data().toString()));
+            }
+        }
+    }
+    QVERIFY(seen > 10);
+}
+
 void LayoutTest::lowWindowsHaveRoomForAll_data() {
     QTest::addColumn<QString>("example");
     for (const char *name :
@@ -179,6 +213,20 @@ void LayoutTest::lowWindowsHaveRoomForAll() {
     }
 }
 
+/// 1 920 × 1 080 at twice the scale, less the title of the window.
+void LayoutTest::aPlanHasRoomOnSmallScreens() {
+    for (const Language::Id language : {Language::Id::english, Language::Id::french}) {
+        setWindowLanguage(language);
+        const ShownWindow shown(examplePath("iso230-2-1988-example"));
+        PlanDialog dialog(shown.window->model(), 0);
+        dialog.show();
+        QCoreApplication::processEvents();
+        const QSize least = dialog.minimumSizeHint();
+        QVERIFY2(least.width() <= 950 && least.height() <= 510,
+                 qPrintable(u"%1 x %2"_s.arg(least.width()).arg(least.height())));
+    }
+}
+
 void LayoutTest::limitsStandAsATable() {
     const ShownWindow shown(examplePath("rotary-axis"));
     shown.window->workplace().showPage(Page::limits);
@@ -189,6 +237,8 @@ void LayoutTest::limitsStandAsATable() {
             limits << field;
     }
     QVERIFY(limits.size() > 8);
+    QCOMPARE(limits[0]->edit()->accessibleName(), u"Limit of A"_s);
+    QCOMPARE(limits[0]->findChild<QLabel *>()->text(), u"Limit"_s); // the head of the column of all
     for (qsizetype i = 2; i < limits.size(); ++i) {
         QCOMPARE(limits[i]->x(), limits[1]->x());
         QVERIFY(limits[i]->y() - limits[i - 1]->y() <= 44); // a row, not a form
@@ -227,11 +277,13 @@ void LayoutTest::formsEndAt720() {
     }
 }
 
-/// 950 × 575 is what a screen of 1 920 × 1 200 at twice the scale leaves.
+/// 950 × 575 is what a screen of 1 920 × 1 200 at twice the scale leaves; below 944 the figure is under the
+/// table.
 void LayoutTest::sixTargetsAreInSight_data() {
     QTest::addColumn<Language::Id>("language");
     QTest::addColumn<QSize>("size");
-    for (const QSize size : {QSize(1024, 600), QSize(960, 600), QSize(950, 575)}) {
+    for (const QSize size : {QSize(1024, 600), QSize(960, 600), QSize(950, 575), QSize(960, 720),
+                             QSize(990, 900), QSize(960, 1210), QSize(900, 720), QSize(900, 1210)}) {
         QTest::addRow("French, %d x %d", size.width(), size.height()) << Language::Id::french << size;
         QTest::addRow("English, %d x %d", size.width(), size.height()) << Language::Id::english << size;
     }
@@ -259,6 +311,29 @@ void LayoutTest::conditionsBeginWithTestAndAxis() {
     shown.window->workplace().showPage(Page::conditions);
     const auto *first = shown.find("conditionsPage")->findChild<Field *>();
     QCOMPARE(first->edit()->accessibleName(), u"Title of the test"_s);
+}
+
+void LayoutTest::theMarkOfWhatIsRequiredHasItsColour() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    shown.window->workplace().showPage(Page::conditions);
+    QCoreApplication::processEvents();
+    int seen = 0;
+    for (const auto *field : shown.find("conditionsPage")->findChildren<Field *>()) {
+        for (auto *label : field->findChildren<QLabel *>()) {
+            if (!label->isVisible() || !label->text().startsWith(u'●'))
+                continue;
+            ++seen;
+            const QImage drawn = label->grab().toImage();
+            const QColor wanted = token(Token::unsure, label->palette());
+            bool found = false;
+            for (int x = 0; x < drawn.width(); ++x) {
+                for (int y = 0; y < drawn.height(); ++y)
+                    found = found || drawn.pixelColor(x, y) == wanted;
+            }
+            QVERIFY2(found, qPrintable(field->edit()->accessibleName()));
+        }
+    }
+    QVERIFY(seen > 5);
 }
 
 void LayoutTest::allExamplesAreInSight_data() {

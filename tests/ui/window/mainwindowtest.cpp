@@ -17,6 +17,7 @@
 #include <QAbstractItemModelTester>
 #include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -79,6 +80,8 @@ class MainWindowTest : public QObject {
 private slots:
     void initTestCase();
     void init();
+    void everyExampleIsListed();
+    void pagesAreMadeWhenTheyAreNeeded();
     void opensEveryExample_data();
     void opensEveryExample();
     void opensASecondFileInAWindowOfItsOwn();
@@ -121,11 +124,36 @@ void MainWindowTest::opensEveryExample_data() {
         QTest::newRow(qPrintable(example.name)) << example.path;
 }
 
+void MainWindowTest::pagesAreMadeWhenTheyAreNeeded() {
+    const ShownWindow shown;
+    QVERIFY(!shown.window->findChild<Workplace *>());
+    shown.find<QAction>("shortcuts")->trigger(); // lists those of the pages, too
+    QVERIFY(shown.window->findChild<Workplace *>());
+    QVERIFY(shown.find("welcome")->isVisible());
+    shown.window->openFile(examplePath("rotary-axis"));
+    QVERIFY(shown.window->workplace().isVisible());
+    QCOMPARE(shown.window->findChildren<Workplace *>().size(), 1);
+}
+
+void MainWindowTest::everyExampleIsListed() {
+    QStringList listed;
+    for (const Example &example : examples())
+        listed << example.path.section(u'/', -1);
+    QCOMPARE(listed, QDir(":/examples").entryList({"*.palmer"}, QDir::Files, QDir::Name));
+}
+
 void MainWindowTest::opensEveryExample() {
     QFETCH(QString, path);
     const ShownWindow shown(path);
     QVERIFY(shown.window->hasDocument());
     const Document &document = *shown.window->model().document();
+    const std::vector<Example> all = examples();
+    const auto listed = std::ranges::find(all, path, &Example::path);
+    QVERIFY(listed != all.end());
+    const Test &first = *document.tests.front();
+    QVERIFY(first.edition.ends_with(":" + listed->year.toStdString()));
+    QCOMPARE(listed->circular, std::holds_alternative<CircularMeasurement>(first.measurement));
+    QVERIFY(exampleDetail(path).startsWith(QString::fromStdString(first.edition)));
     auto *navigation = shown.find<QListView>("navigation");
     QCOMPARE(navigation->model()->rowCount(), static_cast<int>(document.tests.size()) + 5);
     for (std::size_t test = 0; test < document.tests.size(); ++test) {

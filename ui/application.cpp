@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/application.h"
+
+#include <QApplication>
+#include <QFontInfo>
+#include <QScreen>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace palmer::ui {
+
+namespace {
+
+constexpr auto style = "fusion";
+constexpr auto scaleVariable = "QT_SCALE_FACTOR";
+constexpr double designed = 13;    ///< pixels of the font that the measures of the window are drawn for
+constexpr double roomUntil = 16.5; ///< pixels of the largest font that fits into them
+constexpr QSizeF least(640, 440);  ///< of a screen, enlarged
+
+} // namespace
+
+double scaleForFont(double pixels, QSize screen) {
+    if (pixels < roomUntil)
+        return 1;
+    const double room = std::min(screen.width() / least.width(), screen.height() / least.height());
+    const double quarters = std::min(std::round(4 * pixels / designed), std::floor(4 * room));
+    return std::max(1.0, quarters / 4);
+}
+
+std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
+    const std::vector<char *> words(argv, argv + argc); // QApplication takes out those that it understands
+    auto application = std::make_unique<QApplication>(argc, argv);
+    QApplication::setStyle(QLatin1StringView(style));
+    QFont font = QApplication::font();
+    const double scale =
+        scaleForFont(QFontInfo(font).pixelSize(), QGuiApplication::primaryScreen()->availableSize());
+    if (scale == 1)
+        return application;
+    // The desktop's font is known when there is an application, its scale has to be told before.
+    application.reset();
+    argc = static_cast<int>(words.size());
+    std::ranges::copy(words, argv);
+    const QByteArray before = qgetenv(scaleVariable);
+    const double asked = before.isEmpty() ? 1 : before.toDouble();
+    qputenv(scaleVariable, QByteArray::number(scale * (asked > 0 ? asked : 1)));
+    application = std::make_unique<QApplication>(argc, argv);
+    if (before.isEmpty())
+        qunsetenv(scaleVariable); // programs that are started from here have scales of their own
+    else
+        qputenv(scaleVariable, before);
+    if (font.pointSizeF() > 0)
+        font.setPointSizeF(font.pointSizeF() / scale);
+    else
+        font.setPixelSize(static_cast<int>(std::lround(font.pixelSize() / scale)));
+    QApplication::setStyle(
+        QLatin1StringView(style)); // which takes the fonts of menus and tools from the desktop
+    QApplication::setFont(font);
+    return application;
+}
+
+} // namespace palmer::ui

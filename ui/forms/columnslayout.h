@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLayout>
+#include <memory>
+#include <vector>
+
+namespace palmer::ui {
+
+/// A row of a form on twelve columns, which are the same in all rows of one width, whatever stands in them.
+class ColumnsLayout : public QLayout {
+public:
+    static constexpr int columns = 12;
+
+    /// `gap`: between two columns.
+    explicit ColumnsLayout(int gap);
+
+    /// Puts a widget over the next columns. Aligned, it keeps its size in them.
+    void add(QWidget *widget, int span, Qt::Alignment alignment = {});
+
+    [[nodiscard]] int count() const override { return static_cast<int>(m_cells.size()); }
+    [[nodiscard]] QLayoutItem *itemAt(int index) const override;
+    QLayoutItem *takeAt(int index) override;
+    void addItem(QLayoutItem *item) override;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSize() const override { return {0, sizeHint().height()}; }
+    [[nodiscard]] bool hasHeightForWidth() const override;
+    [[nodiscard]] int heightForWidth(int width) const override;
+    void setGeometry(const QRect &area) override;
+
+private:
+    struct Cell {
+        std::unique_ptr<QLayoutItem> item;
+        int column = 0;
+        int span = 1;
+    };
+
+    [[nodiscard]] int edge(int column, int width) const;
+    [[nodiscard]] int widthOf(const Cell &cell, int width) const;
+
+    std::vector<Cell> m_cells;
+    int m_gap;
+};
+
+} // namespace palmer::ui
