@@ -625,6 +625,23 @@ bool staysBelow(const Block &block) {
            std::holds_alternative<EndMark>(block) || (paragraph && paragraph->size == TextSize::small);
 }
 
+bool isTitle(const Block &block) {
+    const auto *heading = std::get_if<Heading>(&block);
+    return heading && heading->level == 1;
+}
+
+/// What the block behind a heading makes of the strips of block i; nothing where that is none.
+void stateOfHeading(Strips &strips, const std::vector<Block> &blocks, std::size_t i, bool titled) {
+    const auto *heading = std::get_if<Heading>(&blocks[i]);
+    if (!heading || i + 1 == blocks.size())
+        return;
+    const Block &next = blocks[i + 1];
+    strips.front().title = isTitle(blocks[i]);
+    strips.front().filler = titled && std::holds_alternative<FindingsBlock>(next);
+    if (heading->level == 2 && (beginsSection(next) || isMark(next)))
+        strips.back().withNext = false; // its note says all
+}
+
 /// What stands above the heading of the signatures goes with them: they never stand alone on a page.
 void takeAlong(Strips &above) {
     constexpr std::size_t most = 3;
@@ -741,7 +758,7 @@ Strips blockStrips(const std::vector<Block> &blocks, double width, double talles
     Strips result;
     const StripMaker maker(width, tallest);
     const Block *above = nullptr;
-    bool belowTitle = false; // of a test among several
+    bool titled = false; // below the title of a test among several
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const Block &block = blocks[i];
         Strips strips = std::visit(maker, block);
@@ -756,15 +773,8 @@ Strips blockStrips(const std::vector<Block> &blocks, double width, double talles
             strips.front().block = static_cast<int>(i);
             strips.front().section = beginsSection(block);
             strips.back().verdict = std::holds_alternative<VerdictLine>(block);
-            const auto *heading = std::get_if<Heading>(&block);
-            const bool saysAll = heading && heading->level == 2 && i + 1 < blocks.size() &&
-                                 (beginsSection(blocks[i + 1]) || isMark(blocks[i + 1]));
-            if (saysAll) // by its note
-                strips.back().withNext = false;
-            belowTitle = belowTitle || (heading && heading->level == 1);
-            strips.front().title = heading && heading->level == 1;
-            strips.front().filler =
-                belowTitle && i + 1 < blocks.size() && std::holds_alternative<FindingsBlock>(blocks[i + 1]);
+            titled = titled || isTitle(block);
+            stateOfHeading(strips, blocks, i, titled);
             above = &block;
         } else if (std::holds_alternative<PageBreak>(block)) {
             // A head needs a page of its own; other parts may follow results that found no room there.

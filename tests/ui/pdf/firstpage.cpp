@@ -251,8 +251,16 @@ void FirstPageTest::resultsStandBeforeAFigureWithoutRoom() {
         for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
             Document document = storedDocument(name);
             document.report.paper = Paper::letter;
-            document.report.customer.address = "a\nb\nc\nd\ne\nf\ng\nh";
-            document.report.supplier.address = document.report.customer.address;
+            const auto words = [](int count) {
+                std::string text;
+                for (int i = 0; i < count; ++i)
+                    text += "n ";
+                return text;
+            };
+            document.report.laboratory.name = words(150);
+            document.report.title = words(120);
+            document.report.customer.name = words(120);
+            document.report.supplier.name = document.report.customer.name;
             const Report report = reportOf(document, language);
             const Sought sought = soughtIn(report).front();
             const QByteArray pdf = pdfOf(report);

@@ -85,6 +85,7 @@ private slots:
     void everythingIsThereOnce();
     void theTestsFollowTheirNumbers();
     void beforeAndAfterStandSideBySide();
+    void everyTargetStandsOnce();
     void noLineEndsWithinANameOrNumber();
 };
 
@@ -300,6 +301,56 @@ void ManyTests::beforeAndAfterStandSideBySide() {
     QVERIFY(!tableOf({found, other}));
     left.role = TestRole::notStated;
     QVERIFY(!tableOf({found, left}));
+}
+
+/// In a table of one half or two: each target with its own values, and as a table that is whole no more than
+/// twenty rows.
+void ManyTests::everyTargetStandsOnce() {
+    Document document = storedDocument(u"long-axis-with-zone"_s);
+    document.tests.resize(1);
+    for (int count = 2; count <= 45; ++count) {
+        Test test = *document.tests.front();
+        auto &m = std::get<PositioningMeasurement>(test.measurement);
+        m.targets.clear();
+        for (int i = 0; i < count; ++i)
+            m.targets.push_back(100.0 * i);
+        double up = 0;
+        for (Run &run : m.runs) {
+            run.deviations.clear();
+            for (int i = 0; i < count; ++i)
+                run.deviations.emplace_back(run.approach == Direction::positive ? 0.001 * i : -0.001 * i);
+            up += run.approach == Direction::positive ? 1 : 0;
+        }
+        QCOMPARE(up, 1.0);
+        document.tests.front() = std::make_shared<const Test>(std::move(test));
+        const Report report = reportOf(document, Language::Id::english);
+        const Table *table = nullptr;
+        for (std::size_t i = 0; i + 1 < report.blocks.size(); ++i) {
+            const auto *heading = std::get_if<Heading>(&report.blocks[i]);
+            if (heading && heading->text == u"Results per target position")
+                table = std::get_if<Table>(&report.blocks[i + 1]);
+        }
+        QVERIFY(table);
+        const std::size_t halves = table->columns.size() / 6;
+        QCOMPARE(table->columns.size(), 6 * halves);
+        QCOMPARE(halves, count > 15 && count <= 40 ? std::size_t{2} : std::size_t{1});
+        QVERIFY(halves == 1 || table->rows.size() <= 20);
+        int number = 0;
+        for (std::size_t half = 0; half < halves; ++half) {
+            for (const std::vector<Cell> &row : table->rows) {
+                QCOMPARE(row.size(), table->columns.size());
+                if (row[6 * half].blank)
+                    continue;
+                QCOMPARE(row[6 * half].text.plain(), QString::number(++number));
+                const Language english(Language::Id::english);
+                QCOMPARE(row[6 * half + 1].text.plain(),
+                         english.number(100.0 * (number - 1), Quantity::position, 2));
+                QCOMPARE(row[6 * half + 2].text.plain(),
+                         english.number(0.001 * (number - 1), Quantity::deviation, 1));
+            }
+        }
+        QCOMPARE(number, count);
+    }
 }
 
 /// Of all texts of all reports, however narrow their column.
