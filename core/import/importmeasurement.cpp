@@ -11,6 +11,7 @@
 #include "import/layouts/headings.h"
 #include "import/readers.h"
 #include "tables/dates.h"
+#include "tables/decodetext.h"
 
 #include <QCryptographicHash>
 #include <QFileInfo>
@@ -35,10 +36,25 @@ constexpr std::array formats{
     ImportFormat{"table", isAnything, readTextTable},
 };
 
+bool isUtf16(QByteArrayView bytes) {
+    return bytes.startsWith("\xFF\xFE") || bytes.startsWith("\xFE\xFF");
+}
+
+/// For those who look for words; the readers decode what they read. Empty: no text.
+QByteArray inUtf8(QByteArrayView bytes) {
+    try {
+        return QByteArray::fromStdString(decodeText(bytes).text);
+    } catch (const Error &) {
+        return {};
+    }
+}
+
 const ImportFormat &formatOf(QByteArrayView bytes, const ImportOptions &options) {
     const auto chosen = options.find("format");
+    const QByteArray plain = isUtf16(bytes) ? inUtf8(bytes) : QByteArray();
     for (const ImportFormat &format : formats) {
-        if (chosen != options.end() ? chosen->second == format.word : format.recognises(bytes))
+        if (chosen != options.end() ? chosen->second == format.word
+                                    : format.recognises(bytes) || format.recognises(plain))
             return format;
     }
     return formats.back();

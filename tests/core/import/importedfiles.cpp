@@ -10,6 +10,7 @@
 #include <QCryptographicHash>
 #include <QDirIterator>
 #include <QFile>
+#include <QStringEncoder>
 #include <QTest>
 
 using namespace palmer;
@@ -58,6 +59,8 @@ private slots:
     void saysWhatIsExpected();
     void lineEndsChangeNothing_data();
     void lineEndsChangeNothing();
+    void utf16ChangesNoNumber_data();
+    void utf16ChangesNoNumber();
     void everyTruncationIsAnErrorOrAMeasurement_data();
     void everyTruncationIsAnErrorOrAMeasurement();
     void takesChoices_data();
@@ -104,6 +107,26 @@ void ImportedFilesTest::lineEndsChangeNothing() {
     const QString expected = outcome(unixFile, file);
     QCOMPARE(outcome(QByteArray(unixFile).replace('\n', "\r\n"), file), expected);
     QCOMPARE(outcome(QByteArray(unixFile).replace('\n', '\r'), file), expected);
+}
+
+void ImportedFilesTest::utf16ChangesNoNumber_data() {
+    QTest::addColumn<QString>("file");
+    for (const QString folder : {"rtl", "indexed", "ren", "pos"}) {
+        for (const QString &file : filesIn(folder)) {
+            if (!file.contains("1252") && !file.contains("gbk"))
+                QTest::newRow(qPrintable(file)) << file;
+        }
+    }
+}
+
+void ImportedFilesTest::utf16ChangesNoNumber() {
+    QFETCH(QString, file);
+    const QByteArray bytes = contents(DATA + file);
+    QStringEncoder encode(QStringConverter::Utf16LE, QStringConverter::Flag::WriteBom);
+    const QByteArray wide = encode(QString::fromUtf8(bytes));
+    const QString expected = testdata::picture(importMeasurement(bytes, file));
+    QVERIFY(!expected.isEmpty());
+    QCOMPARE(testdata::picture(importMeasurement(wide, file)), expected);
 }
 
 void ImportedFilesTest::everyTruncationIsAnErrorOrAMeasurement_data() {
