@@ -1907,6 +1907,10 @@
         <source>Wheel, plus and minus zoom; dragging and arrows move; a double click or 0 shows the whole</source>
         <translation>La molette, plus et moins agrandissent et réduisent&#x202f;; glisser et les flèches déplacent&#x202f;; un double clic ou 0 montre l’ensemble</translation>
     </message>
+    <message>
+        <source>Interpretation, not a result of ISO 230-4</source>
+        <translation>Interprétation, pas un résultat de l’ISO&#xa0;230-4</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::DriftModel</name>

@@ -76,7 +76,7 @@ const QSet<QString> sameInBoth{
     "Angles",       "Correction C", "positions", "rad",        "mrad",      "µrad",         "µin",
     "min",          "Format",       "Arc (°)",   "air",        "machine",   "point .",      "Page",
     "Type",         "Validation",   "Angle",     "Sources",    "source 1",  "amplitude",    "compensation",
-    "collision",    "intervention"};
+    "collision",    "intervention", "Machines"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {

@@ -30,7 +30,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int pageMargin = 16;
-constexpr int barHeight = 44;
+constexpr int barHeight = 38;
 constexpr int tickWidth = 26;
 constexpr int leastBar = 90;
 constexpr int chartHeight = 150;
@@ -54,6 +54,7 @@ QCheckBox *tickBox(QTableWidget &table, int row) {
 
 DiagnosisPage::DiagnosisPage(QWidget *parent)
     : QWidget(parent)
+    , m_nature(new ElidedLabel(this))
     , m_summary(new ElidedLabel(this))
     , m_trace(new QToolButton(this))
     , m_empty(new QLabel(this)) {
@@ -61,6 +62,13 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     auto *page = new QVBoxLayout(this);
     page->setContentsMargins(0, 0, 0, 0);
     page->setSpacing(0);
+    m_nature->setObjectName(QStringLiteral("diagnosisNature"));
+    m_nature->setFont(themeFont(TextSize::head));
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(pageMargin, 6, pageMargin, 0);
+    head->addWidget(m_nature);
+    head->addWidget(m_summary, 1);
+    page->addLayout(head);
     page->addWidget(makeBar());
     m_area = new QScrollArea(this);
     m_area->setWidgetResizable(true);
@@ -125,10 +133,13 @@ QWidget *DiagnosisPage::makeBar() {
     auto *area = new QWidget(this);
     area->setFixedHeight(barHeight);
     auto *row = new QHBoxLayout(area);
-    row->setContentsMargins(pageMargin, 8, pageMargin, 8);
+    row->setContentsMargins(pageMargin, 4, pageMargin, 4);
     row->setSpacing(0);
     m_summary->setObjectName(QStringLiteral("diagnosisSummary"));
     m_summary->setProperty("secondary", true);
+    m_summary->setFont(themeFont(TextSize::small));
+    m_summary->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // what the words leave
     m_circle = addSegment("first", "diagnosisOfCircle");
     m_feeds = addSegment("last", "diagnosisOfFeeds");
     m_circle->setChecked(true);
@@ -142,10 +153,9 @@ QWidget *DiagnosisPage::makeBar() {
     m_trace->setIcon(lineIcon(QStringLiteral("circle")));
     m_trace->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_trace->setFocusPolicy(Qt::StrongFocus);
-    row->addWidget(m_summary, 1);
     row->addWidget(m_circle);
     row->addWidget(m_feeds);
-    row->addSpacing(8);
+    row->addStretch();
     row->addWidget(m_trace);
     connect(views, &QButtonGroup::buttonClicked, this, [this] { refresh(); });
     connect(m_trace, &QToolButton::toggled, this, &DiagnosisPage::trace);
@@ -512,6 +522,7 @@ void DiagnosisPage::changeEvent(QEvent *event) {
 }
 
 void DiagnosisPage::retranslate() {
+    m_nature->setText(tr("Interpretation, not a result of ISO 230-4"));
     m_circle->setText(tr("This circle"));
     m_feeds->setText(tr("All feeds"));
     m_circle->setToolTip(tr("What this circle says by itself"));

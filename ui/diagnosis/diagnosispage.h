@@ -82,6 +82,7 @@ private:
         m_ticked;      ///< ids of sources; null: nobody has chosen, those that prevail
     QString m_current; ///< id of the source in view
 
+    QLabel *m_nature = nullptr; ///< what all of it is
     QLabel *m_summary = nullptr;
     QToolButton *m_circle = nullptr;
     QToolButton *m_feeds = nullptr;

@@ -97,6 +97,16 @@ private slots:
         QVERIFY(shown.find<QLabel>("sourceText")->text().startsWith("X loses motion at each reversal."));
     }
 
+    /// In words that are not cut off, also where there are feeds to choose.
+    void isHeadedAsInterpretation() {
+        Shown shown({mixedCircle()});
+        shown.open();
+        const auto *nature = shown.find<QLabel>("diagnosisNature");
+        QVERIFY(nature->isVisible());
+        QCOMPARE(nature->text(), QString("Interpretation, not a result of ISO 230-4"));
+        QVERIFY(nature->width() >= nature->sizeHint().width());
+    }
+
     void readsFrench() {
         Shown shown({mixedCircle()}, Language::Id::french);
         shown.open();
