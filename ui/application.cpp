@@ -55,9 +55,9 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
         font.setPointSizeF(font.pointSizeF() / scale);
     else
         font.setPixelSize(static_cast<int>(std::lround(font.pixelSize() / scale)));
-    QApplication::setStyle(
-        QLatin1StringView(style)); // which takes the fonts of menus and tools from the desktop
+    QApplication::setStyle(QLatin1StringView(style));
     QApplication::setFont(font);
+    application->setProperty(enlarged, true);
     return application;
 }
 
