@@ -18,6 +18,7 @@ constexpr auto scaleVariable = "QT_SCALE_FACTOR";
 constexpr double designed = 13;    ///< pixels of the font that the measures of the window are drawn for
 constexpr double roomUntil = 16.5; ///< pixels of the largest font that fits into them
 constexpr QSizeF least(640, 440);  ///< of a screen, enlarged
+constexpr auto enlarged = "enlarged";
 
 } // namespace
 
@@ -54,10 +55,19 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
         font.setPointSizeF(font.pointSizeF() / scale);
     else
         font.setPixelSize(static_cast<int>(std::lround(font.pixelSize() / scale)));
-    QApplication::setStyle(
-        QLatin1StringView(style)); // which takes the fonts of menus and tools from the desktop
+    QApplication::setStyle(QLatin1StringView(style));
     QApplication::setFont(font);
+    application->setProperty(enlarged, true);
     return application;
+}
+
+void useOneFont() {
+    if (!qApp->property(enlarged).toBool())
+        return;
+    for (const char *name : {"QMenu", "QMenuBar", "QMessageBox", "QTipLabel", "QStatusBar", "QPushButton",
+                             "QCheckBox", "QRadioButton", "QToolButton", "QAbstractItemView", "QListView",
+                             "QHeaderView", "QComboMenuItem", "QComboLineEdit"})
+        QApplication::setFont(QApplication::font(), name);
 }
 
 } // namespace palmer::ui

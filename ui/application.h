@@ -14,8 +14,12 @@ namespace palmer::ui {
 /// Fields, rows and icons grow with the letters then.
 [[nodiscard]] double scaleForFont(double pixels, QSize screen);
 
-/// The application in the style of the program, enlarged as its font wants it. Nothing else of Qt may exist yet. `argc` and `argv` have
-/// to outlive it.
+/// The application in the style of the program, enlarged as its font wants it. Nothing else of Qt may exist
+/// yet. `argc` and `argv` have to outlive it.
 [[nodiscard]] std::unique_ptr<QApplication> makeApplication(int &argc, char **argv);
+
+/// Where the whole is enlarged, menus and tools have the font of the rest: those of the desktop come back
+/// with every change of the style. Nothing where it is not.
+void useOneFont();
 
 } // namespace palmer::ui

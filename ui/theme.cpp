@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/theme.h"
 
+#include "ui/application.h"
+
 #include <QApplication>
 #include <QEvent>
 #include <QFile>
@@ -252,8 +254,10 @@ public:
 private:
     static void fill() {
         const QString sheet = filledStyleSheet(QApplication::palette());
-        if (sheet != qApp->styleSheet())
-            qApp->setStyleSheet(sheet);
+        if (sheet == qApp->styleSheet())
+            return;
+        qApp->setStyleSheet(sheet);
+        useOneFont();
     }
 };
 

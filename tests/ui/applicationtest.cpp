@@ -54,6 +54,17 @@ private slots:
         QCOMPARE(QCoreApplication::arguments().value(1), u"a word"_s);
     }
 
+    /// A change of the style takes the fonts of the desktop for them.
+    void menusAndToolsHaveTheFontOfTheRest() {
+        QFont large = QApplication::font();
+        large.setPointSizeF(2 * large.pointSizeF());
+        QApplication::setFont(large, "QToolButton");
+        QApplication::setFont(large, "QMenuBar");
+        useOneFont();
+        QCOMPARE(QApplication::font("QToolButton"), QApplication::font());
+        QCOMPARE(QApplication::font("QMenuBar"), QApplication::font());
+    }
+
     /// What does not fit ends in "…" and has no place in which its letters are cut off above and below.
     void nothingIsCutOff() {
         for (const char *example : {"iso230-2-1988-example", "iso230-4-full-circles-xy"}) {

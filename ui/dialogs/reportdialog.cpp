@@ -194,8 +194,17 @@ QWidget *ReportDialog::makeHead() {
 QWidget *ReportDialog::makeSide() {
     auto *side = new QWidget(this);
     side->setFixedWidth(sideWidth);
-    auto *column = new QVBoxLayout(side);
-    column->setContentsMargins(16, 12, 16, 12);
+    auto *whole = new QVBoxLayout(side);
+    whole->setContentsMargins(16, 12, 16, 12);
+    whole->setSpacing(8);
+    auto *place = new QScrollArea(side); // on low screens the choices are higher than their place
+    place->setFrameShape(QFrame::NoFrame);
+    place->setWidgetResizable(true);
+    place->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    place->setFocusPolicy(Qt::NoFocus);
+    auto *choices = new QWidget(place);
+    auto *column = new QVBoxLayout(choices);
+    column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     const auto title = [&] {
         auto *label = new QLabel(side);
@@ -252,6 +261,8 @@ QWidget *ReportDialog::makeSide() {
     addChoices(column);
 
     column->addStretch();
+    place->setWidget(choices);
+    whole->addWidget(place, 1);
     m_simulation = new QWidget(side);
     auto *simulation = new QVBoxLayout(m_simulation);
     simulation->setContentsMargins(0, 0, 0, 0);
@@ -268,27 +279,27 @@ QWidget *ReportDialog::makeSide() {
         simulation->addWidget(widget);
     m_simulation->hide();
     connect(m_simulationCancel, &QPushButton::clicked, this, [this] { m_simulator.cancel(); });
-    column->addWidget(m_simulation);
+    whole->addWidget(m_simulation);
     m_originals = new QCheckBox(side);
     m_originals->setObjectName(QStringLiteral("withOriginals"));
     connect(m_originals, &QCheckBox::clicked, this, &ReportDialog::showDocument);
-    column->addWidget(m_originals);
+    whole->addWidget(m_originals);
     m_attached = new QLabel(side);
     m_attached->setObjectName(QStringLiteral("attachedNote"));
     m_attached->setFont(themeFont(TextSize::small));
     m_attached->setProperty("secondary", true);
     m_attached->setWordWrap(true);
-    column->addWidget(m_attached);
+    whole->addWidget(m_attached);
     m_missing = new QLabel(side);
     m_missing->setObjectName(QStringLiteral("missingNote"));
     m_missing->setWordWrap(true);
-    column->addWidget(m_missing);
+    whole->addWidget(m_missing);
     m_save = new QPushButton(side);
     m_save->setObjectName(QStringLiteral("savePdf"));
     m_save->setProperty("primary", true);
     m_save->setIcon(lineIcon(QStringLiteral("pdf"), QPalette::Base));
     m_save->setDefault(true);
-    column->addWidget(m_save);
+    whole->addWidget(m_save);
     auto *last = new QHBoxLayout;
     m_print = new QPushButton(side);
     m_print->setObjectName(QStringLiteral("print"));
@@ -299,7 +310,7 @@ QWidget *ReportDialog::makeSide() {
     m_close->setAutoDefault(false);
     last->addWidget(m_print);
     last->addWidget(m_close);
-    column->addLayout(last);
+    whole->addLayout(last);
     connect(m_save, &QPushButton::clicked, this, &ReportDialog::choosePdf);
     connect(m_print, &QPushButton::clicked, this, &ReportDialog::choosePrinter);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);

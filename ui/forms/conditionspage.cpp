@@ -300,26 +300,22 @@ void ConditionsPage::addTemperatures(const Test &test) {
     m_correction->setProperty("secondary", true);
     m_correction->setWordWrap(true);
     addWidget(m_correction, 12);
-    beginColumns();
+    beginRow(); // buttons are as wide as their words
     const auto addOne = [this](const char *text, SensorMeasures what, const QString &name) {
-        addButton(
-            text,
-            [this, what] {
-                edit(QT_TRANSLATE_NOOP("edits", "add a sensor"), [&](Document &document) {
-                    editTest(document, this->test(), [&](Test &changed) {
-                        Conditions &kept = *conditionsOf(changed);
-                        Sensor sensor;
-                        sensor.measures = what;
-                        // The first row stands there without a sensor.
-                        const std::size_t rows = shownSensors(kept, what) + 1;
-                        while (countSensors(kept, what) < rows)
-                            kept.sensors.push_back(sensor);
-                    });
+        addButton(text, [this, what] {
+            edit(QT_TRANSLATE_NOOP("edits", "add a sensor"), [&](Document &document) {
+                editTest(document, this->test(), [&](Test &changed) {
+                    Conditions &kept = *conditionsOf(changed);
+                    Sensor sensor;
+                    sensor.measures = what;
+                    // The first row stands there without a sensor.
+                    const std::size_t rows = shownSensors(kept, what) + 1;
+                    while (countSensors(kept, what) < rows)
+                        kept.sensors.push_back(sensor);
                 });
-                focusPart(*m_lastSensors.at(what));
-            },
-            4)
-            ->setObjectName(name);
+            });
+            focusPart(*m_lastSensors.at(what));
+        })->setObjectName(name);
     };
     addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another air sensor"), SensorMeasures::air,
            QStringLiteral("addAirSensor"));
@@ -327,6 +323,7 @@ void ConditionsPage::addTemperatures(const Test &test) {
            QStringLiteral("addMachineSensor"));
     addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another instrument sensor"),
            SensorMeasures::instrument, QStringLiteral("addInstrumentSensor"));
+    addWidget(new QWidget(body()));
     beginColumns();
     addYesNo("temperatureControlled",
              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Room temperature can be controlled"),

@@ -7,6 +7,7 @@
 #include "document/savedocument.h"
 #include "editing/newtest.h"
 #include "ui/dialogs/plandialog.h"
+#include "ui/dialogs/reportdialog.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/field.h"
 #include "ui/navigation/navigationmodel.h"
@@ -52,7 +53,7 @@ private slots:
     void formsEndAt720();
     void sixTargetsAreInSight_data();
     void sixTargetsAreInSight();
-    void aPlanHasRoomOnSmallScreens();
+    void dialogsHaveRoomOnSmallScreens();
     void limitsStandAsATable();
     void conditionsBeginWithTestAndAxis();
     void theMarkOfWhatIsRequiredHasItsColour();
@@ -168,6 +169,7 @@ void LayoutTest::nothingMovesWhenAResultIsExplained() {
 
 /// Ruling rows are bold where the column has room for it.
 void LayoutTest::noDigitOfARulingRowIsCutOff() {
+    setWindowLanguage(Language::Id::french);
     const ShownWindow shown(examplePath("rotary-axis"), {1280, 800});
     shown.window->workplace().selection().setParameter(u"A"_s);
     QCoreApplication::processEvents();
@@ -181,8 +183,10 @@ void LayoutTest::noDigitOfARulingRowIsCutOff() {
                     continue;
                 ++seen;
                 const QImage drawn = view->viewport()->grab(cell).toImage();
+                constexpr int edge = 2; // of the place of the text
                 for (int y = 4; y < drawn.height() - 4; ++y)
-                    QVERIFY2(drawn.pixel(0, y) == drawn.pixel(0, 4), qPrintable(index.data().toString()));
+                    QVERIFY2(drawn.pixel(edge, y) == drawn.pixel(edge, 4),
+                             qPrintable(index.data().toString()));
             }
         }
     }
@@ -214,16 +218,20 @@ void LayoutTest::lowWindowsHaveRoomForAll() {
 }
 
 /// 1 920 × 1 080 at twice the scale, less the title of the window.
-void LayoutTest::aPlanHasRoomOnSmallScreens() {
+void LayoutTest::dialogsHaveRoomOnSmallScreens() {
     for (const Language::Id language : {Language::Id::english, Language::Id::french}) {
         setWindowLanguage(language);
         const ShownWindow shown(examplePath("iso230-2-1988-example"));
-        PlanDialog dialog(shown.window->model(), 0);
-        dialog.show();
-        QCoreApplication::processEvents();
-        const QSize least = dialog.minimumSizeHint();
-        QVERIFY2(least.width() <= 950 && least.height() <= 510,
-                 qPrintable(u"%1 x %2"_s.arg(least.width()).arg(least.height())));
+        PlanDialog plan(shown.window->model(), 0);
+        ReportDialog report(shown.window->model(), shown.window->evaluator());
+        for (QDialog *dialog : std::initializer_list<QDialog *>{&plan, &report}) {
+            dialog->show();
+            QCoreApplication::processEvents();
+            const QSize least = dialog->minimumSizeHint();
+            QVERIFY2(least.width() <= 950 && least.height() <= 510,
+                     qPrintable(
+                         u"%1: %2 x %3"_s.arg(dialog->objectName()).arg(least.width()).arg(least.height())));
+        }
     }
 }
 
