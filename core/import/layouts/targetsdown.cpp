@@ -134,8 +134,8 @@ private:
                 line += ' ' + std::string(m.table().text(cell));
             const HeadingWords heading = readHeading(line);
             const bool says = heading.meaning == Meaning::axis || heading.words == 1;
-            if (says && heading.axis != 0)
-                return std::string(1, heading.axis);
+            if (const std::string name(1, heading.axis); says && heading.axis != 0)
+                return name; // in braces it would be two characters
         }
         return {};
     }
