@@ -1831,8 +1831,8 @@
         <translation>Aucun cercle seul ne le dit.</translation>
     </message>
     <message>
-        <source>measured minus all sources; standard deviation %1</source>
-        <translation>mesuré moins toutes les sources&#x202f;; écart-type %1</translation>
+        <source>standard deviation %1; measured minus all sources</source>
+        <translation>écart-type %1&#x202f;; mesuré moins toutes les sources</translation>
     </message>
     <message>
         <source>one wave a turn is %1 Hz</source>

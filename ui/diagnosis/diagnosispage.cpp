@@ -173,9 +173,10 @@ QWidget *DiagnosisPage::makeBelow() {
     auto *kinds = new QButtonGroup(this);
     kinds->addButton(m_rest);
     kinds->addButton(m_spectrum);
-    m_chartNote = new QLabel(area);
+    m_chartNote = new ElidedLabel(area);
     m_chartNote->setObjectName(QStringLiteral("chartNote"));
     m_chartNote->setProperty("secondary", true);
+    m_chartNote->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // what the buttons leave
     auto *bar = new QHBoxLayout(m_chartBar);
     bar->setContentsMargins(0, 4, 0, 0);
     bar->setSpacing(0);
@@ -423,7 +424,7 @@ void DiagnosisPage::fillChart() {
     }
     const DiagnosedTest &test = *shown->test;
     if (m_rest->isChecked()) {
-        m_chartNote->setText(tr("measured minus all sources; standard deviation %1")
+        m_chartNote->setText(tr("standard deviation %1; measured minus all sources")
                                  .arg(m_language.quantity(test.diagnosis.residual, Quantity::deviation, 3)));
         m_chart->setReadOut({});
         m_chart->setFigure(shown->residual, m_language);

@@ -107,6 +107,24 @@ private slots:
         QVERIFY(nature->width() >= nature->sizeHint().width());
     }
 
+    /// As wide as the page of a window of 1 280 and of 1 000 pixels: nothing is cut off at the right.
+    void nothingIsWiderThanThePage() {
+        for (const Language::Id language : {Language::Id::english, Language::Id::french}) {
+            Shown shown({mixedCircle()}, language);
+            shown.open();
+            for (const int width : {582, 470}) {
+                shown.page.resize(width, 640);
+                QCoreApplication::sendPostedEvents();
+                QCoreApplication::processEvents();
+                const auto *area = shown.page.findChild<QScrollArea *>();
+                QVERIFY2(area->widget()->width() <= area->viewport()->width(),
+                         qPrintable(QStringLiteral("%1 of %2")
+                                        .arg(area->widget()->minimumSizeHint().width())
+                                        .arg(width)));
+            }
+        }
+    }
+
     void readsFrench() {
         Shown shown({mixedCircle()}, Language::Id::french);
         shown.open();

@@ -1051,6 +1051,16 @@ void Requirements::circularRows_data() {
             c.m().requiredResults = {"G"};
         },
         "referenceLength", "4.5", "met");
+    const auto uncalibrated = [](const char *asked) -> Change {
+        return [=](Circle &c) {
+            c.m().referenceLength.calibrated = false;
+            c.m().requiredResults = {asked};
+        };
+    };
+    for (const char *asked : {"F", "Fmax", "Fmin", "D"})
+        row((std::string(asked) + " alone needs the reference length").c_str(), uncalibrated(asked),
+            "referenceLength", "4.5", "unmet");
+    row("G(b) alone does not", uncalibrated("G(b)"), "referenceLength", "4.5", "met");
     row(
         "one sense", [](Circle &c) { c.m().arcs.pop_back(); }, "bothSenses", "5", "unmet");
     row(
@@ -1064,6 +1074,16 @@ void Requirements::circularRows_data() {
         "another path between the two",
         [](Circle &c) { c.m().arcs.insert(c.m().arcs.begin() + 1, c.m().arcs.front()); }, "consecutive", "5",
         "unmet");
+    const auto between = [](const char *asked) -> Change {
+        return [=](Circle &c) {
+            c.m().arcs.insert(c.m().arcs.begin() + 1, c.m().arcs.front());
+            c.m().requiredResults = {asked};
+        };
+    };
+    for (const char *asked : {"G(b)", "D"})
+        row((std::string("another path between the two, only ") + asked + " asked for").c_str(),
+            between(asked), "consecutive", "5", "unmet");
+    row("another path between the two, only G asked for", between("G"), "consecutive", "5", "met");
     row(
         "repetitions after the two",
         [](Circle &c) {
