@@ -15,7 +15,7 @@ namespace palmer {
 namespace {
 
 EvaluatedDocument example() {
-    QFile file(QStringLiteral(PALMER_SOURCE_DIR "/tests/data/document/limits-2006.palmer"));
+    QFile file(QStringLiteral(PALMER_SOURCE_DIR "/tests/data/report/limits-2006.palmer"));
     if (!file.open(QIODevice::ReadOnly))
         qFatal("cannot read the example");
     return evaluate(std::make_shared<const Document>(readDocument(file.readAll())));

@@ -48,6 +48,13 @@ void paintFrame(QPainter &painter, const QRect &cell, const QColor &colour, bool
     painter.restore();
 }
 
+/// In narrow columns the ground alone says that a row rules: no digit is cut off.
+QFont boldWhereItFits(const QFont &font, const QString &text, int width) {
+    QFont bold = font;
+    bold.setBold(true);
+    return QFontMetrics(bold).horizontalAdvance(text) <= width ? bold : font;
+}
+
 constexpr auto initialText = "initialText";
 
 } // namespace
@@ -92,12 +99,7 @@ void ReadingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
     font.setStrikeOut(excluded);
     const QRect textArea = cell.adjusted(2, 0, -textMargin, 0);
     const QString text = index.data(Qt::DisplayRole).toString();
-    // In narrow columns the ground says it alone: no digit is cut off.
-    QFont bold = font;
-    bold.setBold(true);
-    if (ruling && !computed && QFontMetrics(bold).horizontalAdvance(text) <= textArea.width())
-        font = bold;
-    painter->setFont(font);
+    painter->setFont(ruling && !computed ? boldWhereItFits(font, text, textArea.width()) : font);
     const bool secondary =
         excluded || missing || computed || (index.column() == ReadingsModel::numberColumn && !ruling);
     painter->setPen(refused     ? token(Token::bad, palette)

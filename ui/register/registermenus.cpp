@@ -74,7 +74,7 @@ void RegisterMenus::fill(QToolBar &bar) const {
     bar.addAction(history);
 }
 
-void RegisterMenus::retranslate() {
+void RegisterMenus::retranslate() const {
     registerMenu->setTitle(tr("&Register"));
     machineMenu->setTitle(tr("&Machine"));
     testMenu->setTitle(tr("&Test"));

@@ -20,7 +20,7 @@ public:
 
     /// The actions one needs most, in groups.
     void fill(QToolBar &bar) const;
-    void retranslate();
+    void retranslate() const;
 
     QMenu *registerMenu = nullptr;
     QMenu *machineMenu = nullptr;

@@ -5,6 +5,7 @@
 #include "register/listing.h"
 #include "register/trendfigure.h"
 #include "report/wording.h"
+#include "ui/figures/zoomkeys.h"
 #include "ui/register/numbertag.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -38,7 +39,6 @@ constexpr int strip = 24;   ///< above the plot, for interventions
 constexpr double bandLight = 0.13;
 constexpr double bandDark = 0.20;
 constexpr int mostTicks = 12;
-constexpr double zoomStep = 1.2;
 
 } // namespace
 

@@ -73,6 +73,7 @@ QString words(const Test &test) {
 
 std::vector<Example> examples() {
     std::vector<Example> list;
+    list.reserve(rows.size());
     for (const Row &row : rows) {
         list.push_back({QStringLiteral(":/examples/%1.palmer").arg(QLatin1StringView(row.file)),
                         QCoreApplication::translate("examples", row.name), QLatin1StringView(row.year),

@@ -134,8 +134,9 @@ private:
                 line += ' ' + std::string(m.table().text(cell));
             const HeadingWords heading = readHeading(line);
             const bool says = heading.meaning == Meaning::axis || heading.words == 1;
-            if (const std::string name(1, heading.axis); says && heading.axis != 0)
-                return name; // in braces it would be two characters
+            std::string name(1, heading.axis); // in braces it would be two characters
+            if (says && heading.axis != 0)
+                return name;
         }
         return {};
     }
