@@ -54,6 +54,7 @@ std::vector<OutlierHint> outlierHints(const PositioningMeasurement &measurement)
     if (distances.size() < leastInAll)
         return {};
     std::vector<double> sizes;
+    sizes.reserve(distances.size());
     for (const OutlierHint &hint : distances)
         sizes.push_back(std::abs(hint.distance));
     const double bound = spreadsOfOutliers * normalOfMedian * median(std::move(sizes));

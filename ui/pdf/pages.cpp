@@ -485,6 +485,7 @@ bool followPages(std::vector<Block> &blocks, const Flow &flow) {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places[i]; });
     std::vector<Block> result;
+    result.reserve(blocks.size());
     for (const std::size_t i : order)
         result.push_back(std::move(blocks[i]));
     blocks = std::move(result);

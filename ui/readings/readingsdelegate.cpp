@@ -55,6 +55,26 @@ QFont boldWhereItFits(const QFont &font, const QString &text, int width) {
     return QFontMetrics(bold).horizontalAdvance(text) <= width ? bold : font;
 }
 
+/// What the ground of a cell says; the first that is so counts.
+struct CellState {
+    bool ruling = false;
+    bool selected = false; ///< and not the current one
+    bool inCurrentRow = false;
+    bool computed = false;
+};
+
+QColor groundOf(const CellState &state, const QPalette &palette) {
+    const QColor base = palette.color(QPalette::Base);
+    const QColor accent = token(Token::accent, palette);
+    if (state.ruling)
+        return tint(token(Token::explanation, palette), base, 0.13);
+    if (state.selected)
+        return tint(accent, base, 0.26);
+    if (state.inCurrentRow)
+        return tint(accent, base, 0.13);
+    return state.computed ? tint(palette.color(QPalette::Window), base, 0.6) : base;
+}
+
 constexpr auto initialText = "initialText";
 
 } // namespace
@@ -71,14 +91,8 @@ void ReadingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
     const QColor base = palette.color(QPalette::Base);
     const QColor accent = token(Token::accent, palette);
 
-    QColor ground = computed ? tint(palette.color(QPalette::Window), base, 0.6) : base;
-    if (ruling)
-        ground = tint(token(Token::explanation, palette), base, 0.13);
-    else if (selected && !current)
-        ground = tint(accent, base, 0.26);
-    else if (m_current.isValid() && m_current.row() == index.row() && !current)
-        ground = tint(accent, base, 0.13);
-    painter->fillRect(cell, ground);
+    const bool inCurrentRow = m_current.isValid() && m_current.row() == index.row() && !current;
+    painter->fillRect(cell, groundOf({ruling, selected && !current, inCurrentRow, computed}, palette));
 
     painter->setPen(token(Token::line, palette));
     painter->drawLine(cell.bottomLeft(), cell.bottomRight());
