@@ -176,6 +176,18 @@ Table sourcesTable(const Writer &write, const std::vector<DiagnosisRow> &rows, c
     return table;
 }
 
+/// The figure with its heading at the left; what is said of it comes to the right.
+SideBySide withTracedFigure(CircleFigure figure, const Writer &write) {
+    SideBySide both;
+    both.leftWidth = figureWidth;
+    both.gap = figureGap;
+    both.left.emplace_back(
+        Heading{2, figure.title, write.say(REPORT_TEXT("report", "%1 per division"), figure.divisionLabel)});
+    const QSizeF size = printedSize(figure);
+    both.left.emplace_back(FigureBlock{std::move(figure), size.width(), size.height()});
+    return both;
+}
+
 class DiagnosisPage {
 public:
     DiagnosisPage(const CircularPart &part, const DiagnosedTest &test)
@@ -226,13 +238,7 @@ private:
             options.synthetic = {
                 m_write.say(REPORT_TEXT_FOR("report", "synthetic, %1", "sources 1 to 4"), tracedName())};
         CircleFigure figure = diagnosisFigure(m_test, m_chosen, language(), options);
-        SideBySide both;
-        both.leftWidth = figureWidth;
-        both.gap = figureGap;
-        both.left.emplace_back(Heading{
-            2, figure.title, m_write.say(REPORT_TEXT("report", "%1 per division"), figure.divisionLabel)});
-        const QSizeF size = printedSize(figure);
-        both.left.emplace_back(FigureBlock{std::move(figure), size.width(), size.height()});
+        SideBySide both = withTracedFigure(std::move(figure), m_write);
         both.right.emplace_back(Heading{2, m_write.text(REPORT_TEXT("report", "Fit")),
                                         m_write.text(REPORT_TEXT("report", "least squares"))});
         both.right.emplace_back(fit());
@@ -418,13 +424,7 @@ private:
         options.size = {figureWidth, figureHeight};
         const std::vector<PathProfile> profiles = profilesAtFeeds(m_tests);
         CircleFigure figure = feedsFigure(m_tests, profiles, language(), options);
-        SideBySide both;
-        both.leftWidth = figureWidth;
-        both.gap = figureGap;
-        both.left.emplace_back(Heading{
-            2, figure.title, m_write.say(REPORT_TEXT("report", "%1 per division"), figure.divisionLabel)});
-        const QSizeF size = printedSize(figure);
-        both.left.emplace_back(FigureBlock{std::move(figure), size.width(), size.height()});
+        SideBySide both = withTracedFigure(std::move(figure), m_write);
         both.right.emplace_back(Heading{2, m_write.text(REPORT_TEXT("report", "Fit")),
                                         m_write.text(REPORT_TEXT("report", "all feeds together"))});
         KeyValues values;
