@@ -241,7 +241,7 @@ void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
             running, Heading{1,
                              write.say(REPORT_TEXT("report", "Test %1: %2"),
                                        {std::to_string(part.number), running.right.toStdString()}),
-                             QString::fromStdString(part.test.title)}};
+                             QString::fromStdString(part.test.title), detailsAnchor(part.headAnchor())}};
         blocks.insert(blocks.begin() + static_cast<std::ptrdiff_t>(first), heading.begin(), heading.end());
         printed.leaveOutRepeated(blocks, first, part);
     }

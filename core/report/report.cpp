@@ -44,6 +44,10 @@ QString anchorOf(const Block &block) {
     return heading ? heading->anchor : QString();
 }
 
+QString detailsAnchor(const QString &head) {
+    return head + QStringLiteral("-details");
+}
+
 namespace {
 
 void putPages(Table &table, const std::map<QString, int> &pages) {

@@ -366,6 +366,10 @@ struct Report {
 /// What links and numbers of pages lead to a block by; empty: nothing.
 [[nodiscard]] QString anchorOf(const Block &block);
 
+/// In a report of several tests the anchor of the title above what stands behind the results of a test;
+/// `head` is that of its head.
+[[nodiscard]] QString detailsAnchor(const QString &head);
+
 /// The report with the pages of its anchors put in. Anchors without a page print a dash.
 [[nodiscard]] Report withPages(Report report, const std::map<QString, int> &pages);
 

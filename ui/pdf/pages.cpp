@@ -507,6 +507,25 @@ std::vector<double> heightsOfBlocks(const Flow &flow, std::size_t count) {
     return result;
 }
 
+/// Behind the last of the sections from `first` on that find room whole at the end of a page.
+std::size_t endOfWhatFits(const std::vector<Block> &blocks, std::size_t first,
+                          const std::vector<double> &heights, const PageStrips &page, double bottom) {
+    double room = bottom - page.top() - page.used() - roundingRoom;
+    std::size_t taken = first;
+    while (taken < blocks.size() && beginsSection(blocks[taken])) {
+        double height = heights[taken];
+        std::size_t next = taken + 1;
+        for (; next < blocks.size() && !beginsSection(blocks[next]) && !isMark(blocks[next]); ++next)
+            height += heights[next];
+        const auto *heading = std::get_if<Heading>(&blocks[taken]);
+        if ((heading && heading->level == 1) || std::max(height, sectionGap + sectionRoom) > room)
+            break;
+        room -= height;
+        taken = next;
+    }
+    return taken;
+}
+
 /// Of what concerns all tests the sections from the first with an anchor on fill the page that their summary
 /// leaves, as many as find room there whole.
 void fillSummary(std::vector<Block> &blocks, const Flow &flow, double bottom) {
@@ -534,22 +553,43 @@ void fillSummary(std::vector<Block> &blocks, const Flow &flow, double bottom) {
     const int page = pagesOfBlocks(flow, blocks.size())[behind - 1];
     if (page == 0)
         return;
-    const PageStrips &summary = flow.pages()[static_cast<std::size_t>(page) - 1];
-    double room = bottom - summary.top() - summary.used() - roundingRoom;
+    const std::size_t taken = endOfWhatFits(blocks, first, heightsOfBlocks(flow, blocks.size()),
+                                            flow.pages()[static_cast<std::size_t>(page) - 1], bottom);
+    if (taken < blocks.size()) // something stays behind the break
+        std::rotate(at(behind), at(first), at(taken));
+}
+
+/// Where the results of one of several tests stand on a page behind that of its head, the sections that
+/// stand behind them in the report fill that page, as many as find room there whole. True: something was
+/// moved.
+bool fillResults(std::vector<Block> &blocks, const Flow &flow, double bottom) {
+    const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
     const std::vector<double> heights = heightsOfBlocks(flow, blocks.size());
-    std::size_t taken = first;
-    while (beginsSection(blocks[taken])) {
-        double height = heights[taken];
-        std::size_t next = taken + 1;
-        for (; next < blocks.size() && !beginsSection(blocks[next]) && !isMark(blocks[next]); ++next)
-            height += heights[next];
-        if (next >= blocks.size() || isTitle(blocks[taken]) ||
-            std::max(height, sectionGap + sectionRoom) > room)
-            break;
-        room -= height;
-        taken = next;
+    for (std::size_t head = 0; head < blocks.size(); ++head) {
+        if (!std::holds_alternative<TestHead>(blocks[head]) || anchorOf(blocks[head]).isEmpty())
+            continue;
+        std::size_t behind = head + 1;
+        while (behind < blocks.size() && !isMark(blocks[behind]))
+            ++behind;
+        const int page = pages[behind - 1];
+        const QString anchor = detailsAnchor(anchorOf(blocks[head]));
+        const auto title = std::find_if(at(behind), blocks.end(),
+                                        [&](const Block &block) { return anchorOf(block) == anchor; });
+        if (page <= pages[head] || title == blocks.end())
+            continue;
+        const auto first = static_cast<std::size_t>(title - blocks.begin()) + 1;
+        const std::size_t taken =
+            endOfWhatFits(blocks, first, heights, flow.pages()[static_cast<std::size_t>(page) - 1], bottom);
+        if (taken == first)
+            continue;
+        const bool all = taken >= blocks.size() || isMark(blocks[taken]);
+        std::rotate(at(behind), at(first), at(taken));
+        if (all) // its title, and the running head before that, have nothing below them
+            blocks.erase(at(taken - 2), at(taken));
+        return true;
     }
-    std::rotate(at(behind), at(first), at(taken));
+    return false;
 }
 
 /// A report laid out: its blocks in the order of the pages, and with their numbers put in.
@@ -571,6 +611,8 @@ Layout layoutOf(const Report &report, QSizeF size) {
         bool moved = followPages(arranged.blocks, result.flow);
         if (!moved)
             moved = moveVerdicts(arranged.blocks, result.flow);
+        if (!moved)
+            moved = fillResults(arranged.blocks, result.flow, size.height() - bottomMargin);
         std::map<QString, int> found = anchorPages(result.flow, result.report.blocks);
         if (!moved && found == numbers)
             break;

@@ -152,8 +152,17 @@ bool isSpace(QChar c) {
     return c == u' ' || c == u'\t';
 }
 
-/// Whether a line must not end at this space: before and after "=", between a number and its unit, between
-/// the name of a standard, "page" and their like and their number or letter ("l’ISO 230-2", "(clause 3").
+/// "000", "000,5", "000)": a group of three digits that begins a word.
+bool beginsWithGroup(QStringView word) {
+    constexpr qsizetype group = 3;
+    return word.size() >= group &&
+           std::ranges::all_of(word.first(group), [](QChar c) { return c.isDigit(); }) &&
+           (word.size() == group || !word[group].isLetterOrNumber());
+}
+
+/// Whether a line must not end at this space: before and after "=", between the groups of a number, between
+/// a number and its unit, between the name of a standard, "page" and their like and their number or letter
+/// ("l’ISO 230-2", "(clause 3").
 bool joinsWords(QStringView text, qsizetype space) {
     const auto isEnd = [&](qsizetype at) {
         return at < 0 || at >= text.size() || isSpace(text[at]) || text[at] == u'\n';
@@ -184,12 +193,17 @@ bool joinsWords(QStringView text, qsizetype space) {
         after[0].isDigit() || (after[0].isUpper() && (after.size() == 1 || !after[1].isLetter()));
     if (isNumber && std::ranges::find(numbered, before) != numbered.end())
         return true;
+    if (before.isEmpty() || !before.back().isDigit())
+        return false;
+    if (beginsWithGroup(after))
+        return true;
     while (!after.isEmpty() && QStringView(u",;:.)").contains(after.back()))
         after.chop(1);
-    static constexpr std::array<QStringView, 17> units{
-        u"mm",  u"µm", u"m", u"nm",  u"°",      u"″",     u"°C",    u"°C/h",     u"h",
-        u"min", u"s",  u"%", u"hPa", u"mm/min", u"m/min", u"°/min", u"µm/(m·°C)"};
-    return !before.isEmpty() && before.back().isDigit() && std::ranges::find(units, after) != units.end();
+    static constexpr std::array<QStringView, 29> units{
+        u"mm",     u"µm",    u"m",   u"nm", u"°",    u"′",    u"″",      u"°C",    u"°C/h",  u"K",
+        u"K/h",    u"h",     u"min", u"s",  u"%",    u"hPa",  u"mm/min", u"m/min", u"°/min", u"µm/(m·°C)",
+        u"tr/min", u"r/min", u"kg",  u"Hz", u"mrad", u"µrad", u"µm/m",   u"in",    u"bar"};
+    return std::ranges::find(units, after) != units.end();
 }
 
 std::vector<Word> words(const RichText &text) {
