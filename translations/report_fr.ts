@@ -6872,6 +6872,10 @@
         </translation>
     </message>
     <message>
+        <source>the name of a file is empty</source>
+        <translation>le nom d’un fichier est vide</translation>
+    </message>
+    <message>
         <source>the option %1 needs a value (%2)</source>
         <translation>l’option %1 demande une valeur (%2)</translation>
     </message>
