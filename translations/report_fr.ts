@@ -175,7 +175,7 @@
     </message>
     <message>
         <source>position of the axes not under test</source>
-        <translation>position des axes non soumis à l’essai</translation>
+        <translation>position des axes non concernés</translation>
     </message>
     <message>
         <source>dwell at each target</source>
@@ -408,6 +408,10 @@
         <translation>système de mesure de l’axe</translation>
     </message>
     <message>
+        <source>measuring system of the axes</source>
+        <translation>système de mesure des axes</translation>
+    </message>
+    <message>
         <source>how the targets were chosen</source>
         <translation>choix des points visés</translation>
     </message>
@@ -449,7 +453,7 @@
     </message>
     <message>
         <source>machine complete and in working order</source>
-        <translation>machine complète et en état de marche</translation>
+        <translation>machine complète et en ordre de marche</translation>
     </message>
     <message>
         <source>machine unloaded</source>
@@ -4166,7 +4170,7 @@
     </message>
     <message>
         <source>Axes not under test</source>
-        <translation>Axes non soumis à l’essai</translation>
+        <translation>Axes non concernés</translation>
     </message>
     <message>
         <source>Where the other axes stood: squareness and pitch of the axis move the readings with them.</source>

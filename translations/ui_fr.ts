@@ -1342,7 +1342,7 @@
     </message>
     <message>
         <source>Axes not under test</source>
-        <translation>Axes non soumis à l’essai</translation>
+        <translation>Axes non concernés</translation>
     </message>
     <message>
         <source>Offset to tool, X</source>

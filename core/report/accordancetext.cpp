@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/accordancetext.h"
 
+#include "kernel/words/blank.h"
 #include "report/wording.h"
 
 #include <QStringList>
@@ -110,12 +111,12 @@ private:
 
     [[nodiscard]] QString declared() const {
         const DeclaredAccordance &declared = m_test.declaredAccordance;
-        if (declared.by.empty())
+        if (isBlank(declared.by))
             return {};
         QStringList words{QString::fromStdString(declared.by)};
         if (declared.date && !declared.date->empty())
             words << m_language.date(*declared.date);
-        if (!declared.text.empty())
+        if (!isBlank(declared.text))
             words << QString::fromStdString(declared.text);
         return say(REPORT_TEXT("report", "; the laboratory declares the rest met (%1)"),
                    {words.join(QStringLiteral(", ")).toStdString()});

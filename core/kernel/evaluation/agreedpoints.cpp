@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/agreedpoints.h"
 
+#include "kernel/words/blank.h"
+
 #include <algorithm>
 
 namespace palmer {
@@ -21,7 +23,7 @@ PointRole roleOf(const AgreementPoint &point, const Test &test) {
     if (point.role && point.role(test) == PointRole::notApplicable)
         return PointRole::notApplicable;
     if (stated && stated->state == AgreementState::notApplicable &&
-        !(point.needsReason && stated->text.empty()))
+        !(point.needsReason && isBlank(stated->text)))
         return PointRole::notApplicable;
     return point.role ? point.role(test) : PointRole::listed;
 }

@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/measurement/referencetemperature.h"
+#include "kernel/words/blank.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ Judgement temperature(const Conditions &conditions, Text outside) {
 }
 
 Judgement stabilised(const Conditions &conditions) {
-    if (!conditions.stabilised && !conditions.soak.empty())
+    if (!conditions.stabilised && !isBlank(conditions.soak))
         return Judgement::met();
     return Judgement::of(conditions.stabilised);
 }
@@ -75,7 +76,7 @@ Judgement unloaded(const Conditions &conditions) {
     return Judgement::of(conditions.unloaded);
 }
 Judgement otherAxes(const Conditions &conditions) {
-    return conditions.otherAxes.empty() ? Judgement::unmet() : Judgement::met();
+    return isBlank(conditions.otherAxes) ? Judgement::unmet() : Judgement::met();
 }
 
 Judgement warmUpOrSetUp(const Conditions &conditions, const Test &test) {
@@ -110,13 +111,13 @@ bool allStated(const Point3 &point) {
 }
 
 bool instrumentPosition(const Conditions &conditions) {
-    return !conditions.instrumentPosition.empty() ||
+    return !isBlank(conditions.instrumentPosition) ||
            (allStated(conditions.toolOffset) && allStated(conditions.workpieceOffset));
 }
 
 bool machineSensorsPlaced(const Conditions &conditions) {
     return std::ranges::none_of(conditions.sensors, [](const Sensor &sensor) {
-        return sensor.measures == SensorMeasures::machine && sensor.position.empty();
+        return sensor.measures == SensorMeasures::machine && isBlank(sensor.position);
     });
 }
 

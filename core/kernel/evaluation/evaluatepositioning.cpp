@@ -73,12 +73,12 @@ Parameter parameter(const Row &row, const PositioningMeasurement &measurement,
 }
 
 /// Why parameters have no value: the first target whose statistic is missing, and the parameters it takes
-/// away.
+/// away; not those given on request only, which no clause on results asks for.
 void explainMissingValues(TestEvaluation &evaluation, std::span<const TargetStatistics> targets,
                           const PositioningResults &results, const Edition &edition) {
     std::string symbols;
     for (const Parameter &p : evaluation.parameters) {
-        if (!p.value)
+        if (!p.value && p.term.printed == Printed::always)
             symbols += (symbols.empty() ? "" : ", ") + plainSymbol(p);
     }
     if (symbols.empty())

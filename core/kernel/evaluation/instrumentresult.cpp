@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 namespace palmer {
@@ -29,6 +30,17 @@ const Parameter *ourResult(const TestEvaluation &evaluation, const std::string &
     return withId(name);
 }
 
+/// The unit as people read it, with either letter mu, or by its word: "µm", "um".
+const Unit *unitStated(std::string_view stated) {
+    constexpr std::string_view micro = "µ";
+    constexpr std::string_view greekMu = "μ";
+    std::string sign(stated);
+    if (stated.starts_with(greekMu))
+        sign.replace(0, greekMu.size(), micro);
+    const Unit *unit = unitOfSign(sign);
+    return unit ? unit : unitOf(stated);
+}
+
 } // namespace
 
 std::vector<InstrumentResult> instrumentResults(const Test &test, const TestEvaluation &evaluation) {
@@ -39,7 +51,7 @@ std::vector<InstrumentResult> instrumentResults(const Test &test, const TestEval
             const Parameter *ours = ourResult(evaluation, stated.name);
             if (!ours)
                 continue;
-            const Unit *unit = unitOfSign(stated.unit);
+            const Unit *unit = unitStated(stated.unit);
             const bool angle = ours->term.quantity == Quantity::angularDeviation;
             if (unit && unit->kind == (angle ? UnitKind::angle : UnitKind::length)) {
                 result.ours = ours;

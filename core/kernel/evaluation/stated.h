@@ -3,24 +3,26 @@
 #pragma once
 
 #include "kernel/evaluation/surroundings.h"
+#include "kernel/words/blank.h"
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 
 /// Whether a test states what reports of all kinds have to state. `Case` has test, surroundings and common().
 namespace palmer::stated {
 
 template <auto text, class Case>
 bool ofMachine(const Case &test) {
-    return test.surroundings.machine && !(test.surroundings.machine->*text).empty();
+    return test.surroundings.machine && !isBlank(test.surroundings.machine->*text);
 }
 
 /// A text that is not empty, or a value that is not null, of the conditions.
 template <auto member, class Case>
 bool common(const Case &test) {
     const auto &value = test.common().*member;
-    if constexpr (requires { value.empty(); })
-        return !value.empty();
+    if constexpr (std::is_convertible_v<decltype(value), std::string_view>)
+        return !isBlank(value);
     else
         return value.has_value();
 }
@@ -39,13 +41,13 @@ bool instruments(const Case &test) {
 template <class Case>
 bool instrumentSerial(const Case &test) {
     return std::ranges::none_of(test.surroundings.instruments,
-                                [](const Instrument *i) { return i->serialNumber.empty(); });
+                                [](const Instrument *i) { return isBlank(i->serialNumber); });
 }
 
 template <class Case>
 bool certificate(const Case &test) {
     return std::ranges::none_of(test.surroundings.instruments,
-                                [](const Instrument *i) { return i->certificate.empty(); });
+                                [](const Instrument *i) { return isBlank(i->certificate); });
 }
 
 template <class Case>

@@ -6,6 +6,7 @@
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/correction.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
+#include "kernel/words/blank.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,7 +157,7 @@ Judgement uncertaintyStated(const PositioningCase &test) {
 
 Judgement namedInstrument(const PositioningCase &test) {
     return std::ranges::any_of(test.surroundings.instruments,
-                               [](const Instrument *i) { return !i->description.empty(); })
+                               [](const Instrument *i) { return !isBlank(i->description); })
                ? Judgement::met()
                : Judgement::unmet();
 }

@@ -4,6 +4,7 @@
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
+#include "kernel/words/blank.h"
 
 #include <algorithm>
 #include <array>
@@ -155,7 +156,7 @@ Sentence excludedReadings(const PositioningCase &test) {
 
 Sentence excludedWithoutReason(const PositioningCase &test) {
     const auto without =
-        std::ranges::count_if(test.measurement.excluded, [](const auto &e) { return e.reason.empty(); });
+        std::ranges::count_if(test.measurement.excluded, [](const auto &e) { return isBlank(e.reason); });
     if (without == 0)
         return std::nullopt;
     return Message{REPORT_TEXT_COUNTED("report", "Readings set aside without a reason: %n."),
@@ -206,7 +207,11 @@ Sentence drift(const PositioningCase &test) {
     const auto beside =
         std::ranges::find_if(candidates, [](const Beside &b) { return !std::isnan(b.outcome.value); });
     const Number change = deviation(test, test.drift->change, 2);
-    const Number t{std::abs(test.drift->t), Quantity::number, 1};
+    // Runs that differ by nothing but the progress leave no scatter but that of floating point.
+    constexpr double largest = 1e6;
+    const double ratio = std::abs(test.drift->t);
+    const Argument t =
+        ratio < largest ? Argument(Number{ratio, Quantity::number, 1}) : Argument(std::string("∞"));
     const Number critical{test.drift->critical, Quantity::number, 2};
     if (beside == candidates.end())
         return Message{
@@ -225,7 +230,7 @@ Sentence drift(const PositioningCase &test) {
 
 bool stepCycleInWriting(const PositioningCase &test) {
     const AgreedPoint *point = agreedPoint(test.test, "stepCycle");
-    return point && point->state == AgreementState::agreed && !point->text.empty();
+    return point && point->state == AgreementState::agreed && !isBlank(point->text);
 }
 
 Sentence stepCycle(const PositioningCase &test) {

@@ -5,6 +5,7 @@
 #include "kernel/evaluation/commonchecks.h"
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/laboratory.h"
+#include "kernel/words/blank.h"
 
 #include <array>
 #include <vector>
@@ -103,10 +104,10 @@ bool choiceStated(const PositioningCase &test) {
     return test.measurement.targetChoice.kind != TargetChoiceKind::notStated;
 }
 bool axisName(const PositioningCase &test) {
-    return !test.measurement.axis.name.empty();
+    return !isBlank(test.measurement.axis.name);
 }
 bool positionFeedback(const PositioningCase &test) {
-    return !test.measurement.axis.positionFeedback.empty();
+    return !isBlank(test.measurement.axis.positionFeedback);
 }
 bool expansionStated(const PositioningCase &test) {
     const Expansion &alpha = test.common().expansion;

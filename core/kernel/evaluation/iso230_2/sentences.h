@@ -4,14 +4,18 @@
 
 #include "kernel/evaluation/positioningcase.h"
 
+#include <cmath>
 #include <string>
 
 /// Small words of the findings of positioning tests.
 namespace palmer::iso230_2 {
 
-/// A position or length along the axis: mm or degrees.
+/// A position or length along the axis: mm or degrees. Differences of positions lose what floating point
+/// adds to them: nobody states the billionth of a millimetre.
 [[nodiscard]] inline Number along(const PositioningCase &test, double value, int decimals = -1) {
-    return {value, test.linear() ? Quantity::position : Quantity::angle, decimals};
+    constexpr double billion = 1e9;
+    return {std::round(value * billion) / billion, test.linear() ? Quantity::position : Quantity::angle,
+            decimals};
 }
 
 /// A deviation, shown in µm or arc seconds.

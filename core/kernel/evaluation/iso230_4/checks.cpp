@@ -8,6 +8,7 @@
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/stated.h"
+#include "kernel/words/blank.h"
 
 #include <algorithm>
 #include <array>
@@ -260,7 +261,7 @@ Judgement allPoints(const CircularCase &test) {
     constexpr double margin = 1; ///< degrees
     for (const EvaluatedPath &path : test.results.paths) {
         const Arc &arc = test.measurement.arcs[path.arc];
-        if (!arc.evaluated || arc.angles.empty() || !arc.cutOff.empty())
+        if (!arc.evaluated || arc.angles.empty() || !isBlank(arc.cutOff))
             continue;
         const auto [low, high] = std::ranges::minmax(arc.angles);
         if (arc.evaluated->to - arc.evaluated->from < std::min(high - low, 360.0) - margin - 1e-9)
@@ -302,13 +303,16 @@ bool centringUncertaintyStated(const CircularCase &test) {
 }
 
 bool planeStated(const CircularCase &test) {
-    return !test.measurement.plane.first.empty() && !test.measurement.plane.second.empty();
+    return !isBlank(test.measurement.plane.first) && !isBlank(test.measurement.plane.second);
+}
+bool positionFeedbackStated(const CircularCase &test) {
+    return !isBlank(test.measurement.positionFeedback);
 }
 bool feedStated(const CircularCase &test) {
     return test.measurement.feed.has_value();
 }
 bool locationStated(const CircularCase &test) {
-    return common::allStated(test.conditions().centre) || !test.common().instrumentPosition.empty();
+    return common::allStated(test.conditions().centre) || !isBlank(test.common().instrumentPosition);
 }
 bool temperaturesStated(const CircularCase &test) {
     return std::ranges::all_of(
@@ -322,12 +326,12 @@ bool correctionStated(const CircularCase &test) {
     return test.common().correctionTo20 != CorrectionTo20::notStated;
 }
 bool startPointStated(const CircularCase &test) {
-    return !test.conditions().startPoint.empty();
+    return !isBlank(test.conditions().startPoint);
 }
 bool stopPointStated(const CircularCase &test) {
-    return !test.conditions().stopPoint.empty();
+    return !isBlank(test.conditions().stopPoint);
 }
 bool smoothingStated(const CircularCase &test) {
-    return !test.conditions().smoothing.empty();
+    return !isBlank(test.conditions().smoothing);
 }
 } // namespace palmer::iso230_4

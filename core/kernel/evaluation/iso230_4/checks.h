@@ -47,6 +47,7 @@ bool partialF(const CircularCase &test); ///< F of a partial arc
 bool uncertaintyStated(const CircularCase &test);
 bool centringUncertaintyStated(const CircularCase &test);
 bool planeStated(const CircularCase &test);
+bool positionFeedbackStated(const CircularCase &test);
 bool feedStated(const CircularCase &test);
 bool locationStated(const CircularCase &test);     ///< centre, or the position of the instrument
 bool temperaturesStated(const CircularCase &test); ///< of machine, instrument and air

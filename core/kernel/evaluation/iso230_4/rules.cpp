@@ -136,6 +136,7 @@ constexpr Row laboratoryRow(const char *id, bool (*applies)(const CircularCase &
     return {id, Source::laboratory, "", info, conditions, applies, judge, name, {}, {key}};
 }
 constexpr std::array laboratoryRows{
+    laboratoryRow("positionFeedback", external, stating<positionFeedbackStated>, REPORT_TEXT("report", "measuring system of the axes"), "positionFeedback"),
     laboratoryRow("offsets", external, stating<laboratory::offsets<CircularCase>>, REPORT_TEXT("report", "offset of the measuring line to the tool and workpiece reference"), "conditions.toolOffset"),
     laboratoryRow("sensorPositions", needsLength, statingConditions<common::machineSensorsPlaced>, REPORT_TEXT("report", "position of the temperature sensors"), "conditions.sensors"),
     laboratoryRow("correctionTo20", needsLength, stating<correctionStated>, REPORT_TEXT("report", "type of compensation"), "conditions.correctionTo20"),

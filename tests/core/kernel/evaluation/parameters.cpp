@@ -242,6 +242,13 @@ void Parameters::missingStatisticTakesTheValueAway() {
     QCOMPARE(std::get<std::string>(finding(one, "noValue")->message.arguments[0]),
              std::string("A, A↓, R, R↓"));
     QCOMPARE(std::get<std::string>(finding(one, "noValue")->message.arguments[1]), std::string("2↓"));
+    // The mean repeatability of 1988 is no result that clause 6 asks for.
+    auto of1988 = test;
+    of1988.edition = "ISO 230-2:1988";
+    const auto old = evaluated(of1988);
+    QVERIFY(parameter(old, "r") && !parameter(old, "r")->value);
+    QCOMPARE(std::get<std::string>(finding(old, "noValue")->message.arguments[0]),
+             std::string("A, A↓, R, R↓"));
 
     measurement(test).runs[1].deviations[1].reset();
     const auto none = evaluated(test);

@@ -226,6 +226,23 @@ void Requirements::rows_data() {
         row(
             "other axes not stated", edition, shortAxis, [](Setup &s) { s.common().otherAxes.clear(); },
             "otherAxes", "3.2", "unmet");
+        row(
+            "other axes blank", edition, shortAxis, [](Setup &s) { s.common().otherAxes = " \t\n"; },
+            "otherAxes", "3.2", "unmet");
+        row(
+            "soaking time blank", edition, shortAxis,
+            [](Setup &s) {
+                s.common().stabilised.reset();
+                s.common().soak = " ";
+            },
+            "soak", "3.1", "undeclared");
+        row(
+            "position of the instrument blank", edition, shortAxis,
+            [](Setup &s) {
+                s.common().instrumentPosition = " ";
+                s.common().toolOffset = {};
+            },
+            "instrumentPosition", "4.3.1", "unmet");
         // ---- 4.1: operation ----
         row(
             "rest of 0 s", edition, shortAxis, [](Setup &s) { s.m().conditions.dwell = 0; }, "dwell", "4.1",
@@ -687,6 +704,8 @@ void Requirements::rows_data() {
     row("step cycle by written agreement", of2006, shortAxis, step(AgreementState::agreed, "contract 12"),
         "cycle", "4.3.2", "note");
     row("step cycle agreed without a word", of2006, shortAxis, step(AgreementState::agreed, ""), "cycle",
+        "4.3.2", "unmet");
+    row("step cycle agreed with a blank", of2006, shortAxis, step(AgreementState::agreed, " "), "cycle",
         "4.3.2", "unmet");
     row("step cycle not agreed", of2006, shortAxis, step(AgreementState::notAgreed, "contract"), "cycle",
         "4.3.2", "unmet");
@@ -1302,6 +1321,7 @@ void Requirements::statementsOfCircles() {
     using Change = std::function<void(Circle &)>;
     const std::pair<const char *, Change> rows[]{
         {"offsets", [](Circle &c) { c.common().toolOffset[1].reset(); }},
+        {"positionFeedback", [](Circle &c) { c.m().positionFeedback.clear(); }},
         {"sensorPositions", [](Circle &c) { c.common().sensors[0].position.clear(); }},
         {"correctionTo20", [](Circle &c) { c.common().correctionTo20 = CorrectionTo20::notStated; }},
         {"manufacturer", [](Circle &c) { c.machine.manufacturer.clear(); }},
@@ -1323,9 +1343,10 @@ void Requirements::statementsOfCircles() {
     // Of a signal of the machine's own scales nothing is asked that belongs to an instrument.
     Circle own = circle();
     own.m().source = SignalSource::feedback;
+    own.m().positionFeedback.clear(); // the note on feedback signals says it
     own.common().toolOffset = {};
     own.common().sensors[0].position.clear();
-    for (const char *id : {"offsets", "sensorPositions"})
+    for (const char *id : {"offsets", "positionFeedback", "sensorPositions"})
         QVERIFY2(!isMissed(own.evaluated(), id), id);
     // Where the text was not read its statements are a laboratory's.
     Circle unread = circle();

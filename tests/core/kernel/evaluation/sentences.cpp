@@ -27,6 +27,7 @@ private slots:
     void numbers();
     void ofCircles_data();
     void ofCircles() { numbers(); }
+    void differencesOfPositionsAreDecimals();
 };
 
 void Sentences::numbers_data() {
@@ -202,6 +203,9 @@ void Sentences::numbers_data() {
         "0.048 mm→µm.2; 10.3923.1; 3.18245.2; R; 0.0769415 mm→µm.2");
     row("falling drift", of2006, shortAxis, "drift", driftOf({50, 30, 20, 10, 0}, true),
         "-0.048 mm→µm.2; 10.3923.1; 3.18245.2; R; 0.0769415 mm→µm.2");
+    // nothing but the progress: the scatter about it is that of floating point
+    row("drift on a line", of2006, shortAxis, "drift", driftOf({0, 10, 20, 30, 40}, true),
+        "0.04 mm→µm.2; ∞; 3.18245.2; R; 0.0632456 mm→µm.2");
     row("drift of one direction", of2006, shortAxis, "drift", driftOf({0, 10, 20, 30, 50}, false),
         "0.048 mm→µm.2; 10.3923.1; 3.18245.2; R↓; 0.0769415 mm→µm.2");
     row(
@@ -256,6 +260,13 @@ void Sentences::numbers_data() {
             s.test.imports = {{"x.rtl", "", {}, {{"A", 20, "µm"}}}};
         },
         "A; 0.02 mm→µm.2; 0.018 mm→µm.2");
+    for (const char *unit : {"um", "μm"}) // the word of files, the Greek letter
+        row(
+            unit, of2006, hand, "instrumentResult",
+            [unit](Setup &s) {
+                s.test.imports = {{"x.rtl", "", {}, {{"A", 20, unit}}}};
+            },
+            "A; 0.02 mm→µm.2; 0.018 mm→µm.2");
     row(
         "of an angle", of2006, hand, "instrumentResult",
         [](Setup &s) {
@@ -296,6 +307,24 @@ void Sentences::numbers() {
             found << written(one.message);
     }
     QVERIFY2(found.contains(expected), found.join(" | ").constData());
+}
+
+/// 810 − 798.763 is 11.236999999999966 in floating point; findings say 11.237.
+void Sentences::differencesOfPositionsAreDecimals() {
+    const auto value = [](Setup &setup, const char *id, std::size_t argument) {
+        const TestEvaluation evaluation = setup.evaluated();
+        const Finding *found = finding(evaluation, id);
+        return found ? std::get<Number>(found->message.arguments[argument]).value : 0.0;
+    };
+    Setup ends = shortAxis("ISO 230-2:2006");
+    ends.m().targets.back() = 798.763;
+    ends.m().axis.range = Interval{3, 810};
+    QCOMPARE(value(ends, "ends", 1), 11.237);
+    Setup spacing = shortAxis("ISO 230-2:1988");
+    spacing.m().targets = {0, 80, 160, 220.1, 320, 400.3};
+    spacing.m().targetChoice.period = 1;
+    QCOMPARE(value(spacing, "spacing", 0), 60.1);
+    QCOMPARE(value(spacing, "spacing", 1), 99.9);
 }
 
 void Sentences::ofCircles_data() {

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace palmer {
+
+/// Nothing but spaces, tabs and ends of lines: a field that states nothing.
+[[nodiscard]] constexpr bool isBlank(std::string_view text) {
+    return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+} // namespace palmer
