@@ -97,7 +97,8 @@ public:
             m_edition = asked->word;
         if (m_inputs.several) {
             m_outputs = outputsInFolder(*output, m_inputs, QStringLiteral(".pdf"));
-            if (QFileInfo(*output).exists() && !QFileInfo(*output).isDir())
+            const QFileInfo folder(*output);
+            if (!folder.isDir() && (folder.exists() || folder.suffix().toLower() == QLatin1StringView("pdf")))
                 throw UsageError(
                     {REPORT_TEXT("report", "the reports of several files go into a folder; %1 is none"),
                      {output->toStdString()}});
