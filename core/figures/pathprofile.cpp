@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/pathprofile.h"
 
+#include "figures/extremes.h"
 #include "kernel/numerics/fullturn.h"
 
 #include <algorithm>
@@ -82,28 +83,13 @@ private:
 
     /// The first of the least and of the greatest deviations of some points, in their order.
     [[nodiscard]] std::array<std::size_t, 2> extremes(std::size_t first, std::size_t next) const {
-        // Four at a time wait for one another no more, and nothing is jumped over: a fifth of the time.
-        constexpr std::size_t lanes = 4;
         const double *const values = m_profile.deviations.data();
-        std::array<double, lanes> least{};
-        least.fill(values[first]);
-        std::array<double, lanes> greatest = least;
-        std::size_t i = first;
-        for (; i + lanes <= next; i += lanes) {
-            for (std::size_t k = 0; k < lanes; ++k) {
-                least[k] = std::min(least[k], values[i + k]);
-                greatest[k] = std::max(greatest[k], values[i + k]);
-            }
-        }
-        for (; i < next; ++i) {
-            least[0] = std::min(least[0], values[i]);
-            greatest[0] = std::max(greatest[0], values[i]);
-        }
+        const Interval range = extremesOf({values + first, values + next});
         const auto placeOf = [&](double value) {
             return static_cast<std::size_t>(std::find(values + first, values + next, value) - values);
         };
-        const std::size_t low = placeOf(*std::ranges::min_element(least));
-        const std::size_t high = placeOf(*std::ranges::max_element(greatest));
+        const std::size_t low = placeOf(range.from);
+        const std::size_t high = placeOf(range.to);
         return {std::min(low, high), std::max(low, high)};
     }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/pathprofile.h"
 
+#include "figures/extremes.h"
+
 #include <QTest>
 
 #include <algorithm>
@@ -174,6 +176,18 @@ private slots:
                 add(drawn, point);
             QVERIFY(extremes == drawn);
             QVERIFY(kept.size() <= 4 * extremes.size());
+        }
+    }
+
+    void extremesAreThoseOfAnyNumberOfValues() {
+        std::mt19937 generator(7);
+        std::normal_distribution<double> noise(0, 1);
+        for (int run = 0; run < 2000; ++run) {
+            std::vector<double> values(generator() % 21 + 1);
+            for (double &value : values)
+                value = noise(generator);
+            QCOMPARE(extremesOf(values).from, std::ranges::min(values));
+            QCOMPARE(extremesOf(values).to, std::ranges::max(values));
         }
     }
 
