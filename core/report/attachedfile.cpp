@@ -4,8 +4,8 @@
 
 #include "document/writedocument.h"
 #include "export/resultsjson.h"
+#include "import/importmeasurement.h"
 
-#include <QCryptographicHash>
 #include <algorithm>
 
 namespace palmer {
@@ -58,7 +58,7 @@ QByteArray attachedResults(const EvaluatedDocument &evaluated) {
 }
 
 QString fingerprint(const QByteArray &attachedFile) {
-    return QString::fromLatin1(QCryptographicHash::hash(attachedFile, QCryptographicHash::Sha256).toHex());
+    return QString::fromStdString(sha256(attachedFile));
 }
 
 QString shortFingerprint(const QString &fingerprint) {
