@@ -3,6 +3,7 @@
 #include "ui/import/importassistant.h"
 
 #include "document/savedocument.h"
+#include "document/sha256.h"
 #include "figures/deviationfigure.h"
 #include "figures/driftfigure.h"
 #include "figures/linefigure.h"
