@@ -6,6 +6,7 @@
 #include "document/edits.h"
 #include "document/filename.h"
 #include "document/savedocument.h"
+#include "document/sha256.h"
 #include "document/testfile.h"
 #include "import/doubts.h"
 #include "import/layouts/headings.h"
@@ -17,9 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <functional>
-#include <nettle/sha2.h>
 
 namespace palmer {
 
@@ -175,19 +174,6 @@ std::string wishedId(const Test &test) {
 
 std::span<const ImportFormat> importFormats() {
     return formats;
-}
-
-std::string sha256(QByteArrayView bytes) {
-    // 40 MB in 26 ms by the instructions that processors have for it; QCryptographicHash takes 180 ms.
-    QByteArray digest(SHA256_DIGEST_SIZE, Qt::Uninitialized);
-    sha256_ctx hash{};
-    sha256_init(&hash);
-    // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast): bytes of nettle
-    sha256_update(&hash, static_cast<std::size_t>(bytes.size()),
-                  reinterpret_cast<const std::uint8_t *>(bytes.data()));
-    sha256_digest(&hash, SHA256_DIGEST_SIZE, reinterpret_cast<std::uint8_t *>(digest.data()));
-    // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
-    return digest.toHex().toStdString();
 }
 
 namespace {

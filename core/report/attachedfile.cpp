@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/attachedfile.h"
 
+#include "document/sha256.h"
 #include "document/writedocument.h"
 #include "export/resultsjson.h"
-#include "import/importmeasurement.h"
 
 #include <algorithm>
 
