@@ -42,7 +42,7 @@ std::future<std::string> hashOf(const QByteArray &bytes) {
 
 /// Before a long file is read. What reading it takes and gives back – bytes, text, cells, readings, JSON – is
 /// used again instead of given back to the system, which clears each page anew, and is in large pages.
-void keepMemory(qint64 fileSize) {
+void keepMemory([[maybe_unused]] qint64 fileSize) {
 #ifdef __GLIBC__
     constexpr qint64 isLong = 4 << 20;
     constexpr qint64 mostAtOnce = 256 << 20;

@@ -78,7 +78,13 @@ public:
     explicit Sheet(const Choices &choices)
         : m_leavesHidden(choices.chosen("hidden") == "leave") {}
 
-    void hideColumns(int first, int count) { m_hiddenColumns.push_back({first, count}); }
+    /// Columns from 0, in the order in which they stand, as files describe them.
+    void hideColumns(int first, int count) {
+        if (first < std::ssize(m_hiddenColumns))
+            return;
+        m_hiddenColumns.resize(static_cast<std::size_t>(first), false);
+        m_hiddenColumns.resize(static_cast<std::size_t>(first + count), true);
+    }
     void beginRow(std::size_t line, bool isHidden = false) {
         m_column = 0;
         m_line = line;
@@ -135,15 +141,9 @@ public:
     std::size_t emptyFormulaLine = 0;
 
 private:
-    struct Columns {
-        int first = 0;
-        int count = 0;
-    };
-
     [[nodiscard]] bool isHiddenAt(int column) const {
-        return m_isHidden || std::ranges::any_of(m_hiddenColumns, [column](const Columns &hidden) {
-                   return column >= hidden.first && column - hidden.first < hidden.count;
-               });
+        return m_isHidden ||
+               (column < std::ssize(m_hiddenColumns) && m_hiddenColumns[static_cast<std::size_t>(column)]);
     }
     void countEmptyFormulas() {
         if (m_numbers == 0 || m_emptyFormulas == 0)
@@ -154,7 +154,7 @@ private:
     }
 
     TableBuilder m_builder;
-    std::vector<Columns> m_hiddenColumns;
+    std::vector<bool> m_hiddenColumns; ///< up to the last that is
     bool m_leavesHidden;
     std::size_t m_line = 1;
     int m_column = 0;
@@ -260,7 +260,8 @@ enum class Shown { number, time, date };
 /// By the code of the format, without what stands there literally: "dd/mm/yyyy", "[h]:mm:ss", "0.0 \"s\"".
 Shown shownBy(const QString &code) {
     static const QRegularExpression literal(QStringLiteral(R"("[^"]*"|\\.|_.|\*.|\[[^\]]*[^\]hms][^\]]*\])"));
-    const QString bare = QString(code).remove(literal).toLower();
+    constexpr qsizetype longestCode = 255;
+    const QString bare = code.left(longestCode).remove(literal).toLower();
     if (bare.contains(u'y') || bare.contains(u'd'))
         return Shown::date;
     return bare.contains(u'h') || bare.contains(u's') ? Shown::time : Shown::number;
@@ -277,6 +278,7 @@ Shown shownBy(int builtIn) {
 
 /// Of each style that cells name.
 std::vector<Shown> stylesOf(const QByteArray &bytes) {
+    constexpr std::size_t mostStyles = 100'000;
     std::vector<Shown> styles;
     if (bytes.isEmpty())
         return styles;
@@ -289,7 +291,7 @@ std::vector<Shown> stylesOf(const QByteArray &bytes) {
             const int number = attribute(xml, "numFmtId").toInt();
             if (xml.name() == QLatin1StringView("numFmt"))
                 own[number] = shownBy(attribute(xml, "formatCode"));
-            else if (ofCells && xml.name() == QLatin1StringView("xf"))
+            else if (ofCells && xml.name() == QLatin1StringView("xf") && styles.size() < mostStyles)
                 styles.push_back(own.value(number, shownBy(number)));
         },
         [&](const QXmlStreamReader &xml) { ofCells = ofCells && xml.name() != QLatin1StringView("cellXfs"); },
@@ -304,7 +306,9 @@ QString timeText(double days, Shown shown) {
     constexpr qint64 dayLength = 86'400'000; // ms
     if (!(days >= (shown == Shown::date ? firstSure : 0)) || !(days < (shown == Shown::date ? afterLast : 1)))
         return {};
-    const qint64 time = std::llround(days * static_cast<double>(dayLength));
+    qint64 time = std::llround(days * static_cast<double>(dayLength));
+    if (shown == Shown::time)
+        time = std::min(time, dayLength - 1); // no next day
     const QTime clock = QTime::fromMSecsSinceStartOfDay(static_cast<int>(time % dayLength));
     const QString hours =
         clock.toString(clock.msec() == 0 ? QStringLiteral("HH:mm:ss") : QStringLiteral("HH:mm:ss.zzz"));
